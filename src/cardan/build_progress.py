@@ -13,9 +13,9 @@ import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
-# seconds before the line appears, and between two of its pictures
-PATIENCE, PERIOD = 3.0, 0.25
-WIDEST, MOST_NAMES = 100, 3
+# seconds before the line appears, and between two updates
+DELAY, PERIOD = 3.0, 0.25
+MAX_WIDTH, MAX_NAMES = 100, 3
 CLEAR = "\r\x1b[2K"
 
 _stages: list[str] = []
@@ -41,8 +41,8 @@ def stage(text: str) -> Iterator[None]:
 
 def listed(names: Sequence[str]) -> str:
     """The first names of many."""
-    more = len(names) - MOST_NAMES
-    return ", ".join(names[:MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
+    more = len(names) - MAX_NAMES
+    return ", ".join(names[:MAX_NAMES]) + (f" and {more} more" if more > 0 else "")
 
 
 def _is_terminal() -> bool:
@@ -62,7 +62,7 @@ class _Line:
         self._thread.start()
 
     def _draw(self) -> None:
-        if self._done.wait(PATIENCE):
+        if self._done.wait(DELAY):
             return
         while not self._done.wait(PERIOD if self._drawn else 0):
             texts = _stages[-1:]
@@ -72,7 +72,7 @@ class _Line:
     def _text(self, text: str) -> str:
         seconds = f" ({time.perf_counter() - self._since:.0f} s)"
         plain = "".join(c if c.isprintable() else "?" for c in text)
-        most = WIDEST - len(seconds)
+        most = MAX_WIDTH - len(seconds)
         return (plain if len(plain) <= most else plain[: most - 3] + "...") + seconds
 
     def _write(self, text: str) -> None:

@@ -133,6 +133,17 @@ def test_a_slack_tether_by_hand_written_equations(coordinates: str) -> None:
     assert np.abs(motion.energy_residual).max() < 1e-4
 
 
+def test_a_cable_on_a_prescribed_hook_at_a_time() -> None:
+    scene = cd.Scene("hoist", gravity=(0, 0, 0))
+    hook, drum = (scene.body(name, mass=1.0, inertia=(1, 1, 1)) for name in ("hook", "drum"))
+    scene.joint("lift", cd.Prismatic("z"), scene.ground, hook, prescribed=1 + 0.1 * cd.t)
+    scene.joint("spin", cd.Revolute("z"), scene.ground, drum)
+    scene.cable("rope", scene.ground, hook, EA=500.0, length=1.0)
+    model = cd.compile(scene)
+    rest = model.cable("rope", model.initial()[:1], t=2.0)
+    assert np.allclose(rest.tension, 500.0 * 0.2)
+
+
 def crane(**places: Any) -> cd.Scene:
     """A boom held by a guy, with a rope of several pieces to a load, and a beam with a stay."""
     scene = cd.Scene("crane")

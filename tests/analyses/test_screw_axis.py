@@ -66,3 +66,23 @@ def test_parallel_motion_and_rest() -> None:
     still = model.screw_axis("sled", np.zeros((2, 3)), np.zeros((2, 3)))
     assert not still.direction.any()
     assert np.isnan(still.pitch).all()
+
+
+def test_the_axis_goes_along_with_what_is_prescribed() -> None:
+    scene = cd.Scene("trolley", gravity=(0, 0, 0))
+    trolley, wheel = (scene.body(name, mass=1, inertia=(1, 1, 1)) for name in ("trolley", "wheel"))
+    pull = scene.input("pull")
+    scene.joint("rail", cd.Prismatic("x"), scene.ground, trolley, prescribed=2 * cd.t)
+    scene.joint(
+        "lift", cd.Prismatic("y"), trolley, post := scene.body("post", mass=1), prescribed=pull
+    )
+    scene.joint("axle", cd.Revolute("z"), post, wheel)
+    model = cd.compile(scene)
+    times = np.array([0.0, 0.5, 1.0])
+    motion = model.simulate(
+        1.0, t_eval=times, u={"axle": 4.0}, inputs={"pull": (np.arange(5.0), 3 * np.arange(5.0))}
+    )
+    axes = motion.screw_axis("wheel")
+    # a wheel at (2 t, 3 t) that moves with (2, 3) and turns by 4: it rests beside its center
+    expected = np.stack([2 * times - 3 / 4, 3 * times + 2 / 4, 0 * times], axis=-1)
+    assert np.allclose(axes.point, expected, atol=1e-7)

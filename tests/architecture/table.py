@@ -46,7 +46,6 @@ SYMPY_AT_IMPORT: frozenset[str] = frozenset(
         "cardan.ir.forms.sympy_out",
         "cardan.ir.forms.readable",
         "cardan.equations.reading.energy_expressions",
-        "cardan.equations.reading.expressions_of_formulas",
         "cardan.equations.reading.mathml",
         "cardan.explain.breaking",
         "cardan.equations.reading.named",
@@ -85,7 +84,8 @@ FAMILIES: dict[str, frozenset[str]] = {
         }
     ),
     "elements.joints": frozenset({"joint", "hinge", "guided", "rolling"}),
-    "elements.forces": frozenset({"force", "gravitation", "line", "relative_springs"}),
+    "elements.forces": frozenset({"force", "line", "relative_springs"}),
+    "elements.forces.gravity": frozenset({"gravitation", "fields"}),
     "elements.sections": frozenset({"section"}),
     "elements.centerlines": frozenset({"centerline"}),
     "spatial.rotations": frozenset({"rotation"}),

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cardan.elements.flexible import BEAMS, FLEXIBLE, INERTIAS, FlexibleElement, GravityField
-from cardan.elements.forces.gravity_gradient import GravityGradient
+from cardan.elements.forces.gravity.gravity_gradient import GravityGradient
 from cardan.equations.reading.typesetting import typeset, unbroken
 from cardan.ir.interpreter import evaluate
 from elements.formula_values import computed, data_of, skew

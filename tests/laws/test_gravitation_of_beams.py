@@ -13,27 +13,14 @@ from cardan.elements.flexible import GravityField
 from cardan.ir.interpreter import evaluate
 from equations.finite_elements.reference import Reference
 from equations.finite_elements.test_tangents import tangents_agree
+from laws.gravity_scenes import MU, boom
 
-MU = 20.0
 
-
-def boom(center: str = "ground", hub: str = "free", inertia: str = "linked") -> cd.Scene:
+def flat_boom(center: str = "ground", hub: str = "free", inertia: str = "linked") -> cd.Scene:
     """A hub with a beam, pulled by all fields about a point of the ground or of a body."""
-    scene = cd.Scene("boom", gravity=(0, 0, 0))
-    body = scene.body("hub", mass=2.0, inertia=(0.1, 0.12, 0.13))
-    joint = cd.Free() if hub == "free" else cd.Revolute("z")
-    scene.joint("hub", joint, scene.ground.at(3, 0, 0), body)
-    place = scene.ground
-    if center != "ground":
-        place = scene.body("planet", mass=5.0, inertia=(1, 1, 1))
-        on = cd.Free() if center == "node" else cd.Revolute("z")
-        scene.joint("planet", on, scene.ground, place)
-    section = cd.section.general(EA=1e4, GA=1e4, GJ=1e3, EI=1e3, rhoA=1.3, rhoI=(0.02, 0.03))
-    scene.beam("beam", body, (5, 0.5, 0), section, elements=2, inertia=inertia)
-    where = place.at(0.1, 0.2, 0.3)
-    scene.force("pull", cd.CentralGravity(where, MU))
-    scene.force("extent", cd.GravityGradient(where, MU))
-    scene.force("flat", cd.J2(where, MU, 0.1, 1.0, pole=(0.1, 0.2, 0.9), gradient=True))
+    scene = boom(lambda scene: MU, center, hub, inertia=inertia)
+    place = scene.bodies.get("planet", scene.ground).at(0.1, 0.2, 0.3)
+    scene.force("flat", cd.J2(place, MU, 0.1, 1.0, pole=(0.1, 0.2, 0.9), gradient=True))
     return scene
 
 
@@ -42,7 +29,7 @@ def boom(center: str = "ground", hub: str = "free", inertia: str = "linked") -> 
     [("ground", "free", "lumped"), ("node", "free", "linked"), ("tree", "hinged", "linked")],
 )
 def test_tangents_are_derivatives(center: str, hub: str, inertia: str) -> None:
-    equations = cd.derive(boom(center, hub, inertia))
+    equations = cd.derive(flat_boom(center, hub, inertia))
     assert any("gravity_field" in kind.name for kind in equations.kinds)
     tangents_agree(Reference(equations, None, None))
 
@@ -118,7 +105,7 @@ def _rotation(q: Any) -> Any:
 
 
 def test_beams_are_named_like_bodies() -> None:
-    scene = boom()
+    scene = flat_boom()
     scene.force("named", cd.CentralGravity(scene.ground, 1.0, bodies=("hub", "beam")))
     scene.force("one", cd.CentralGravity(scene.ground, 1.0, bodies=scene.beams["beam"]))
     with pytest.raises(cd.ModelError, match="beam 'beam' is named twice"):

@@ -28,9 +28,8 @@ NEAREST = 1e-6
 HELD = 1e-9
 PLACE = 0.1  # of the motion that the loops of a mechanism allow
 CASES = ("all", "two", "first", "last", "none")
-# a search in nodes ends the root of rounding beside the change point that is refused in joints
-OPEN_FAULTS = {("parallelogram", "last")}
-REFUSED = {("parallelogram", "none")}
+# named is the place of the last window: the first is flat then, and does not move
+REFUSED = {("parallelogram", "none"), ("parallelogram", "last")}
 FEWEST = 66
 
 
@@ -114,12 +113,7 @@ def compared(name: str, case: str) -> int:
 
 @pytest.mark.parametrize("case", CASES)
 @pytest.mark.parametrize("name", slowly(CLOSED, SHOWN))
-def test_closed_mechanisms_start_alike(
-    name: str, case: str, request: pytest.FixtureRequest
-) -> None:
-    if (name, case) in OPEN_FAULTS:
-        why = "A3: nodes take a start at a change point that joint coordinates refuse"
-        request.applymarker(pytest.mark.xfail(strict=True, reason=why))
+def test_closed_mechanisms_start_alike(name: str, case: str) -> None:
     print(name, case, "starts compared:", compared(name, case))
 
 
@@ -132,11 +126,36 @@ def test_enough_starts_were_compared() -> None:
 @pytest.mark.slow
 def test_starts_of_most_mechanisms_were_compared() -> None:
     """Only where branches meet may all starts of a case be refused."""
-    pairs = {(name, case) for name in CLOSED for case in CASES} - OPEN_FAULTS
+    pairs = {(name, case) for name in CLOSED for case in CASES}
     counts = {pair: compared(*pair) for pair in sorted(pairs)}
     print("starts compared:", counts)
     assert {pair for pair, count in counts.items() if not count} <= REFUSED
     assert sum(counts.values()) >= FEWEST
+
+
+def rods(lengths: tuple[float, float, float], distance: float) -> cd.Scene:
+    """Three rods in a plane between two pivots."""
+    scene, end = cd.Scene("rods", gravity=(0, -9.81, 0)), None
+    for k, length in enumerate(lengths):
+        rod = scene.body(f"rod{k}", 1.0, inertia=(0.1,) * 3)
+        scene.joint(f"J{k}", cd.Revolute("z"), scene.ground if end is None else end, rod)
+        end = rod.at(length, 0, 0)
+    scene.joint("J3", cd.Revolute("z"), end, scene.ground.at(distance, 0, 0), cut=True)
+    return scene
+
+
+@pytest.mark.parametrize("coordinates", ["relative", "absolute"])
+@pytest.mark.parametrize("offset", [0.0, 3e-9, 1e-5])
+def test_stretched_rods_do_not_start(coordinates: str, offset: float) -> None:
+    """Rods on one line between pivots as far apart as they are long: nothing moves, though the
+
+    constraints have a freedom more, here and wherever a search ends beside it. A little less far,
+    the rank is lost nowhere.
+    """
+    model = cd.compile(rods((1.0, 0.7, 0.5), 2.2 - offset**2), coordinates=coordinates)
+    start = started(model, {"J0": offset}, {})
+    assert isinstance(start, str) == (offset < 1e-6), start
+    assert isinstance(start, dict) or "1 of 2 independent constraints" in start
 
 
 def even() -> cd.Scene:

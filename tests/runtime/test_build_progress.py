@@ -17,7 +17,7 @@ import sys, time
 import cardan as cd
 from cardan import build_progress
 
-build_progress.PATIENCE = float(sys.argv[1])
+build_progress.DELAY = float(sys.argv[1])
 scene = cd.Scene("chain")
 place = scene.ground
 for k in range(9):

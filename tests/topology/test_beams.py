@@ -336,11 +336,11 @@ def test_the_graph_draws_beams() -> None:
     beam.at(0.5, name="mid")
     scene.joint("pin", cd.Revolute("z"), scene.ground, beam.end)
     view = scene.graph
-    assert view.beams == (("beam", "<b>", "ground", "mid"), ("beam", "<b>", "mid", "<b>.end"))
+    assert view.beams == (("beam", "<b>", "ground", "mid", 3), ("beam", "<b>", "mid", "<b>.end", 3))
     assert view.incidence["mid", "mid"] == -1
     assert "beam: ground == mid  [<b>: 3 elements]" in str(view)
     assert '"mid" -> "<b>.end" [label="<b>\\n3 elements", style=bold' in view.dot()
-    assert view.svg().count('stroke-width="6"') == len(view.elements) == 2
+    assert view.svg().count('stroke-width="6"') == len(view.beams) == 2
     assert (view.svg().count("<circle"), view.svg().count("<b>")) == (4, 0)
 
 

@@ -21,7 +21,7 @@ from ..analyses.simulation.precision.runs import Show
 from ..analyses.simulation.precision.stiffness import Stiffness
 from ..analyses.simulation.settings import Values
 from ..analyses.simulation.stepper import Stepper
-from ..arguments import Count, LockedValues, Seed
+from ..arguments import Count, LockedValues, Seed, Times
 from ..arrays import Array
 from ..runtime.calls.evaluation import State
 from ..runtime.calls.objects import Key
@@ -533,12 +533,22 @@ class CompiledModel(LoadedModel):
         frame: str,
         q: State,
         u: State,
+        *,
+        t: Times = 0.0,
+        r: State | None = None,
     ) -> ScrewAxis:
         """Instantaneous screw axis of a body or frame against the ground.
 
         Args:
             frame: Name of the frame or body.
             q, u: Coordinates (..., nq) and speeds (..., nu).
+            t, r: Time [s] and inputs (..., nr), where something is prescribed.
+
+        Returns:
+            The axis at every state.
+
+        Raises:
+            ModelError: there is no such frame. ArgumentError: q or u has another shape.
 
         Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, chapter 4.
         """
@@ -859,12 +869,19 @@ class CompiledModel(LoadedModel):
         name: str,
         q: State,
         u: State | None = None,
+        *,
+        t: Times = 0.0,
+        r: State | None = None,
     ) -> CableTension:
         """Tension along a cable.
 
         Args:
             name: Of the cable.
             q, u: Coordinates (..., nq) and speeds (..., nu); u is 0 unless given.
+            t, r: Time [s] and inputs (..., nr), where something is prescribed.
+
+        Returns:
+            Its tension in every element (..., n) [N].
 
         Raises:
             ArgumentError: there is no such cable.

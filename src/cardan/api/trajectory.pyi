@@ -47,6 +47,12 @@ class Trajectory(TrajectoryRecord):
 
         Args:
             frame: Name of the frame or body.
+
+        Returns:
+            The axis at every time (nt).
+
+        Raises:
+            ModelError: there is no such frame, or the motion was read from a file without its model.
         """
     def torques(
         self,

@@ -6,6 +6,7 @@ the unit and the zero matrix (3, 3), and i = (1, 0, 0).
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TypeAlias
 
 # (what it is, formula), in the order in which one needs the other
@@ -39,21 +40,18 @@ MEASURES: Lines = (
     ("length and shear of the element", "e = U @ d"),
 )  # fmt: skip
 
-# element -> shapes of what its formulas read, beside vectors and rotations of its ends and numbers
+# how the strain changes with the relative pose
+TANGENT: Lines = (
+    ("derivative of theta by the relative rotation",
+     "D = I + skew(theta) / 2 + a * skew(theta) @ skew(theta)"),
+    ("derivative of e by theta",
+     "N = beta_2 * (dot(theta, d) * I + theta * d.T - 2 * d * theta.T)"
+     " + 2 * (kappa_1 * skew(theta) @ d + kappa_2 * skew(theta) @ skew(theta) @ d) * theta.T"
+     " - beta_1 * skew(d)"),
+)  # fmt: skip
+
+# of what formulas read beside numbers and vectors and rotations of ends: rows and columns, or a
+# kind of matrix and its size
 Shape: TypeAlias = "tuple[int | str, int]"
-_STRAINS: dict[str, Shape] = {"K": (6, 1), "epsilon": (6, 1)}
-_SPRINGS: dict[str, Shape] = {"y_0": (6, 1), "k": ("symmetric", 6)}
-_SPIN: dict[str, Shape] = {"J": ("diagonal", 3)}
-_LOAD: dict[str, Shape] = {"f": (3, 1), "m": (3, 1)}
-_MASS: dict[str, Shape] = {"c": (3, 1), "I": ("symmetric", 3)}
-SHAPES: dict[str, dict[str, Shape]] = {
-    **dict.fromkeys(("helicoidal", "classical", "damping"), _STRAINS),
-    "hellinger_reissner": _STRAINS | {"f_0": (3, 1), "n": (3, 1)},
-    **dict.fromkeys(("bushing", "flexible_hinge"), _SPRINGS),
-    **dict.fromkeys(("linked_inertia", "lumped_inertia"), _SPIN),
-    **dict.fromkeys(("dead_load", "follower_load"), _LOAD),
-    "gravity_field": _SPIN,
-    "body": {"c": (3, 1), "J": ("symmetric", 3)},
-    **dict.fromkeys(("central_gravity", "gravity_gradient"), _MASS),
-    "contact": {"n_0": (3, 1)},
-}
+Shapes: TypeAlias = "Mapping[str, Shape]"
+RIGID_SHAPES: Shapes = {"c": (3, 1), "J": ("symmetric", 3)}

@@ -179,7 +179,8 @@ def element_reason(system: System, cables: Iterable[HasElements], chosen: bool) 
     several = sum(cable.elements for cable in cables if cable.elements > 1)
     if several:
         return f"cables of {several} elements", True
-    # elements have no written equations; across a plane they have no reactions that rub
+    # elements have no written equations; nodes in a plane have no reaction across it, which
+    # friction may follow from
     if chosen or system.written or any(force.element.by_reaction for force in system.forces):
         return "", False
     loops = [{number for number, _ in cut.path} for cut in system.cuts]

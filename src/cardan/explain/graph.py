@@ -48,7 +48,7 @@ def _arcs(system: System) -> Iterator[Arc]:
         yield Arc(cut.name, kind, *ends, "closing")
     for segment in system.segments:
         ends = _part(system, segment.frame_a), _part(system, segment.frame_b)
-        yield drawing.beam_arc("beam", segment.name, *ends, segment.line.elements)
+        yield drawing.beam_arc(drawing.BeamArc("beam", segment.name, *ends, segment.line.elements))
 
 
 def _fixed(parts: tuple[Part, ...]) -> Iterator[Arc]:

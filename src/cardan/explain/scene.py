@@ -35,6 +35,6 @@ def document(model: SceneRecord) -> d.Document:
         table = d.Table(("", "name", "unit", "default"), declared)
         blocks.append(d.Folded("Parameters", (table,)))
     graph = view(model)
-    arcs = drawing.arcs(graph.branches, graph.closing, graph.beams, graph.elements)
+    arcs = drawing.arcs(graph.branches, graph.closing, graph.beams)
     section = d.Section("", (*blocks, drawn(graph.bodies, arcs)))
     return d.Document(model.name, tuple(lead), (section,))

@@ -273,8 +273,15 @@ def add_cable(
     if pull < 0:
         raise ModelError(f"{who}: tension is {pull:g}; a cable does not push: give 0 or more")
     cable = Cable(
-        *(model, name, (first, last), values["EA"], values["rhoA"], length, pull),
-        *(values["damping"], count),
+        model=model,
+        name=name,
+        ends=(first, last),
+        EA=values["EA"],
+        rhoA=values["rhoA"],
+        length=length,
+        tension=pull,
+        damping=values["damping"],
+        elements=count,
     )
     add_cable_nodes(cable)
     return cable

@@ -9,6 +9,14 @@ from collections.abc import Mapping, Sequence
 
 from .fields import NOTHING, Record, count, field, listed, number, pair, table, text
 
+# in place of a node: the ground, and a body that the joints of a rigid tree place; where there are
+# several such bodies these are counted downward
+GROUND, ON_TREE = -1, -2
+# numbers of a row of "jumps" besides its gradient: kind, active, missing speed, release speed
+JUMP_NUMBERS = 4
+# numbers of the motion of a body in "bodies": R (9), p (3), velocity (6), acceleration (6)
+MOTION_NUMBERS = 24
+
 
 class Plane(Record):
     """A node of a plane, told by x, y and angle."""

@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from ..elements.forces.force import ForceElement
-from ..elements.forces.gravitation import Gravitation
+from ..elements.forces.gravity.gravitation import Gravitation
 from ..elements.forces.line_load import LineLoad
 from ..errors import ModelError, TopologyError, near
 from ..ir.function import live

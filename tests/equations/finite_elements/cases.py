@@ -10,9 +10,10 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from cardan.equations.finite_elements.lowering import lowered
-from cardan.equations.finite_elements.record import ON_TREE, FiniteElementRecord
+from cardan.equations.finite_elements.record import FiniteElementRecord
 from cardan.equations.functions.blocks import defaults
 from cardan.ir.interpreter import evaluate
+from cardan.schema.finite_elements import ON_TREE
 from equations.finite_elements.reference import Reference
 from laws.cases import values
 

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.equations.finite_elements.record import GROUND, FiniteElementRecord
+from cardan.equations.finite_elements.record import FiniteElementRecord
 from cardan.equations.functions.blocks import coordinates, defaults
 from cardan.ir.function import Function, Output
 from cardan.ir.interpreter import evaluate
+from cardan.schema.finite_elements import GROUND
 from equations.finite_elements.reference import Reference
 
 STEEL = cd.material(E=2.1e11, nu=0.3, rho=7850)

@@ -10,8 +10,7 @@ import sympy
 
 import cardan as cd
 from cardan.elements.flexible import BEAMS, FLEXIBLE, INERTIAS, GravityField
-from cardan.elements.forces.gravity_gradient import GravityGradient
-from cardan.elements.formulas import SHAPES
+from cardan.elements.forces.gravity.gravity_gradient import GravityGradient
 from cardan.equations.reading.energy_expressions import EnergyExpressions, energy_of
 from cardan.errors import DerivationError
 from cardan.ir.interpreter import evaluate
@@ -27,7 +26,7 @@ ROUNDING = 1e-10
 @pytest.mark.parametrize("name", ELEMENTS)
 def test_values(name: str) -> None:
     element = ELEMENTS[name]
-    energy = energy_of([(element.formula_lines, SHAPES.get(element.kind, {}))])
+    energy = energy_of([(element.formula_lines, element.symbol_shapes)])
     function, rng = element.derived()["energy"], np.random.default_rng(sum(name.encode()))
     for _ in range(3):
         q = rng.normal(size=(2, 7))

@@ -10,8 +10,9 @@ import pytest
 import cardan as cd
 from cardan.elements.formulas import MULTIPLIERS
 from cardan.elements.joints import Joint
-from cardan.equations.finite_elements.record import GROUND, FiniteElementRecord, Kind
+from cardan.equations.finite_elements.record import FiniteElementRecord, Kind
 from cardan.ir.interpreter import evaluate
+from cardan.schema.finite_elements import GROUND
 from elements.formula_values import column, computed, poses, skew
 from elements.joint_bench import INSTANCES
 

@@ -13,10 +13,14 @@ from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
 from .mechanism import Mechanism
-from .position_solver import PositionSolver
-from .redundancy import rank_of
 
 OFFSET = 1e-3  # of the size, and radians: beside a start that may be singular
+# singular values of G below this part of the largest are zero: a search for a place where branches
+# meet ends the root of rounding beside it
+SINGULAR = 1e-7
+# step of central differences of G along directions without units, and the rate of change that is
+# more than their error and what rounded lengths leave [of the largest singular value]
+ASIDE, CURVED = 1e-4, 1e-5
 SIGNS = {"+": (0.0, math.inf), "-": (-math.inf, 0.0)}
 
 
@@ -101,22 +105,30 @@ def refuse(requested: Sequence[Branch], positions: Sequence[Array]) -> NoReturn:
 def refuse_singular(m: Mechanism, q: Array) -> None:
     """Refuse a start at which branches meet, unless all speeds say which one is meant.
 
+    Combinations w of constraints with wᵀ G = 0 are redundant where that holds along the motion as
+    well: wᵀ dG(v) v' = 0 for all directions v, v' that G allows. Otherwise the rank is lost here
+    alone: branches meet, or nothing moves although G lets it.
+
     Raises:
-        ModelError: constraints are fewer here than at a position beside it.
+        ModelError: the rank of the constraints is lower here than beside the position.
     """
-    U, s = m.decomposition(q)
-    rank = rank_of(s)
-    if rank == len(U):
+    U, s, Vt = np.linalg.svd(m.jacobian(q))
+    rank = int(np.sum(s > SINGULAR * s.max(initial=0.0)))
+    W, V = U[:, rank:], Vt[rank:].T
+    if not W.size or not V.size:
         return
-    aside = np.random.default_rng(0).uniform(-OFFSET, OFFSET, m.nu)
-    neighbor = PositionSolver(m).search(m.advance(q, aside)).q
-    usual = rank_of(np.linalg.svd(m.jacobian(neighbor), compute_uv=False))
-    if usual <= rank:
+    steps = ASIDE * V.T
+    slopes = [m.jacobian(m.advance(q, v)) - m.jacobian(m.advance(q, -v)) for v in steps]
+    curvature = np.stack([W.T @ slope @ V for slope in slopes], axis=1) / (2 * ASIDE)
+    curvature = curvature.reshape(W.shape[1], -1)
+    lost = int(np.sum(np.linalg.svd(curvature, compute_uv=False) > CURVED * s.max(initial=1.0)))
+    if lost == 0:
         return
     # what is lost here, and not what is redundant everywhere
-    weakest = int(np.abs(U[:, rank:]).max(axis=1).argmax())
+    along = W @ np.linalg.svd(curvature)[0][:, :lost]
+    weakest = int(np.abs(along).max(axis=1).argmax())
     raise ModelError(
-        f"the start is a singular position: {rank} of {usual} independent constraints hold there, "
-        f"branches of the motion meet at joint '{m.closing.rows[weakest].joint}'. Give all "
+        f"the start is a singular position: {rank} of {rank + lost} independent constraints hold "
+        f"there, branches of the motion meet at joint '{m.closing.rows[weakest].joint}'. Give all "
         "speeds, u=: they say which branch is meant; or start beside it"
     )

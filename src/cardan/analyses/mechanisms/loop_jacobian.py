@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,6 +16,51 @@ if TYPE_CHECKING:
     from .nodal_mechanism import NodalMechanism
 
 Entries = NDArray[np.intp]
+ALWAYS = 1e-9  # residuals without units of conditions that hold wherever joints stand
+PROBE = 0.3  # radians, or sizes of the mechanism: a position like any other
+RANDOM_SPEEDS = 2  # at which rates of constraints are looked at
+
+
+@dataclass(frozen=True)
+class Structure:
+    """What closes loops, by entries.
+
+    Attributes:
+        rows: Rows of the model that joints alone do not fulfill (m,).
+        steps: Steps along which these change (n,).
+    """
+
+    rows: Entries
+    steps: Entries
+
+
+def start_key(m: NodalMechanism) -> tuple[bytes, ...]:
+    """What the structure of a mechanism depends on besides its model."""
+    r = b"" if m.r is None else np.asarray(m.r).tobytes()
+    return np.float64(m.t).tobytes(), r, m._start.tobytes(), m.carrier.fixed.tobytes()
+
+
+def probe(nu: int) -> Array:
+    """A step (nu,) to a position like any other."""
+    return np.random.default_rng(0).uniform(-PROBE, PROBE, nu)
+
+
+def structure(m: NodalMechanism, q: Array) -> Structure:
+    """What closes the loops of a mechanism, from a position (nq,) like any other."""
+    speeds, rng = np.zeros((RANDOM_SPEEDS + 1, m.model.nu)), np.random.default_rng(1)
+    speeds[1:, m.lead] = rng.standard_normal((RANDOM_SPEEDS, m.nu)) * m.columns
+    T = m.carrier.moving(q, speeds)
+    still = m._evaluated("constraint_rates", q, T[0])
+    rates = m._gradient(q) @ (T[1:] - T[0]).T
+    open_by = np.abs(still) + np.abs(rates).max(axis=1, initial=0.0)
+    gaps = m._evaluated("constraints", q)
+    open_by[: len(gaps)] += np.abs(gaps)
+    rows = np.flatnonzero(~(open_by <= ALWAYS * max(1.0, m.size)))
+    if not len(rows):
+        return Structure(rows, rows)
+    T = m.carrier.moving(q, m._unit_steps(np.arange(m.nu)))
+    G = m._gradient(q)[rows] @ (T[1:] - T[0]).T
+    return Structure(rows, np.flatnonzero(np.abs(G).max(axis=0, initial=0.0) > ALWAYS))
 
 
 def tree_rows(m: NodalMechanism, loops: Entries) -> Entries | None:

@@ -24,7 +24,7 @@ from .rounded_loops import rounded
 from .searches import aside, search
 from .targets import Coordinates, Target
 
-FEW = 8  # speeds of joints: random starts close short loops, and seldom long ones
+LONG_LOOP = 8  # speeds of joints above which random starts seldom close a loop
 NEARLY = 1e-4  # residuals without units of values that were meant to fit, and are rounded
 NAMED = "Name fewer coordinates at the start: loops determine the others"
 NEAR = 0.3  # a position not farther away is the nearest without further searches
@@ -47,7 +47,7 @@ def assembled(m: Mechanism, goals: list[Target], q: Array) -> Solution:
     """
     solver = PositionSolver(m, goals)
     first = solver.search(q)
-    if not first.closed and m.nu > FEW:
+    if not first.closed and m.nu > LONG_LOOP:
         ends = (solver.search(start) for start in aside(m, solver, first.q))
         first = next((end for end in ends if end.met), first)
     if first.met and not m.outside(first.q):

@@ -27,13 +27,10 @@ from ...schema.entries import MultiplierRow
 from ...schema.manifest import Manifest
 from ...schema.mechanism import JointRow
 from ...schema.records import PositionRecord
-from .loop_jacobian import along_joints, tree_rows
+from .loop_jacobian import Structure, along_joints, probe, start_key, structure, tree_rows
 from .mechanism import Mechanism
 from .mechanism_record import Connection, called, searching
 
-ALWAYS = 1e-9  # residuals without units of conditions that hold wherever joints stand
-PROBE = 0.3  # radians, or sizes of the mechanism: a position like any other
-RANDOM_SPEEDS = 2  # at which rates of constraints are looked at
 # units of rows in the manifest, and those of multipliers as joint coordinates have them
 FORCES = {"m": "N", "m/s": "N", "rad": "N*m", "rad/s": "N*m"}
 NEARBY = 1e-6  # of a central difference of what beams miss
@@ -91,36 +88,24 @@ class NodalMechanism(Mechanism):
     # what closes
 
     @cached_property
-    def _probed(self) -> Array:
-        """A position like any other (nq,), with nodes where joints carry them."""
-        rng = np.random.default_rng(0)
-        return self.advance(self.carry(self._start), rng.uniform(-PROBE, PROBE, self.nu))
+    def _closes(self) -> Structure:
+        """What closes loops: the same at almost all positions, and in all starts alike."""
 
-    @cached_property
+        def make() -> Structure:
+            return structure(self, self.advance(self.carry(self._start), probe(self.nu)))
+
+        closes: Structure = self._results.once(start_key(self), make)
+        return closes
+
+    @property
     def _rows(self) -> NDArray[np.intp]:
-        """Rows of the model that joints alone do not fulfill: those of what closes loops.
+        """Rows of the model that joints alone do not fulfill: those of what closes loops."""
+        return self._closes.rows
 
-        They are the same at almost all positions, and along almost all speeds.
-        """
-        q, speeds = self._probed, np.zeros((RANDOM_SPEEDS + 1, self.model.nu))
-        rng = np.random.default_rng(1)
-        speeds[1:, self.lead] = rng.standard_normal((RANDOM_SPEEDS, self.nu)) * self.columns
-        T = self.carrier.moving(q, speeds)
-        still = self._evaluated("constraint_rates", q, T[0])
-        rates = self._gradient(q) @ (T[1:] - T[0]).T
-        open_by = np.abs(still) + np.abs(rates).max(axis=1, initial=0.0)
-        gaps = self._evaluated("constraints", q)
-        open_by[: len(gaps)] += np.abs(gaps)
-        fulfilled = ALWAYS * max(1.0, self.size)
-        return np.flatnonzero(~(open_by <= fulfilled))
-
-    @cached_property
+    @property
     def _steps(self) -> NDArray[np.intp]:
         """Steps that what closes loops depends on: those of the joints of loops."""
-        q = self._probed
-        T = self.carrier.moving(q, self._unit_steps(np.arange(self.nu)))
-        G = self._gradient(q)[self._rows] @ (T[1:] - T[0]).T
-        return np.flatnonzero(np.abs(G).max(axis=0, initial=0.0) > ALWAYS)
+        return self._closes.steps
 
     def _gradient(self, q: Array) -> Any:
         """G of all rows of the model (m, nu), sparse."""
@@ -169,7 +154,10 @@ class NodalMechanism(Mechanism):
     def _loop_jacobian(self, q: Array) -> Array:
         """What closes loops along speeds of joints (m, n), in units of lengths and angles."""
         rows, steps = self._rows, self._steps
-        G, result = self._gradient(q), np.zeros((len(rows), self.nu))
+        result = np.zeros((len(rows), self.nu))
+        if not len(rows):
+            return result
+        G = self._gradient(q)
         along = along_joints(self, G, rows, self._tree_rows)
         if along is not None:
             return along * self.columns
@@ -354,7 +342,8 @@ class NodalMechanism(Mechanism):
 
     def mass(self, q: Array) -> Array | None:
         """Same as :meth:`Mechanism.mass`."""
-        moves = self.along(q)[1:] - self.along(q)[0]
+        T = self.along(q)
+        moves = T[1:] - T[0]
         return np.asarray(moves @ (self._results.mesh.tangent(self._at(q))["M"] @ moves.T))
 
     # beams between two bodies that joints carry

@@ -7,13 +7,13 @@ from typing import final
 
 import numpy as np
 
-from ...arguments import checked
+from ...arguments import Times, checked
 from ...arrays import Array
 from ...runtime.calls.evaluation import State
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 
-# angular velocity times the size of the motion, against the velocity: below it moves in parallel
+# angular velocity [rad/s] against the velocity [m/s]: an axis farther away than 1e12 m is rounding
 PARALLEL = 1e-12
 
 
@@ -68,18 +68,27 @@ def _axis(frame: str, origin: Array, twist: Array) -> ScrewAxis:
 
 
 @checked
-def screw_axis(model: LoadedModel, frame: str, q: State, u: State) -> ScrewAxis:
+def screw_axis(
+    model: LoadedModel, frame: str, q: State, u: State, *, t: Times = 0.0, r: State | None = None
+) -> ScrewAxis:
     """Instantaneous screw axis of a body or frame against the ground.
 
     Args:
         model: The model.
         frame: Name of the frame or body.
         q, u: Coordinates (..., nq) and speeds (..., nu).
+        t, r: Time [s] and inputs (..., nr), where something is prescribed.
+
+    Returns:
+        The axis at every state.
+
+    Raises:
+        ModelError: there is no such frame. ArgumentError: q or u has another shape.
 
     Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, chapter 4.
     """
-    origin = np.asarray(model.pose(frame, q))[..., :3, 3]
-    return _axis(frame, origin, np.asarray(model.velocity(frame, q, u)))
+    origin = np.asarray(model.pose(frame, q, t=t, r=r))[..., :3, 3]
+    return _axis(frame, origin, np.asarray(model.velocity(frame, q, u, t=t, r=r)))
 
 
 @checked
@@ -89,5 +98,12 @@ def screw_axis_of_run(motion: TrajectoryRecord, frame: str) -> ScrewAxis:
     Args:
         motion: The motion.
         frame: Name of the frame or body.
+
+    Returns:
+        The axis at every time (nt).
+
+    Raises:
+        ModelError: there is no such frame, or the motion was read from a file without its model.
     """
-    return screw_axis(motion._model(f"the screw axis of '{frame}'"), frame, motion.q, motion.u)
+    model = motion._model(f"the screw axis of '{frame}'")
+    return screw_axis(model, frame, motion.q, motion.u, t=motion.t, r=motion._r)

@@ -48,7 +48,7 @@ def planned(kind: type[LoadedModel], folder: Path) -> Planned:
 def started(kind: type[LoadedModel], folder: Path) -> dict[str, list[float]]:
     """Coordinates, speeds and internal states in which a run of a closed model starts, by block.
 
-    None where they cannot be assembled: that is told when a start is asked for.
+    Empty where they cannot be assembled: a run says why when it is asked for its start.
 
     Args:
         kind: Its class.

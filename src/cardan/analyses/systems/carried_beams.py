@@ -12,9 +12,9 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from ...arrays import Array
-from ...runtime.models.finite_elements.dependent_nodes import GROUND
 from ...runtime.models.finite_elements.tables import Integers, Tables
 from ...runtime.verification.rotations import cross_matrix
+from ...schema.finite_elements import GROUND
 
 if TYPE_CHECKING:
     from ...runtime.models.loaded_model import LoadedModel
@@ -64,9 +64,15 @@ class TreeEnds:
 def clusters(
     tables: Tables, beams: Sequence[str]
 ) -> tuple[Integers, list[str], NDArray[np.bool_], list[int]]:
-    """Cluster of every place that moves as one body, -1 for none;
+    """Places that beams hold together as one body.
 
-    a beam of each; the fixed ones; the cluster of every body of a tree that beams end at.
+    Args:
+        tables: Elements of the model.
+        beams: Name of the beam of every line of the tables.
+
+    Returns:
+        Cluster of every place, -1 for none; a beam of each cluster; whether the ground belongs to
+        it; the cluster of every body of a rigid tree that beams end at.
     """
     count = len(tables.kind)
     lines = [np.zeros(0, dtype=np.intp), *tables.beams]

@@ -322,24 +322,16 @@ class FiniteElementSystem(CompiledSystem):
         along: Longs | None = None,
     ) -> Array:
         """Derivative (k, n) of a function by a block, along increments for q; along some of it."""
-        values = {"u": at.u, "z": at.z, "r": at.r}
-        sizes = values[block] if block in "zr" else None
+        moved: dict[str, Callable[[Array], Moment]] = {
+            "q": lambda step: replace(at, q=self.integrate(at.q, step)),
+            "u": lambda step: replace(at, u=at.u + step),
+            "z": lambda step: replace(at, z=at.z + step),
+            "r": lambda step: replace(at, r=at.r + step),
+        }
         # inputs and internal states in parts of their own size, motions in those of the system
-        units = self.columns if sizes is None else np.maximum(1.0, np.abs(sizes))
-
-        def moved(step: Array) -> Array:
-            if block == "q":
-                return function(replace(at, q=self.integrate(at.q, step)))
-            there = values[block] + step
-            return function(
-                replace(at, u=there)
-                if block == "u"
-                else replace(at, z=there)
-                if block == "z"
-                else replace(at, r=there)
-            )
-
-        return by_differences(moved, units, along)
+        sizes = {"z": at.z, "r": at.r}
+        units = np.maximum(1.0, np.abs(sizes[block])) if block in sizes else self.columns
+        return by_differences(lambda step: function(moved[block](step)), units, along)
 
     # coordinates
 

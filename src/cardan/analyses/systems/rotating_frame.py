@@ -19,7 +19,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, final
+from typing import Any, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,9 +33,6 @@ from ...runtime.verification.rotations import cross_matrix
 from ..statics.static_problem import scaled
 from .carried_beams import TreeEnds, clusters
 from .saddle_point import fit
-
-if TYPE_CHECKING:
-    pass
 
 ALIKE = 1e-9  # twists that differ by less, of the largest, are one
 

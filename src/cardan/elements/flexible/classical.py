@@ -7,9 +7,9 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from .element_ends import Ends
-from .formulas import CLASSICAL, CLASSICAL_PLAIN
+from .formulas import CLASSICAL, CLASSICAL_PLAIN, STRAIN_SHAPES
 from .relative import Relative, mean_axes
 from .section import SECTION, SHAPE, Section, without_locking
 from .strain import Elastic, Field, StrainElement
@@ -33,6 +33,7 @@ class Classical(StrainElement):
 
     kind: ClassVar[str] = "classical"
     geometric: ClassVar[tuple[str, ...]] = SHAPE
+    symbol_shapes: ClassVar[Shapes] = STRAIN_SHAPES
     residual_flexibility: bool = True
 
     @property

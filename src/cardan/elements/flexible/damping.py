@@ -7,10 +7,10 @@ from typing import ClassVar
 
 from ...ir.function import Function, Output
 from ...spatial.short_rotations import Slopes
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from .element import FlexibleElement, balance, tangents
 from .element_ends import Ends
-from .formulas import DAMPING
+from .formulas import DAMPING, STRAIN_SHAPES
 from .relative import Relative, forces, moved, transport, transport_slope
 from .section import STIFFNESS, diagonal, without_locking
 
@@ -29,6 +29,7 @@ class Damping(FlexibleElement):
 
     kind: ClassVar[str] = "damping"
     geometric: ClassVar[tuple[str, ...]] = ("length",)
+    symbol_shapes: ClassVar[Shapes] = STRAIN_SHAPES
     formulas: ClassVar[Lines] = DAMPING
 
     @property

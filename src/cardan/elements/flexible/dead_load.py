@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from .element_ends import Ends
-from .formulas import DEAD_LOAD
+from .formulas import DEAD_LOAD, LOAD_SHAPES
 from .loading import LoadElement
 from .node_set import Pose
 from .section import DEAD
@@ -28,6 +28,7 @@ class DeadLoad(LoadElement):
 
     kind: ClassVar[str] = "dead_load"
     geometric: ClassVar[tuple[str, ...]] = ("length",)
+    symbol_shapes: ClassVar[Shapes] = LOAD_SHAPES
     formulas: ClassVar[Lines] = DEAD_LOAD
     fixed: ClassVar[bool] = True
 

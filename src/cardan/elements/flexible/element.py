@@ -17,7 +17,7 @@ from ...ir.function import Block, Function, Output
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...literature import HasSource
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from .element_ends import NODE, Ends
 
 
@@ -28,11 +28,13 @@ class FlexibleElement(HasSource, ABC):
         kind: Name in scenes, and of its kind of element.
         geometric: Names of the data that come from the geometry once and for all.
         formulas: For readers, in Python; empty where they are not written yet.
+        symbol_shapes: Of what they read; see :mod:`..formulas`.
     """
 
     kind: ClassVar[str]
     geometric: ClassVar[tuple[str, ...]] = ()
     formulas: ClassVar[Lines] = ()
+    symbol_shapes: ClassVar[Shapes] = {}
 
     @property
     @abstractmethod

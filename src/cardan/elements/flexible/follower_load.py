@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from .element_ends import Ends
-from .formulas import FOLLOWER_LOAD
+from .formulas import FOLLOWER_LOAD, LOAD_SHAPES
 from .loading import LoadElement
 from .node_set import Pose
 from .section import FOLLOWER
@@ -29,6 +29,7 @@ class FollowerLoad(LoadElement):
 
     kind: ClassVar[str] = "follower_load"
     geometric: ClassVar[tuple[str, ...]] = ("length",)
+    symbol_shapes: ClassVar[Shapes] = LOAD_SHAPES
     formulas: ClassVar[Lines] = FOLLOWER_LOAD
     fixed: ClassVar[bool] = False
 

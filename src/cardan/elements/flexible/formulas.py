@@ -5,7 +5,12 @@ R_1, p_1 and R_2, p_2 are the poses of the ends, L is the length.
 
 from __future__ import annotations
 
-from ..formulas import HALFWAY, MEASURES, Lines
+from ..formulas import HALFWAY, MEASURES, TANGENT, Lines, Shapes
+
+# of what the formulas of strains, of masses and of loads read
+STRAIN_SHAPES: Shapes = {"K": (6, 1), "epsilon": (6, 1)}
+SPIN_SHAPES: Shapes = {"J": ("diagonal", 3)}
+LOAD_SHAPES: Shapes = {"f": (3, 1), "m": (3, 1)}
 
 POSE: Lines = (
     ("rotation of end 2 seen from end 1", "r = R_1.T @ R_2"),
@@ -40,12 +45,7 @@ EQUILIBRIUM: Lines = (
     ("stress that works on the strain, dV/dy", "sigma = s - Z.T @ c @ t / 12"),
 )  # fmt: skip
 WORK: Lines = (
-    ("derivative of theta by the relative rotation",
-     "D = I + skew(theta) / 2 + a * skew(theta) @ skew(theta)"),
-    ("derivative of e by theta",
-     "N = beta_2 * (dot(theta, d) * I + theta * d.T - 2 * d * theta.T)"
-     " + 2 * (kappa_1 * skew(theta) @ d + kappa_2 * skew(theta) @ skew(theta) @ d) * theta.T"
-     " - beta_1 * skew(d)"),
+    *TANGENT,
     ("relative rotation by rotations of the ends in their axes and displacements",
      "P = row(-r.T, O, I, O)"),
     ("the same of d", "Q = row(skew(d), -R_1.T, O, R_1.T)"),

@@ -11,14 +11,14 @@ from ...ir.arithmetic import Scalar
 from ...ir.function import Function, Output
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
-from ..fields import Pull
-from ..forces.central_gravity import CentralGravity
-from ..forces.gravitation import Gravitation
-from ..forces.gravity_gradient import GravityGradient
-from ..formulas import Lines
+from ..forces.gravity.central_gravity import CentralGravity
+from ..forces.gravity.fields import Pull
+from ..forces.gravity.gravitation import Gravitation
+from ..forces.gravity.gravity_gradient import GravityGradient
+from ..formulas import Lines, Shapes
 from .element import FlexibleElement, balance, energy, tangents
 from .element_ends import CENTER, Ends
-from .formulas import gravity_lines
+from .formulas import SPIN_SHAPES, gravity_lines
 from .inertia import DENSITY, SHEAR, cubic_share, spin
 from .node_set import FRAME, Ground, Pose
 
@@ -52,6 +52,7 @@ class GravityField(FlexibleElement):
 
     kind: ClassVar[str] = "gravity_field"
     geometric: ClassVar[tuple[str, ...]] = ("length",)
+    symbol_shapes: ClassVar[Shapes] = SPIN_SHAPES
     field: Gravitation = POINT
     lumped: bool = False
     variable: tuple[str, ...] = ()

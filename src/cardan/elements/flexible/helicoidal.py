@@ -7,9 +7,9 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from .element_ends import Ends
-from .formulas import HELICOIDAL
+from .formulas import HELICOIDAL, STRAIN_SHAPES
 from .relative import Relative
 from .section import SECTION, SHAPE, Section
 from .strain import Elastic, Field, StrainElement
@@ -28,6 +28,7 @@ class Helicoidal(StrainElement):
 
     kind: ClassVar[str] = "helicoidal"
     geometric: ClassVar[tuple[str, ...]] = SHAPE
+    symbol_shapes: ClassVar[Shapes] = STRAIN_SHAPES
     formulas: ClassVar[Lines] = HELICOIDAL
 
     @property

@@ -8,11 +8,11 @@ from typing import ClassVar
 from ...ir.function import Function
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from .element import balance, energy, matrix
 from .element_ends import Ends
 from .equilibrium_load import CarriedLoad
-from .formulas import HELLINGER_REISSNER, HELLINGER_REISSNER_LOADED
+from .formulas import HELLINGER_REISSNER, HELLINGER_REISSNER_LOADED, STRAIN_SHAPES
 from .relative import Relative
 from .section import DEAD_LOADS, FORCES, SECTION, SHAPE, weight
 from .strain import StrainElement, increment, stresses, transported_strain, unknown
@@ -42,6 +42,7 @@ class HellingerReissner(StrainElement):
 
     kind: ClassVar[str] = "hellinger_reissner"
     geometric: ClassVar[tuple[str, ...]] = SHAPE
+    symbol_shapes: ClassVar[Shapes] = {**STRAIN_SHAPES, "f_0": (3, 1), "n": (3, 1)}
     loaded: bool = False
 
     @property

@@ -7,9 +7,9 @@ from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from .element_ends import NAMES, Ends
-from .formulas import LINKED
+from .formulas import LINKED, SPIN_SHAPES
 from .inertia import DENSITY, SHEAR, InertiaElement, cubic_share, spin
 from .node_set import Motion, Pose
 from .section import GRAVITY
@@ -38,6 +38,7 @@ class LinkedInertia(InertiaElement):
 
     kind: ClassVar[str] = "linked_inertia"
     geometric: ClassVar[tuple[str, ...]] = ("length",)
+    symbol_shapes: ClassVar[Shapes] = SPIN_SHAPES
     formulas: ClassVar[Lines] = LINKED
 
     @property

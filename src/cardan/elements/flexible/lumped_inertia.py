@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from .element_ends import Ends
-from .formulas import LUMPED
+from .formulas import LUMPED, SPIN_SHAPES
 from .inertia import DENSITY, InertiaElement, spin
 from .section import GRAVITY
 
@@ -25,6 +25,7 @@ class LumpedInertia(InertiaElement):
 
     kind: ClassVar[str] = "lumped_inertia"
     geometric: ClassVar[tuple[str, ...]] = ("length",)
+    symbol_shapes: ClassVar[Shapes] = SPIN_SHAPES
     formulas: ClassVar[Lines] = LUMPED
 
     @property

@@ -3,7 +3,6 @@
 from .actuator import Actuator
 from .bushing import Bushing
 from .cable import Cable
-from .central_gravity import CentralGravity
 from .contact import Contact
 from .controller import Controller
 from .drive import Drive
@@ -12,8 +11,7 @@ from .flexible_hinge import FlexibleHinge
 from .force import ForceElement
 from .force_on_frame import Force
 from .friction import Friction
-from .gravity_gradient import GravityGradient
-from .j2 import J2
+from .gravity import FIELDS
 from .joint_damper import JointDamper
 from .joint_force import JointForce
 from .joint_spring import JointSpring
@@ -25,31 +23,27 @@ from .spring_damper import SpringDamper
 from .stop import Stop
 from .torque import Torque
 
-FORCES: dict[str, type[ForceElement]] = {
-    element.kind: element
-    for element in (
-        Force,
-        Torque,
-        LineLoad,
-        SpringDamper,
-        Maxwell,
-        Bushing,
-        FlexibleHinge,
-        Cable,
-        JointSpring,
-        JointForce,
-        JointDamper,
-        Drive,
-        Rotor,
-        Actuator,
-        Controller,
-        Friction,
-        Stop,
-        Lock,
-        Contact,
-        CentralGravity,
-        GravityGradient,
-        J2,
-        Event,
-    )
-}
+_ELEMENTS: tuple[type[ForceElement], ...] = (
+    Force,
+    Torque,
+    LineLoad,
+    SpringDamper,
+    Maxwell,
+    Bushing,
+    FlexibleHinge,
+    Cable,
+    JointSpring,
+    JointForce,
+    JointDamper,
+    Drive,
+    Rotor,
+    Actuator,
+    Controller,
+    Friction,
+    Stop,
+    Lock,
+    Contact,
+    *FIELDS,
+    Event,
+)
+FORCES: dict[str, type[ForceElement]] = {element.kind: element for element in _ELEMENTS}

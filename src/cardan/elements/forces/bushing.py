@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...errors import ModelError
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from ..quantity import Place, Quantity, Rows
 from ..validation import is_expression, vector
-from .force import Action, ForceElement, Places
-from .relative_springs import DIRECTIONS, is_constant, spring_lines, springs, square
+from .force import Action, ForceElement, Places, constant
+from .relative_springs import DIRECTIONS, SHAPES, spring_lines, springs, square
 
 # of the stress by the strain, and of the strain; rotations before displacements
 STRESS, STRAIN = ("N*m", "N"), ("rad", "m")
@@ -41,6 +41,7 @@ class Bushing(ForceElement):
     """
 
     kind: ClassVar[str] = "bushing"
+    symbol_shapes: ClassVar[Shapes] = SHAPES
     frame_a: Place
     frame_b: Place
     stiffness: Rows = (0, 0, 0, 0, 0, 0)
@@ -83,9 +84,7 @@ class Bushing(ForceElement):
         return spring_lines(strain, " + ".join(terms), self._stores(at)) if terms else ()
 
     def _stores(self, at: Places) -> bool:
-        return not at.data["stiffness"].is_zero and is_constant(
-            at.data["stiffness"], at.data["rest"]
-        )
+        return not at.data["stiffness"].is_zero and constant(at.data["stiffness"], at.data["rest"])
 
 
 def _six_by_six(name: str, value: Rows) -> tuple[Rows, ...]:

@@ -9,9 +9,8 @@ from ...ir.arithmetic import Scalar, norm, select
 from ..formulas import Lines
 from ..limits import Limit, not_negative, positive
 from ..quantity import Place, Units, Value
-from .force import LINE, Action, ForceElement, Places
+from .force import LINE, Action, ForceElement, Places, constant
 from .line import PULL, RATE, SPAN, along_line, direction
-from .relative_springs import is_constant
 
 
 @dataclass(frozen=True)
@@ -83,7 +82,7 @@ class Cable(ForceElement):
         return (*SPAN, *(RATE,) * damped, strain, pull, *PULL, *energy * self._stores(at))
 
     def _stores(self, at: Places) -> bool:
-        return is_constant(at.data["EA"], at.data["length"])
+        return constant(at.data["EA"], at.data["length"])
 
 
 def _loss(elastic: Scalar, viscous: Scalar) -> Scalar:

@@ -9,7 +9,7 @@ from typing import ClassVar
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar, norm, select, sqrt
 from ...ir.matrix import Matrix
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from ..internal_states import MODE, Change, EventSpec, Jumped, Mode, Solved
 from ..limits import Limit, not_negative, positive
 from ..quantity import RATIO, Direction, Place, Quantity, Units, Value, quantities_of
@@ -52,6 +52,7 @@ class Contact(ForceElement):
     """
 
     kind: ClassVar[str] = "contact"
+    symbol_shapes: ClassVar[Shapes] = {"n_0": (3, 1)}
     units: ClassVar[Units] = {
         **{"radius": "m", "stiffness": "", "damping": "s/m", "exponent": RATIO, "normal": RATIO},
         **{"other_radius": "m", "mu": "", "transition_velocity": "m/s"},
@@ -152,7 +153,7 @@ class Contact(ForceElement):
         sliding = velocity + normal * closing
         smoothing = data["transition_velocity"][0]
         drag = push * data["mu"][0] / sqrt(sliding.dot(sliding) + smoothing * smoothing)
-        fixed = all(constant(data[name]) for name in ("stiffness", "exponent", "radius"))
+        fixed = constant(*(data[name] for name in ("stiffness", "exponent", "radius")))
         # of places alone, whatever the mode
         d = select(deep, depth, 1)
         stored = data["stiffness"][0] * d.apply("pow", exponent + 1) / (exponent + 1)
@@ -195,7 +196,7 @@ class Contact(ForceElement):
             ("on the other", "F_o = -F_s"),
             ("", "M_o = -(skew(x - p_o) @ F_s)"),
         )  # fmt: skip
-        fixed = all(constant(at.data[name]) for name in ("stiffness", "exponent", "radius"))
+        fixed = constant(*(at.data[name] for name in ("stiffness", "exponent", "radius")))
         stored = "V = k * delta ** (N + 1) / (N + 1) if delta > 0 else 0"
         return (*normal, *push, *((("potential energy", stored),) * fixed))
 

@@ -130,7 +130,7 @@ class Drive(ForceElement):
             return _load(motion, joint, shaft), _load(motion, rotor, -(shaft / ratio))
 
         # a shaft that time or the motion changes works on the system and stores nothing
-        fixed = constant(data["stiffness"]) and constant(data["ratio"])
+        fixed = constant(data["stiffness"], data["ratio"])
         energy = spring * twist * 0.5 if fixed else None
         return (
             Action(joint_loads=pair(spring), potential=energy),
@@ -146,7 +146,7 @@ class Drive(ForceElement):
         if self.stiffness is None:
             about = "force along the joint: torque m of the motor, c the friction"
             return (*rotor, (about, "tau = n * (m - c * n * u)"))
-        fixed = constant(at.data["stiffness"]) and constant(at.data["ratio"])
+        fixed = constant(at.data["stiffness"], at.data["ratio"])
         return (
             ("twist of the shaft, n turns of the rotor per turn", "phi = q_rotor / n - q"),
             ("torque of the shaft", "f = k * phi + d * (u_rotor / n - u)"),

@@ -7,11 +7,11 @@ from typing import ClassVar
 
 from ...ir.arithmetic import norm
 from ...ir.matrix import Matrix
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from ..limits import Limit, not_negative
 from ..quantity import RATIO, Direction, Place, Units, Value
-from .force import Action, ForceElement, Places
-from .relative_springs import is_constant, spring_lines, springs
+from .force import Action, ForceElement, Places, constant
+from .relative_springs import SHAPES, spring_lines, springs
 
 STIFFNESSES = ("turn", "tilt", "axial", "radial")
 
@@ -39,6 +39,7 @@ class FlexibleHinge(ForceElement):
     """
 
     kind: ClassVar[str] = "flexible_hinge"
+    symbol_shapes: ClassVar[Shapes] = SHAPES
     units: ClassVar[Units] = {
         **{"axis": RATIO, "turn": "N*m/rad", "tilt": "N*m/rad", "axial": "N/m", "radial": "N/m"},
         "damping": "s",
@@ -80,7 +81,7 @@ class FlexibleHinge(ForceElement):
         stiffness: Lines = (
             ("axis of the hinge", "n = unit(axis)"),
             (
-                "stiffness: t about n and s_0 across it, a along n and r across it",
+                "stiffness: t about n and s_0 across it, a_0 along n and r_0 across it",
                 "k = block(s_0 * I + (t - s_0) * n * n.T, O, O, r_0 * I + (a_0 - r_0) * n * n.T)",
             ),
         )
@@ -88,4 +89,4 @@ class FlexibleHinge(ForceElement):
         return (*stiffness, *spring_lines("column(theta, e)", stress, self._stores(at)))
 
     def _stores(self, at: Places) -> bool:
-        return is_constant(*(at.data[name] for name in (*STIFFNESSES, "axis")))
+        return constant(*(at.data[name] for name in (*STIFFNESSES, "axis")))

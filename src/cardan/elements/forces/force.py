@@ -13,7 +13,7 @@ from ...ir.function import live
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...literature import HasSource
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from ..internal_states import (
     Change,
     EventSpec,
@@ -151,6 +151,8 @@ class ForceElement(HasSource, ABC):
 
     kind: ClassVar[str]
     units: ClassVar[Units] = {}
+    # of what its formulas read; see :mod:`..formulas`
+    symbol_shapes: ClassVar[Shapes] = {}
     # True where ``joint`` must have one coordinate
     _one_coordinate: ClassVar[bool] = False
 
@@ -302,10 +304,9 @@ class ForceElement(HasSource, ABC):
         return {}
 
 
-def constant(x: Matrix) -> bool:
-    """True where a quantity depends on parameters alone, so that a potential may hold it."""
-    graph = x.graph
-    leaves = (graph.nodes[i] for i in live(graph, x.nodes))
+def constant(*quantities: Matrix) -> bool:
+    """True where all quantities depend on parameters alone, so that a potential may hold them."""
+    leaves = (x.graph.nodes[i] for x in quantities for i in live(x.graph, x.nodes))
     return all(n[0] != "atom" and (n[0] != "var" or n[1] == "p") for n in leaves)
 
 

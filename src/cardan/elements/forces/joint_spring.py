@@ -53,7 +53,7 @@ class JointSpring(ForceElement):
         actions = []
         if not data["stiffness"].is_zero:
             turn = q - rest
-            fixed = constant(data["stiffness"]) and constant(data["rest"])
+            fixed = constant(data["stiffness"], data["rest"])
             energy = stiffness * turn**2 * 0.5 if fixed else None
             back = Matrix.vector(motion.graph, [-(stiffness * turn)])
             actions.append(Action(joint_loads=(JointLoad(joint, back),), potential=energy))
@@ -70,6 +70,6 @@ class JointSpring(ForceElement):
             return ()
         about = "force along the joint, k the stiffness" if spring else "force along the joint"
         about += ", c the damping" * damper + ", q_0 its place without load" * (turn != "q")
-        fixed = constant(at.data["stiffness"]) and constant(at.data["rest"])
+        fixed = constant(at.data["stiffness"], at.data["rest"])
         energy: Lines = (("potential energy", f"V = k * {turn} ** 2 / 2"),)
         return ((about, f"tau = -({' + '.join(terms)})"), *energy * (spring and fixed))

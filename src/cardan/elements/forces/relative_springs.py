@@ -8,9 +8,10 @@ from ...ir.arithmetic import stumpff
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...spatial.exponential import exp, log, tangent
-from ..formulas import HALFWAY, MEASURES, Lines
-from .force import Action, Load, Places, constant
+from ..formulas import HALFWAY, MEASURES, TANGENT, Lines, Shapes
+from .force import Action, Load, Places
 
+SHAPES: Shapes = {"y_0": (6, 1), "k": ("symmetric", 6)}
 DIRECTIONS = ("rx", "ry", "rz", "x", "y", "z")
 STRAIN: Lines = (
     ("rotation of b seen from a", "r = R_a.T @ R_b"),
@@ -20,12 +21,7 @@ STRAIN: Lines = (
     ("coefficient of the tangent operator", "a = (1 - sqrt(x) / 2 * cot(sqrt(x) / 2)) / x"),
     *HALFWAY,
     *MEASURES,
-    ("derivative of theta by the relative rotation",
-     "D = I + skew(theta) / 2 + a * skew(theta) @ skew(theta)"),
-    ("derivative of e by theta",
-     "N = beta_2 * (dot(theta, d) * I + theta * d.T - 2 * d * theta.T)"
-     " + 2 * (kappa_1 * skew(theta) @ d + kappa_2 * skew(theta) @ skew(theta) @ d) * theta.T"
-     " - beta_1 * skew(d)"),
+    *TANGENT,
 )  # fmt: skip
 RATES: Lines = (
     ("rates", "thetadot = D @ (omega_b - r.T @ omega_a)"),
@@ -154,8 +150,3 @@ def square(graph: Graph, entries: Matrix) -> Matrix:
     number = {pair: k for k, pair in enumerate(pairs)}
     rows = [nodes[number[min(i, j), max(i, j)]] for i in range(6) for j in range(6)]
     return Matrix(graph, 6, 6, rows)
-
-
-def is_constant(*data: Matrix) -> bool:
-    """True where all of these depend on parameters alone."""
-    return all(constant(x) for x in data)

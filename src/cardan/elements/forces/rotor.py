@@ -102,7 +102,7 @@ class Rotor(ForceElement):
 
     def _gyroscopic(self, at: Places) -> tuple[Action, ...]:
         """The torque that turns its momentum; it is across the angular velocity: no power."""
-        if not constant(at.data["momentum"]) or not constant(at.data["axis"]):
+        if not constant(at.data["momentum"], at.data["axis"]):
             raise ModelError(
                 "rotor: momentum and axis are constant; give the inertia, and speed or torque, "
                 "for a wheel that changes its momentum"

@@ -64,7 +64,7 @@ class SpringDamper(ForceElement):
                 stretch = distance - free
                 pull = direction(span, distance) * (stiffness * stretch)
                 energy = stiffness * stretch**2 * 0.5
-            fixed = constant(data["stiffness"]) and constant(data["rest_length"])
+            fixed = constant(data["stiffness"], data["rest_length"])
             actions.append(along_line(motion, a, b, pull, energy if fixed else None))
         if not data["damping"].is_zero:
             along = direction(span, norm(*span))
@@ -81,6 +81,6 @@ class SpringDamper(ForceElement):
         about = "force, k the stiffness" * spring + ", " * (spring and damper)
         about = (about or "force, ") + "c the damping" * damper
         pull = (about + ", ell_0 the free length" * (stretch != "ell"), f"f = {' + '.join(terms)}")
-        fixed = constant(at.data["stiffness"]) and constant(at.data["rest_length"])
+        fixed = constant(at.data["stiffness"], at.data["rest_length"])
         energy: Lines = (("potential energy", f"V = k * {stretch} ** 2 / 2"),)
         return (*SPAN, *(RATE,) * damper, pull, *PULL, *energy * (spring and fixed))

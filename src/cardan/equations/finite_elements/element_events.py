@@ -22,6 +22,7 @@ from ...ir.function import Output, live, operands
 from ...ir.graph import ONE, ZERO, Graph
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
+from ...schema.finite_elements import JUMP_NUMBERS
 from ...topology.system import Force
 from ..constraints.constraints import VELOCITY, rows
 from ..constraints.reaction_friction import friction_forces
@@ -31,8 +32,6 @@ from .joint_friction import JointFriction
 
 # kinds of rows of "impulses" in mesh_events.c; the last asks for a response, and pushes nothing
 BILATERAL, UNILATERAL, SLOW_RELEASE, RESPONSE = range(4)
-# numbers of a row: its kind, whether it is active, missing speed, release speed
-ROW = 4
 
 
 class LocalSolution:
@@ -147,9 +146,9 @@ class ElementEvents:
         for row in self._responses[: self.responses]:
             numbers += [kind, ZERO, ZERO, ZERO]
             gradients += row
-        count = len(numbers) // ROW
+        count = len(numbers) // JUMP_NUMBERS
         return (
-            Output("impulses", (count, ROW), tuple(numbers)),
+            Output("impulses", (count, JUMP_NUMBERS), tuple(numbers)),
             Output("J", (count, self.system.nu), tuple(gradients)),
         )
 

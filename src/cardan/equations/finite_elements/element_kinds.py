@@ -7,13 +7,14 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
-from ...elements.formulas import RIGID, Lines
+from ...elements.formulas import RIGID, RIGID_SHAPES, Lines, Shapes
 from ...ir.arithmetic import Scalar
 from ...ir.derivative import directional
 from ...ir.function import Block, Function, Output
 from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix
 from ...schema.blocks import ABI_ORDER
+from ...schema.finite_elements import MOTION_NUMBERS
 from ...topology.system import Force, System
 from ..constraints.constraints import VELOCITY, rows
 from ..constraints.loop_loads import with_closing
@@ -34,12 +35,9 @@ from .joint_constraints import JointConstraint, increments
 from .joint_formulas import joint_lines
 from .joint_friction import JointFriction
 from .parts import Part
-from .record import BlockKind, Kind
+from .record import ALWAYS, BlockKind, Kind
 
 METHOD = "composite"
-MOTION = 24  # numbers of the motion of a body
-# functions that stay where they are zero throughout
-ALWAYS = ("outputs", "signs", "jumps", "change")
 ABOUT = {
     "balance": "M udot + h - f - Gᵀ lam, then g and G u + g_t",
     "balance_tangent": "derivatives of the balance along q, u, udot, of the rates along q, and G",
@@ -97,6 +95,7 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
         },
         source=part.source,
         formulas=_lines(part, context.k),
+        symbol_shapes=_symbol_shapes(part),
         element=part.kind,
         part=part.family,
         switched=sum(row.switched for row in rows(part.system)),
@@ -111,6 +110,13 @@ def _lines(part: Part, k: Kinematics) -> Lines:
         (force,) = part.system.forces
         return force.element.formulas(force_places(k, force))
     return RIGID if part.rigid else ()
+
+
+def _symbol_shapes(part: Part) -> Shapes:
+    """Shapes of what these formulas read."""
+    if part.system.forces and not part.joint:
+        return part.system.forces[0].element.symbol_shapes
+    return RIGID_SHAPES if part.rigid else {}
 
 
 def _states(letter: str, count: int) -> Block:
@@ -311,7 +317,7 @@ class _Builder:
             nodes += [*self.k.rotation(frame).nodes, *self.k.position(frame).nodes]
             nodes += outputs.velocity(self.k, frame).nodes
             nodes += outputs.acceleration(self.d, self._accelerations, frame).nodes
-        return (Output("bodies", (len(nodes) // MOTION, MOTION), tuple(nodes)),)
+        return (Output("bodies", (len(nodes) // MOTION_NUMBERS, MOTION_NUMBERS), tuple(nodes)),)
 
     def _reactions(self) -> tuple[Output, ...]:
         """What joints of rigid trees transmit on account of this element."""

@@ -358,9 +358,13 @@ class TreeElement:
         motion, cutting = TreeMotion(Kinematics(self.system)), self.cutting
         states = {x: _numbered(x, entries) for x, entries in (("z", cutting.z), ("s", cutting.s))}
         ends = EndsOnTrees(
-            *(motion.k.graph, self.kinds, self.data, motion, self.bodies),
-            states if self.variable else {},
-            self.variable,
+            graph=motion.k.graph,
+            kinds=self.kinds,
+            data=self.data,
+            motion_of_tree=motion,
+            bodies=self.bodies,
+            states=states if self.variable else {},
+            variable=self.variable,
         )
         functions = dict(self.element.functions(ends))
         if cutting.moved:

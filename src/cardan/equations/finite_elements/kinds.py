@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, SupportsIndex, overload
 
 from ...elements.flexible import BEAMS, INERTIAS
-from ...elements.formulas import SHAPES, Lines
+from ...elements.formulas import Lines, Shapes
 from ...errors import DerivationError, near
 
 if TYPE_CHECKING:
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class SomeKinds:
-    """Kinds of elements that have a name in common.
+class KindSelection:
+    """The kinds of elements that a name selects.
 
     Attributes:
         name: That name.
@@ -57,11 +57,11 @@ class SomeKinds:
                 f"kinds '{self.name}': these are several elements, each with an energy of its own; "
                 f"ask for one: {', '.join(sorted(elements))}"
             )
-        return energy_of([(lines, SHAPES.get(of, {})) for lines, of in self._elements().items()])
+        return energy_of([*self._elements().items()])
 
-    def _elements(self) -> dict[Lines, str]:
-        """Formulas -> element; kinds that differ in their ends share them."""
-        return {kind.formulas: kind.element for kind in self.kinds if kind.formulas}
+    def _elements(self) -> dict[Lines, Shapes]:
+        """Formulas -> shapes of what they read; kinds that differ in their ends share them."""
+        return {kind.formulas: kind.symbol_shapes for kind in self.kinds if kind.formulas}
 
 
 class Kinds(tuple["Kind", ...]):
@@ -72,13 +72,15 @@ class Kinds(tuple["Kind", ...]):
     """
 
     @overload
-    def __getitem__(self, key: str) -> SomeKinds: ...
+    def __getitem__(self, key: str) -> KindSelection: ...
     @overload
     def __getitem__(self, key: SupportsIndex) -> Kind: ...
     @overload
     def __getitem__(self, key: slice) -> tuple[Kind, ...]: ...
 
-    def __getitem__(self, key: str | SupportsIndex | slice) -> SomeKinds | Kind | tuple[Kind, ...]:
+    def __getitem__(
+        self, key: str | SupportsIndex | slice
+    ) -> KindSelection | Kind | tuple[Kind, ...]:
         if not isinstance(key, str):
             return super().__getitem__(key)
         kinds = tuple(kind for kind in self if key in (kind.name, kind.element, kind.part))
@@ -86,4 +88,4 @@ class Kinds(tuple["Kind", ...]):
             names = dict.fromkeys(x for kind in self for x in (kind.part, kind.element, kind.name))
             listed = near(key, [name for name in names if name]).replace(" Known:", " Kinds:")
             raise DerivationError(f"kind of element '{key}' does not exist.{listed}")
-        return SomeKinds(key, kinds)
+        return KindSelection(key, kinds)

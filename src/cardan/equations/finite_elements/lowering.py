@@ -11,6 +11,7 @@ from ...elements.flexible import FLEXIBLE
 from ...errors import DerivationError
 from ...ir.function import Function, Output
 from ...ir.graph import ZERO
+from ...schema.finite_elements import GROUND, ON_TREE
 from ...spatial.plane import NORMALS
 from ...topology.system import Cut, Joint, System, joint_lengths
 from ..functions.blocks import parameters
@@ -22,17 +23,7 @@ from .nodal_scene import NODE, Key, Scene
 from .parts import Part, parts
 from .planar_kinds import flattened
 from .planarity import check, planes
-from .record import (
-    GROUND,
-    ON_TREE,
-    BlockKind,
-    FiniteElementRecord,
-    Frames,
-    Group,
-    Kind,
-    Places,
-    unique,
-)
+from .record import BlockKind, FiniteElementRecord, Frames, Group, Kind, Places, unique
 from .segments import beamed
 from .states import states
 
@@ -85,10 +76,10 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
         [block_table.node] * (bodies is None), [*block_table.here.values(), *beams.kinds]
     )
     groups, position = list[Group](), 0
+    tree_number = {i: k for k, i in enumerate(sorted(scene.in_trees))}
     other = sum(kind.mp * len(members) for kind, members in sorted_parts)
     for kind, members in sorted_parts:
         rows = _rows(kind, len(members), position, other)
-        tree_number = {i: k for k, i in enumerate(sorted(scene.in_trees))}
         groups.append(_group(kind, members, at, rows, system, (results, powers), tree_number))
         position += kind.mp * len(members)
         other += (kind.m - kind.mp) * len(members)

@@ -18,7 +18,7 @@ NODE, JOINT = "node", "joint"
 # what a place belongs to: (NODE, body) or (JOINT, joint)
 Key: TypeAlias = tuple[str, int]
 # speeds of joints that carry an element of a beam, beyond which a node and rows cost less
-MOST = 12
+MAX_PATH_SPEEDS = 12
 
 
 class Scene:
@@ -182,7 +182,7 @@ def _short_path(system: System, body: int) -> bool:
         if joint.element != Free():
             speeds += len(joint.element.speeds)
         body = system.bodies[body].parent
-    return speeds <= MOST
+    return speeds <= MAX_PATH_SPEEDS
 
 
 def adds_up(element: JointElement) -> bool:

@@ -23,7 +23,7 @@ from ...ir.rewrite import rebuild
 from ...spatial.exponential import multiply
 from ...spatial.plane import Plane
 from ...spatial.rotations.quaternion import Quaternion
-from .record import BlockKind, Kind
+from .record import ALWAYS, BlockKind, Kind
 
 FLAT = "plane_node"
 NAMES, UNITS = ("x", "y", "angle"), ("m", "m", "rad")
@@ -31,8 +31,6 @@ SPEEDS = ("m/s", "m/s", "rad/s")
 RATES = ("u", "udot", "du")
 # results along speeds, and along rows of constraints
 MATRICES, ROWS = ("K", "C", "M", "R", "G", "L"), ("g", "rates", "gamma")
-# functions that stay where they are zero throughout
-ALWAYS = ("outputs", "signs", "jumps", "change")
 
 
 def plane_node(plane: Plane, number: int) -> BlockKind:

@@ -102,13 +102,11 @@ def check(scene: Scene, groups: Sequence[Group], space: Mapping[str, Kind], norm
         p = values * (1 + moved[0]) + moved[1]
         for group in (g for g in groups if g.kind.name in space):
             if "balance" in space[group.kind.name].functions:
-                for member in _leaving(group, space[group.kind.name], p, random, scene):
+                for member in _leaving(group, space[group.kind.name], p, random):
                     raise _leaves(member, normal, "it pushes out of it, or holds it beside it")
 
 
-def _leaving(
-    group: Group, kind: Kind, p: Numbers, random: np.random.Generator, scene: Scene
-) -> Iterator[str]:
+def _leaving(group: Group, kind: Kind, p: Numbers, random: np.random.Generator) -> Iterator[str]:
     """Members that push out of the plane at a random motion in it."""
     n, blocks, function = len(group), group.kind.blocks, kind.functions["balance"]
     inputs = _motion(kind, blocks, n, random)

@@ -19,7 +19,7 @@ from typing import TypeAlias
 import numpy as np
 
 from ...arrays import Array, Integers
-from ...elements.formulas import Lines
+from ...elements.formulas import Lines, Shapes
 from ...errors import DerivationError, near
 from ...ir.function import Function
 from ...spatial.plane import Plane
@@ -30,11 +30,9 @@ from .overview import overview
 
 Numbers: TypeAlias = Array
 
-# the place of an end that is fixed to the ground
-GROUND = -1
-# that of a frame on a body that joints alone place
-ON_TREE = -2
 POSE = 7  # entries of the q of a node in space
+# functions that kinds have where they are zero throughout, too
+ALWAYS = ("outputs", "signs", "jumps", "change")
 
 
 @dataclass(frozen=True)
@@ -137,8 +135,8 @@ class Kind:
             ``power``: see :attr:`Group.outputs`; ``signs``, ``jumps`` and ``change`` of its events:
             see :mod:`.element_events`. What is zero throughout is left out.
         source: Literature.
-        formulas: (what it is, formula) for readers, in Python;
-            between ends in space.
+        formulas: (what it is, formula) for readers, in Python; between ends in space.
+        symbol_shapes: Of what the formulas read; see :mod:`...elements.formulas`.
         element: Its element in the catalog, such as "revolute"; "body" of rigid bodies.
         part: "body", "joint", "force" or "beam"; "" of others.
         switched: Number of its rows that hold in some modes, the last ones.
@@ -152,6 +150,7 @@ class Kind:
     functions: Mapping[str, Function] = field(repr=False, compare=False)
     source: str = ""
     formulas: Lines = field(default=(), repr=False)
+    symbol_shapes: Shapes = field(default_factory=dict, repr=False, compare=False)
     element: str = ""
     part: str = ""
     switched: int = 0

@@ -18,6 +18,7 @@ from ...elements.flexible.node_set import FRAME
 from ...ir.function import Function, Output, live
 from ...ir.graph import ZERO
 from ...ir.interpreter import evaluate
+from ...schema.finite_elements import GROUND, ON_TREE
 from ...topology.beams.segment_tables import Segment, numbered
 from ...topology.conversion import IDENTITY, ORIGIN
 from ..functions.blocks import parameters
@@ -26,7 +27,7 @@ from .element_systems import Cutting, of_parameters
 from .ends_on_trees import INSIDE, TREE, TREE_OFFSET, TreeElement
 from .nodal_scene import NODE, Key, Scene
 from .planar_kinds import flattened
-from .record import GROUND, ON_TREE, BlockKind, Group, Kind, Numbers, unique
+from .record import BlockKind, Group, Kind, Numbers, unique
 from .segment_poses import poses_of
 
 # elements of a segment up to which they share a table with those of others
@@ -311,11 +312,18 @@ class _Builder:
         key = (name, *(block.name for block in end_blocks), tree.structure(places) if tree else "")
         if key not in self._kinds:
             name = unique(name, self.taken) if tree else name
-            functions = tree.functions(name) if tree else element.derived(kinds)
-            data = tree.data if tree else element.data(kinds)
-            source, formulas = element.source, element.formula_lines
             kind = Kind(
-                *(name, places, (), 0, data, functions, source, formulas, element.kind, "beam")
+                name=name,
+                blocks=places,
+                rows=(),
+                mp=0,
+                data=tree.data if tree else element.data(kinds),
+                functions=tree.functions(name) if tree else element.derived(kinds),
+                source=element.source,
+                formulas=element.formula_lines,
+                symbol_shapes=element.symbol_shapes,
+                element=element.kind,
+                part="beam",
             )
             if end_blocks != places:
                 space, planar_name = kind, unique(name, self.taken)

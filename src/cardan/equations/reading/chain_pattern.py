@@ -20,7 +20,7 @@ from ...topology.conversion import IDENTITY
 from ...topology.system import System
 
 # links from which on the pattern is shorter than the rows
-FEW = 3
+MIN_LINKS = 3
 # letters of the pattern beside those of the parameters
 LETTERS = ("m", "ell", "sigma", "J")
 ABOUT = (
@@ -110,7 +110,7 @@ def _axis(system: System) -> int | None:
     """Axis of all joints of a planar chain of equal straight links, None of other systems."""
     bodies, joints = system.bodies, system.joints
     if (
-        len(bodies) < FEW
+        len(bodies) < MIN_LINKS
         or system.closed
         or [b.parent for b in bodies] != list(range(-1, len(bodies) - 1))
     ):

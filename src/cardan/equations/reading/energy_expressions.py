@@ -15,11 +15,13 @@ from typing import TypeAlias
 
 import sympy
 
-from ...elements.formulas import Lines, Shape
-from .expressions_of_formulas import FUNCTIONS, Implicit, Value, entries_of, symbols_of
+from ...elements.formulas import Lines, Shape, Shapes
 
+# a number, a matrix, or the solution of a system
+Value: TypeAlias = "sympy.Basic"
 Values: TypeAlias = "dict[str, Value]"
-Shapes: TypeAlias = "Mapping[str, Shape]"
+
+LETTERS = "xyz"
 
 # names of vectors and of rotations, whatever element they are of
 VECTOR = re.compile(r"(p|v|vdot|omega|omegadot|g)(_\w+)?")
@@ -78,12 +80,12 @@ class _Written:
     def _define(self, left: str, right: str) -> None:
         for name in _names(right):
             if name not in self.values:
-                self.values[name] = symbols_of(name, self._shape(name))
+                self.values[name] = _symbols_of(name, self._shape(name))
         value = _value(ast.parse(right, mode="eval").body, self.values)
         if left in ("T", "V"):
-            self.totals[left] = shorter(entries_of(value)[0])
+            self.totals[left] = shorter(_entries_of(value)[0])
         self.values[left], self.definitions[left] = _symbols(left, value)
-        if left == "s" and len(entries_of(self.values["s"])) == 6:
+        if left == "s" and len(_entries_of(self.values["s"])) == 6:
             self.values |= {"s_m": self.values["s"][:3, :], "s_n": self.values["s"][3:, :]}
 
     def _shape(self, name: str) -> Shape | tuple[()]:
@@ -165,8 +167,8 @@ def _value(node: ast.expr, values: Values) -> Value:
 
 def _symbols(name: str, value: Value) -> tuple[Value, list[sympy.Eq]]:
     """Symbols for a value, and what they stand for; what is short stands for itself."""
-    if isinstance(value, Implicit):
-        unknown = symbols_of(name, value.right.shape)
+    if isinstance(value, _Implicit):
+        unknown = _symbols_of(name, value.right.shape)
         rows = zip(value.matrix * unknown, value.right, strict=True)
         return unknown, [sympy.Eq(left, right) for left, right in rows]
     if not isinstance(value, sympy.MatrixBase):
@@ -175,7 +177,7 @@ def _symbols(name: str, value: Value) -> tuple[Value, list[sympy.Eq]]:
             return value, []
         symbol = sympy.Symbol(name)
         return symbol, [sympy.Eq(symbol, value)]
-    named, equations = symbols_of(name, value.shape), list[sympy.Eq]()
+    named, equations = _symbols_of(name, value.shape), list[sympy.Eq]()
     for k, entry in enumerate(value):
         if _short(entry):
             named[k] = entry
@@ -189,9 +191,102 @@ def _short(entry: sympy.Expr) -> bool:
 
 
 def _entries(value: Value) -> list[sympy.Expr]:
-    return [x for x in entries_of(value) if x.is_Symbol]
+    return [x for x in _entries_of(value) if x.is_Symbol]
 
 
 def _names(right: str) -> list[str]:
     """Names that a formula reads."""
     return [node.id for node in ast.walk(ast.parse(right)) if isinstance(node, ast.Name)]
+
+
+# the functions of formulas
+
+
+class _Implicit:
+    """The solution of a linear system whose inverse nobody would read."""
+
+    def __init__(self, matrix: sympy.Matrix, right: sympy.Matrix = None) -> None:
+        self.matrix, self.right = matrix, right
+
+    def __matmul__(self, right: sympy.Matrix) -> _Implicit:
+        return _Implicit(self.matrix, right)
+
+
+def _symbols_of(name: str, shape: Shape | tuple[()]) -> Value:
+    """A symbol, or a matrix of symbols for its entries.
+
+    Args:
+        name: Of all of it.
+        shape: () for a number, (rows, columns), or "diagonal" and "symmetric" with a size.
+    """
+    if not shape:
+        return sympy.Symbol(name)
+    rows, columns = shape
+    if rows == "diagonal":
+        return sympy.diag(*[_entry(name, columns, k) for k in range(columns)])
+    if isinstance(rows, str):
+        return sympy.Matrix(
+            columns, columns, lambda i, j: _entry(name, columns, min(i, j), max(i, j))
+        )
+    size = max(rows, columns)
+    return sympy.Matrix(
+        rows,
+        columns,
+        lambda i, j: _entry(name, rows, i) if columns == 1 else _entry(name, size, i, j),
+    )
+
+
+def _entry(name: str, size: int, *places: int) -> sympy.Symbol:
+    """``v_1x`` of vectors in space, ``y_4`` and ``F_12`` of others."""
+    index = "".join(LETTERS[k] if size == 3 else str(k + 1) for k in places)
+    return sympy.Symbol(f"{name}{index}" if name[-1].isdigit() and size == 3 else f"{name}_{index}")
+
+
+def _entries_of(value: Value) -> list[sympy.Expr]:
+    """Entries of a matrix, or the number itself."""
+    if isinstance(value, sympy.MatrixBase):
+        return list(value)
+    return [sympy.sympify(value, strict=True)]
+
+
+def _skew(v: sympy.Matrix) -> sympy.Matrix:
+    x, y, z = v
+    return sympy.Matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+
+
+def _inverse(matrix: sympy.Matrix) -> Value:
+    if matrix.is_diagonal():
+        return sympy.diag(*(1 / matrix[k, k] for k in range(matrix.rows)))
+    return _Implicit(matrix)
+
+
+def _rotation_vector(r: sympy.Matrix) -> sympy.Matrix:
+    """Of a rotation by less than half a turn."""
+    angle = sympy.acos((r.trace() - 1) / 2)
+    vector = sympy.Matrix([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]])
+    return vector * (angle / (2 * sympy.sin(angle)))
+
+
+def _block(a: Value, b: Value, c: Value, d: Value) -> sympy.Matrix:
+    return sympy.Matrix.vstack(sympy.Matrix.hstack(a, b), sympy.Matrix.hstack(c, d))
+
+
+FUNCTIONS: dict[str, Value] = {
+    "skew": _skew,
+    "dot": lambda a, b: (a.T * b)[0, 0],
+    "column": lambda *parts: sympy.Matrix.vstack(*parts),
+    "row": lambda *parts: sympy.Matrix.hstack(*parts),
+    "block": _block,
+    "diagonal": lambda *entries: sympy.diag(*entries),
+    "inverse": _inverse,
+    "rotation_vector": _rotation_vector,
+    "cot": sympy.cot,
+    "sin": sympy.sin,
+    "cos": sympy.cos,
+    "sqrt": sympy.sqrt,
+    "max": sympy.Max,
+    "trace": lambda x: x.trace(),
+    "I": sympy.eye(3),
+    "O": sympy.zeros(3, 3),
+    "i": sympy.Matrix([1, 0, 0]),
+}

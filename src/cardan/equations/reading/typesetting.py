@@ -16,7 +16,6 @@ from .notation import GREEK, Notation
 NAMED = {"sin": "sin", "cos": "cos", "cot": "cot", "rotation_vector": "log", "atan2": "atan2"}
 # functions whose arguments stand one beside the other in brackets
 LISTED = {"diagonal": "diag"}
-NO_TEX = ("atan2", "diag")
 CONDITION, SUM, DOT, PRODUCT, UNARY, POWER, ATOM = range(7)
 TIMES = "<mo>&#x2062;</mo>"
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, TypeAlias, final
+from typing import TYPE_CHECKING, Generic, Self, TypeAlias, TypeVar, final
 
 from ...arguments import checked
 from ...arrays import Array
@@ -28,16 +28,55 @@ if TYPE_CHECKING:
 
 # a number or an expression in the names of the equations
 Factor: TypeAlias = "sympy.Expr | float"
+# a body of a vector, two of a dyadic
+Key = TypeVar("Key", int, tuple[int, int])
 
 
-class _Sum(ABC):
-    """What vectors and dyadics have in common: parts that are added, and numbers of them."""
+class _Sum(ABC, Generic[Key]):
+    """A sum of parts, each in the axes of a body or, of dyadics, of two.
 
-    __slots__ = ("_axes",)
+    Args:
+        axes: Of the system.
+        parts: Components by the body, or by the two bodies, in whose axes they are.
+    """
 
-    _axes: MovingAxes
+    __slots__ = ("_axes", "_parts")
 
-    def _same(self, other: _Sum) -> None:
+    def __init__(self, axes: MovingAxes, parts: Mapping[Key, Matrix]) -> None:
+        self._axes = axes
+        self._parts: dict[Key, Matrix] = {bodies: x for bodies, x in parts.items() if not x.is_zero}
+
+    def __add__(self, other: Self) -> Self:
+        if type(other) is not type(self):
+            return NotImplemented
+        self._same(other)
+        parts = dict(self._parts)
+        for bodies, x in other._parts.items():
+            parts[bodies] = parts[bodies] + x if bodies in parts else x
+        return type(self)(self._axes, parts)
+
+    def __neg__(self) -> Self:
+        return type(self)(self._axes, {bodies: -x for bodies, x in self._parts.items()})
+
+    def __sub__(self, other: Self) -> Self:
+        return self + (-other) if type(other) is type(self) else NotImplemented
+
+    def __mul__(self, factor: Factor) -> Self:
+        if isinstance(factor, _Sum):
+            return NotImplemented
+        return self._times(self._axes.scalar(factor))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: Factor) -> Self:
+        if isinstance(divisor, _Sum):
+            return NotImplemented
+        return self._times(1.0 / self._axes.scalar(divisor))
+
+    def _times(self, factor: Scalar) -> Self:
+        return type(self)(self._axes, {bodies: x * factor for bodies, x in self._parts.items()})
+
+    def _same(self, other: _Sum[int] | _Sum[tuple[int, int]]) -> None:
         if other._axes is not self._axes:
             raise ArgumentError(
                 f"vectors of '{self._axes.name}' and of '{other._axes.name}' were made by two "
@@ -89,54 +128,20 @@ class _Sum(ABC):
 
 
 @final
-class Vector(_Sum):
+class Vector(_Sum[int]):
     """A vector of a moving system; see :func:`cardan.vectors`.
 
     Vectors are added and subtracted, and multiplied by numbers and by SymPy expressions in the
     names that the equations use. Each refers to one system, whose motion it contains.
     """
 
-    __slots__ = ("_parts",)
-
-    def __init__(self, axes: MovingAxes, parts: Mapping[int, Matrix]) -> None:
-        self._axes = axes
-        self._parts = {body: x for body, x in parts.items() if not x.is_zero}
+    __slots__ = ()
 
     def __repr__(self) -> str:
         if not self._parts:
             return "Vector(0)"
         parts = (f"{self._axes.text(x)} in {self._axes.body(i)}" for i, x in self._parts.items())
         return f"Vector({' + '.join(parts)})"
-
-    def __add__(self, other: Vector) -> Vector:
-        if not isinstance(other, Vector):
-            return NotImplemented
-        self._same(other)
-        parts = dict(self._parts)
-        for body, x in other._parts.items():
-            parts[body] = parts[body] + x if body in parts else x
-        return Vector(self._axes, parts)
-
-    def __neg__(self) -> Vector:
-        return Vector(self._axes, {body: -x for body, x in self._parts.items()})
-
-    def __sub__(self, other: Vector) -> Vector:
-        return self + (-other) if isinstance(other, Vector) else NotImplemented
-
-    def __mul__(self, factor: Factor) -> Vector:
-        if isinstance(factor, _Sum):
-            return NotImplemented
-        return self._times(self._axes.scalar(factor))
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, divisor: Factor) -> Vector:
-        if isinstance(divisor, _Sum):
-            return NotImplemented
-        return self._times(1.0 / self._axes.scalar(divisor))
-
-    def _times(self, factor: Scalar) -> Vector:
-        return Vector(self._axes, {body: x * factor for body, x in self._parts.items()})
 
     @checked
     def dot(self, other: Vector | Dyadic) -> sympy.Expr | Vector:
@@ -202,48 +207,14 @@ class Vector(_Sum):
 
 
 @final
-class Dyadic(_Sum):
+class Dyadic(_Sum[tuple[int, int]]):
     """A dyadic of a moving system, such as an inertia; see :func:`cardan.vectors`."""
 
-    __slots__ = ("_parts",)
-
-    def __init__(self, axes: MovingAxes, parts: Mapping[tuple[int, int], Matrix]) -> None:
-        self._axes = axes
-        self._parts = {bodies: x for bodies, x in parts.items() if not x.is_zero}
+    __slots__ = ()
 
     def __repr__(self) -> str:
         bodies = (f"{self._axes.body(i)}, {self._axes.body(j)}" for i, j in self._parts)
         return f"Dyadic({'; '.join(bodies) or 0})"
-
-    def __add__(self, other: Dyadic) -> Dyadic:
-        if not isinstance(other, Dyadic):
-            return NotImplemented
-        self._same(other)
-        parts = dict(self._parts)
-        for bodies, x in other._parts.items():
-            parts[bodies] = parts[bodies] + x if bodies in parts else x
-        return Dyadic(self._axes, parts)
-
-    def __neg__(self) -> Dyadic:
-        return Dyadic(self._axes, {bodies: -x for bodies, x in self._parts.items()})
-
-    def __sub__(self, other: Dyadic) -> Dyadic:
-        return self + (-other) if isinstance(other, Dyadic) else NotImplemented
-
-    def __mul__(self, factor: Factor) -> Dyadic:
-        if isinstance(factor, _Sum):
-            return NotImplemented
-        return self._times(self._axes.scalar(factor))
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, divisor: Factor) -> Dyadic:
-        if isinstance(divisor, _Sum):
-            return NotImplemented
-        return self._times(1.0 / self._axes.scalar(divisor))
-
-    def _times(self, factor: Scalar) -> Dyadic:
-        return Dyadic(self._axes, {bodies: x * factor for bodies, x in self._parts.items()})
 
     @property
     def T(self) -> Dyadic:

@@ -43,7 +43,8 @@ class AugmentedBody:
 class Vectors:
     """Vectors and dyadics of a system; made by :func:`vectors`.
 
-    Frames are given as frames or bodies of the scene or by their names; ``"ground"`` is one.
+    Frames are given as frames or bodies of the scene or by their names; ``"ground"`` is one. All
+    that take them raise ArgumentError where the scene has no such frame.
     """
 
     def __init__(self, equations: EquationRecord | FiniteElementRecord) -> None:
@@ -63,6 +64,9 @@ class Vectors:
         Args:
             components: Three numbers, or SymPy expressions in the names of the equations.
             frame: Frame or body, or its name.
+
+        Raises:
+            ArgumentError: other than three components, text, or no such frame.
         """
         if len(components) != 3:
             raise ArgumentError(f"a vector has 3 components, not {len(components)}")

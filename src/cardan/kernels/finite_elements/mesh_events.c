@@ -158,7 +158,8 @@ static int respond(const cardan_mesh *mesh, const cardan_state *at, const jumpin
     real *to = all->responses;
     int status = mesh->responses > 0 ? factored(mesh, at, 0, &system, work) : 0;
 
-    for (ptrdiff_t j = 0; j < mesh->jumps && status == 0 && mesh->responses > 0; j++) {
+    /* as many as the tables have room for, whatever functions ask for */
+    for (ptrdiff_t j = 0; j < mesh->jumps && status == 0 && to < all->responses + mesh->responses; j++) {
         const real *velocity = all->J + j * mesh->nu;
         if ((int)all->rows[ROW * j + KIND] != RESPONSE)
             continue;

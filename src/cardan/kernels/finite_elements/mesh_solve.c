@@ -44,8 +44,9 @@ ptrdiff_t cardan_mesh_lay(const cardan_mesh *mesh, real *block, cardan_mesh_syst
     factors->replaced = (int32_t *)(void *)cardan_reserve(block, &used, n);
     factors->rows = system->rows;
     factors->columns = system->units;
+    /* whoever has factors from earlier says how many of their pivots were replaced */
+    factors->count = factors->weak = 0;
     factors->hidden = factors->compliance = 0;
-    factors->count = 0;
     system->work = cardan_reserve(block, &used, 3 * n + cardan_mesh_room(mesh));
     return used;
 }

@@ -4,6 +4,7 @@
  * Part of cardan. Caller owns all memory.
  */
 #include "mesh_states.h"
+#include "linear.h"
 #include <math.h>
 
 ptrdiff_t cardan_mesh_most_states(const cardan_mesh *mesh)
@@ -17,9 +18,7 @@ ptrdiff_t cardan_mesh_most_states(const cardan_mesh *mesh)
 
 ptrdiff_t cardan_mesh_states_block(const cardan_mesh *mesh)
 {
-    const ptrdiff_t n = 2 * cardan_mesh_most_states(mesh);
-
-    return n * (n + 1);
+    return cardan_states_block(cardan_mesh_most_states(mesh));
 }
 
 /* Add `share` of its change to the j-th state of every element that has so many. Returns how many. */
@@ -51,62 +50,33 @@ int cardan_mesh_slopes(const cardan_mesh *mesh, const cardan_state *at, const re
     return status;
 }
 
-/* Solve a x = b (n) by elimination with pivots; a and b are overwritten. */
-static void eliminate(ptrdiff_t n, real *a, real *b)
-{
-    for (ptrdiff_t k = 0; k < n; k++) {
-        ptrdiff_t pivot = k;
-        for (ptrdiff_t i = k + 1; i < n; i++)
-            if (fabs(a[i * n + k]) > fabs(a[pivot * n + k]))
-                pivot = i;
-        for (ptrdiff_t j = 0; j < n && pivot != k; j++) {
-            const real x = a[k * n + j];
-            a[k * n + j] = a[pivot * n + j];
-            a[pivot * n + j] = x;
-        }
-        const real x = b[k];
-        b[k] = b[pivot];
-        b[pivot] = x;
-        for (ptrdiff_t i = k + 1; i < n; i++) {
-            const real factor = a[i * n + k] / a[k * n + k];
-            for (ptrdiff_t j = k; j < n; j++)
-                a[i * n + j] -= factor * a[k * n + j];
-            b[i] -= factor * b[k];
-        }
-    }
-    for (ptrdiff_t k = n - 1; k >= 0; k--) {
-        for (ptrdiff_t j = k + 1; j < n; j++)
-            b[k] -= a[k * n + j] * b[j];
-        b[k] /= a[k * n + k];
-    }
-}
-
 void cardan_states_solve(cardan_element_states of, ptrdiff_t nz, real re, real im, const real *change,
                          const real *slopes, real *x, real *y, real *block)
 {
-    const ptrdiff_t count = of.count, n = y ? 2 * count : count;
-    real *a = block, *b = block + n * n;
+    const ptrdiff_t n = of.count;
+    real *a = block, *b = a + n * n, *order = b + n * n, *u = order + n, *v = u + n;
+    int singular;
 
-    for (ptrdiff_t i = 0; i < count; i++) {
+    for (ptrdiff_t i = 0; i < n; i++) {
         const ptrdiff_t row = cardan_state_index(&of, i);
-        b[i] = x[row];
-        if (y)
-            b[count + i] = y[row];
-        for (ptrdiff_t j = 0; j < count; j++) {
+        u[i] = x[row];
+        v[i] = y ? y[row] : 0;
+        for (ptrdiff_t j = 0; j < n; j++) {
             const real slope = slopes[j * nz + row] / change[cardan_state_index(&of, j)];
             a[i * n + j] = (i == j) - re * slope;
-            if (y) {
-                a[(count + i) * n + count + j] = a[i * n + j];
-                a[i * n + count + j] = im * slope;
-                a[(count + i) * n + j] = -im * slope;
-            }
+            b[i * n + j] = -im * slope;
         }
     }
-    eliminate(n, a, b);
-    for (ptrdiff_t i = 0; i < count; i++) {
-        x[cardan_state_index(&of, i)] = b[i];
+    singular = y ? cardan_factor_complex(n, a, b, order) : cardan_factor(n, a, order);
+    if (!singular && y)
+        cardan_substitute_complex(n, a, b, order, u, v);
+    else if (!singular)
+        cardan_substitute(n, a, order, u);
+    for (ptrdiff_t i = 0; i < n; i++) {
+        /* nothing that a caller would take for a solution */
+        x[cardan_state_index(&of, i)] = singular ? (real)NAN : u[i];
         if (y)
-            y[cardan_state_index(&of, i)] = b[count + i];
+            y[cardan_state_index(&of, i)] = singular ? (real)NAN : v[i];
     }
 }
 

@@ -86,7 +86,8 @@ static int choose(const reduced_block *x)
 
     if (diagonal <= x->noise[k] && most <= x->noise[k])
         return 0;
-    if (diagonal >= ALPHA * most)
+    /* a diagonal that is no number too: of the last row there is no other */
+    if (!(diagonal < ALPHA * most))
         return 1;
     next = largest_off_diagonal(x, other, &ignored);
     if (diagonal * next >= ALPHA * most * most)

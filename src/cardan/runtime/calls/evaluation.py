@@ -30,10 +30,9 @@ class Evaluation(ABC):
     """
 
     _calls: Mapping[Key, Any]
-    _doubted: set[str]  # joints whose reaction was asked for
-    _loop_joints: dict[
-        str, bool
-    ]  # joints of redundant loops -> whether their reaction is determined
+    # joints whose reaction was looked at, and those of redundant loops: whether it is determined
+    _doubted: set[str]
+    _loop_joints: dict[str, bool]
 
     @abstractmethod
     def _evaluate(

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 CLOSED = 1e-11  # residuals relative to the size that are enough, as in kernels/run/close.c
 MOST_SIZES = 64  # that are remembered
-MOST_WATCHED = 4_000_000  # entries of the rows of elements that runs watch: 32 MB of memory each
+MAX_WATCHED = 4_000_000  # entries of the rows of elements that runs watch: 32 MB of memory each
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class Closing:
         if not model.manifest.projected:
             rows = ()
         meshed = model.manifest.absolute
-        few = len(rows) * model.nu <= MOST_WATCHED
+        few = len(rows) * model.nu <= MAX_WATCHED
         return cls(rows, size_of(model) if rows or meshed else 1.0, few or not meshed)
 
     def unwatched(self) -> Closing:

@@ -190,12 +190,23 @@ class LoadedModel(Description):
         """Names of the functions whose expressions are stored beside the C."""
         return tuple(self._objects.saved())
 
-    def _evaluate_saved(self, name: str, arithmetic: str = "numpy", **values: object) -> Any:
-        """Results of a saved Function in Python; see :func:`cardan.ir.interpreter.evaluate`."""
-        from ...ir.interpreter import evaluate
+    def _evaluate_saved(self, name: str, *only: str, **values: object) -> Any:
+        """Results of a saved Function in Python; see :func:`cardan.ir.interpreter.evaluate`.
 
+        Args:
+            name: C name of the function.
+            only: Names of results; all if left out.
+            values: Blocks as lists of floats, or as arrays (..., n).
+        """
+        from ...ir.interpreter import evaluate
+        from ...ir.straight_line import repeated
+
+        function = self._objects.function(name)
         try:
-            return evaluate(self._objects.function(name), values, arithmetic)
+            lists = {name: value for name, value in values.items() if isinstance(value, list)}
+            if len(lists) == len(values):
+                return repeated(function, *only)(lists)
+            return evaluate(function, values, "numpy")
         except ValueError as error:
             raise ModelError(
                 f"{self._objects.directory}: what manifest.json and functions.json say differs: "

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from ...arguments import checked
+from ...arguments import Times, checked
 from ...arrays import Array
 from ...errors import ArgumentError, counted, near
 from ...schema.manifest import Manifest
@@ -77,13 +77,25 @@ def _middles(count: int) -> Array:
 
 
 @checked
-def cable(model: LoadedModel, name: str, q: State, u: State | None = None) -> CableTension:
+def cable(
+    model: LoadedModel,
+    name: str,
+    q: State,
+    u: State | None = None,
+    *,
+    t: Times = 0.0,
+    r: State | None = None,
+) -> CableTension:
     """Tension along a cable.
 
     Args:
         model: The model.
         name: Of the cable.
         q, u: Coordinates (..., nq) and speeds (..., nu); u is 0 unless given.
+        t, r: Time [s] and inputs (..., nr), where something is prescribed.
+
+    Returns:
+        Its tension in every element (..., n) [N].
 
     Raises:
         ArgumentError: there is no such cable.
@@ -91,7 +103,7 @@ def cable(model: LoadedModel, name: str, q: State, u: State | None = None) -> Ca
     elements = _element_names(model.manifest, name)
     coordinates = np.asarray(model._vector("q", q), dtype=np.float64)
     speeds = np.zeros((*coordinates.shape[:-1], model.nu)) if u is None else u
-    forces = np.asarray(model.element_forces(coordinates, speeds))
+    forces = np.asarray(model.element_forces(coordinates, speeds, t=t, r=r))
     names = [row.name for row in model.manifest.element_forces]
     columns = [names.index(f"{element}.force") for element in elements]
     return CableTension(name, _middles(len(elements)), forces[..., columns])

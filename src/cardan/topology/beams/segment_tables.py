@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arrays import Array
-from ...elements.forces.gravitation import Gravitation
+from ...elements.forces.gravity.gravitation import Gravitation
 from ...elements.sections.section import Outline
 
 # of what nobody draws

@@ -179,7 +179,7 @@ def _declare(model: SceneRecord, cable: Cable, key: str) -> None:
 
 
 def _add_end(model: SceneRecord, cable: Cable, node: str) -> None:
-    """Half the mass of a element, fixed to what the cable ends in."""
+    """Half the mass of an element, fixed to what the cable ends in."""
     body = Body(model, node, cable.node_mass(0), (0, 0, 0), (0,) * 6)
     _add_body(model, cable, node, body)
     model.joints[node] = Joint(node, Fixed(), model.nodes[node], body)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from html import escape
+from typing import NamedTuple
 
 from ...errors import counted
 from ...ir.printing import quoted
@@ -18,19 +19,31 @@ ASIDE, ABOVE = 190.0, 56.0
 Point = tuple[float, float]
 
 
-# a cable or a piece of a beam: what it is, its name and the bodies it joins
-BeamArc = tuple[str, str, str, str]
+class BeamArc(NamedTuple):
+    """A cable, or a piece of a beam between named nodes.
+
+    Attributes:
+        kind: "beam" or "cable".
+        name: Of the beam or cable.
+        start, end: Names of the bodies that it joins.
+        elements: Number of its finite elements.
+    """
+
+    kind: str
+    name: str
+    start: str
+    end: str
+    elements: int
+
+
 # nodes of a piece of a beam that are drawn one by one
 MAX_NODES = 12
 
 
 def text(
-    branches: Sequence[Branch],
-    closing: Sequence[Joint],
-    beams: Sequence[BeamArc] = (),
-    elements: Sequence[int] = (),
+    branches: Sequence[Branch], closing: Sequence[Joint], beams: Sequence[BeamArc] = ()
 ) -> str:
-    """The tree with one line per body; ``elements`` are those of every piece of a beam."""
+    """The tree with one line per body."""
     outboard: dict[str, list[Branch]] = {}
     for branch in branches:
         outboard.setdefault(branch.inner.name, []).append(branch)
@@ -47,8 +60,9 @@ def text(
     for joint in closing:
         ends = f"{joint.parent.body.name} .. {joint.child.body.name}"
         lines.append(f"closes a loop: {ends}  [{joint.name}: {joint.kind.kind}]")
-    for (kind, name, start, end), count in zip(beams, elements, strict=True):
-        lines.append(f"{kind}: {start} == {end}  [{name}: {counted(count, 'element')}]")
+    for beam in beams:
+        elements = counted(beam.elements, "element")
+        lines.append(f"{beam.kind}: {beam.start} == {beam.end}  [{beam.name}: {elements}]")
     return "\n".join(lines)
 
 
@@ -58,7 +72,6 @@ def dot(
     branches: Sequence[Branch],
     closing: Sequence[Joint],
     beams: Sequence[BeamArc] = (),
-    elements: Sequence[int] = (),
 ) -> str:
     """A directed graph; loops are closed by dashed arcs, beams are thick ones."""
     lines = [f"digraph {quoted(name)} {{", "  rankdir=BT;", "  node [shape=box];"]
@@ -71,9 +84,9 @@ def dot(
         # \n is the line break of Graphviz
         label = quoted(joint.name)[:-1] + "\\n" + joint.kind.kind + '"'
         lines.append(f"  {ends} [label={label}{style}];")
-    for (_, beam, start, end), count in zip(beams, elements, strict=True):
-        ends = f"{quoted(start)} -> {quoted(end)}"
-        label = quoted(beam)[:-1] + f"\\n{counted(count, 'element')}" + '"'
+    for beam in beams:
+        ends = f"{quoted(beam.start)} -> {quoted(beam.end)}"
+        label = quoted(beam.name)[:-1] + f"\\n{counted(beam.elements, 'element')}" + '"'
         lines.append(f"  {ends} [label={label}, style=bold, penwidth=4, dir=none];")
     return "\n".join([*lines, "}"])
 
@@ -99,10 +112,7 @@ class Arc:
 
 
 def arcs(
-    branches: Sequence[Branch],
-    closing: Sequence[Joint],
-    beams: Sequence[BeamArc] = (),
-    elements: Sequence[int] = (),
+    branches: Sequence[Branch], closing: Sequence[Joint], beams: Sequence[BeamArc] = ()
 ) -> list[Arc]:
     """The graph of a model as arcs."""
     arcs_listed = [
@@ -111,13 +121,13 @@ def arcs(
     arcs_listed += [
         Arc(j.name, j.kind.kind, j.parent.body.name, j.child.body.name, "closing") for j in closing
     ]
-    arcs_listed += [beam_arc(*beam, n) for beam, n in zip(beams, elements, strict=True)]
-    return arcs_listed
+    return arcs_listed + [beam_arc(beam) for beam in beams]
 
 
-def beam_arc(kind: str, name: str, start: str, end: str, elements: int) -> Arc:
-    """A cable, or a piece of a beam."""
-    return Arc(name, f"{kind}, {counted(elements, 'element')}", start, end, "beam", elements)
+def beam_arc(beam: BeamArc) -> Arc:
+    """The arc of a cable, or of a piece of a beam."""
+    kind = f"{beam.kind}, {counted(beam.elements, 'element')}"
+    return Arc(beam.name, kind, beam.start, beam.end, "beam", beam.elements)
 
 
 def svg(bodies: Sequence[str], arcs: Sequence[Arc]) -> str:

@@ -33,9 +33,7 @@ class GraphView:
         branches: The joints of the spanning tree in regular order.
         closing: The joints that close loops, and are cut.
         reasons: Why each of them was chosen.
-        beams: (kind, name, body, body) of every cable, and of every piece of a beam between named
-            nodes, which are bodies here.
-        elements: Number of finite elements of each of these pieces.
+        beams: Every cable, and every piece of a beam between named nodes, which are bodies here.
     """
 
     name: str
@@ -44,7 +42,6 @@ class GraphView:
     closing: tuple[Joint, ...] = ()
     reasons: tuple[str, ...] = ()
     beams: tuple[drawing.BeamArc, ...] = ()
-    elements: tuple[int, ...] = ()
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -136,19 +133,15 @@ class GraphView:
         return {branch.outer.name: paths[branch.outer.name] for branch in self.branches}
 
     def __str__(self) -> str:
-        return drawing.text(self.branches, self.closing, self.beams, self.elements)
+        return drawing.text(self.branches, self.closing, self.beams)
 
     def dot(self) -> str:
         """The graph in the language of Graphviz."""
-        return drawing.dot(
-            self.name, self.bodies, self.branches, self.closing, self.beams, self.elements
-        )
+        return drawing.dot(self.name, self.bodies, self.branches, self.closing, self.beams)
 
     def svg(self) -> str:
         """A picture of the tree with its loops dashed, and beams as thick lines."""
-        return drawing.svg(
-            self.bodies, drawing.arcs(self.branches, self.closing, self.beams, self.elements)
-        )
+        return drawing.svg(self.bodies, drawing.arcs(self.branches, self.closing, self.beams))
 
     def _repr_svg_(self) -> str:
         return self.svg()
@@ -165,24 +158,20 @@ def view(model: SceneRecord) -> GraphView:
     bodies: list[Body] = [scene.ground, *scene.bodies.values()]
     names, cut = tuple(b.name for b in bodies), tuple(c.joint for c in closing)
     reasons = tuple(c.reason for c in closing)
-    beams = tuple(arc for beam in model.beams.values() for arc in _beam_arcs(beam))
-    elements = tuple(count for beam in model.beams.values() for count in _elements(beam))
+    beams = [arc for beam in model.beams.values() for arc in _beam_arcs(beam)]
     for cable in model.cables.values():
-        beams += (("cable", cable.name, cable.start.body.name, cable.end.body.name),)
-        elements += (cable.elements,)
-    return GraphView(model.name, names, tuple(branches), cut, reasons, beams, elements)
-
-
-def _elements(beam: Beam) -> list[int]:
-    """Number of finite elements of every piece."""
-    return shares(beam.elements, [0.0, *sorted(beam.stops.values()), 1.0])
+        ends = cable.start.body.name, cable.end.body.name
+        beams.append(drawing.BeamArc("cable", cable.name, *ends, cable.elements))
+    return GraphView(model.name, names, tuple(branches), cut, reasons, tuple(beams))
 
 
 def _beam_arcs(beam: Beam) -> list[drawing.BeamArc]:
-    """(kind, beam, body, body) from each of its named nodes to the next."""
+    """The pieces of a beam from each of its named nodes to the next."""
     inner = [beam.model.nodes[name] for _, name in sorted((s, n) for n, s in beam.stops.items())]
     bodies = [place.body.name for place in (beam.start, *inner, beam.end)]
-    return [("beam", beam.name, a, b) for a, b in pairwise(bodies)]
+    counts = shares(beam.elements, [0.0, *sorted(beam.stops.values()), 1.0])
+    spans = zip(pairwise(bodies), counts, strict=True)
+    return [drawing.BeamArc("beam", beam.name, *ends, count) for ends, count in spans]
 
 
 def _leader(leaders: dict[str, str | None], joint: str) -> str | None:

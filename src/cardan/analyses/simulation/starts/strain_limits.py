@@ -12,10 +12,9 @@ from ....runtime.models.loaded_model import LoadedModel
 
 LARGE = 0.1  # strain: no linear elastic material is meant to bear more
 SMALL_ANGLE = 1e-4
-FOLDED = np.radians(
-    150.0
-)  # from one end of an element to the other; half a turn is all it can tell
-LOOKED = 64  # states of a run that are looked at
+# angle from one end of an element to the other: at half a turn its rotation vector jumps
+FOLDED = np.radians(150.0)
+MAX_STATES = 64  # of a run that are looked at
 
 
 def warn_of_strain(model: LoadedModel, x: Array) -> None:
@@ -57,7 +56,7 @@ def folded(model: LoadedModel, states: Array) -> str:
     """
     if not model.manifest.beams or not len(states):
         return ""
-    rows = np.unique(np.linspace(0, len(states) - 1, LOOKED).astype(int))
+    rows = np.unique(np.linspace(0, len(states) - 1, MAX_STATES).astype(int))
     worst, name = 0.0, ""
     for q in (model.split(states[row])[0] for row in rows):
         for k, beam in enumerate(model.manifest.beams):
@@ -66,8 +65,8 @@ def folded(model: LoadedModel, states: Array) -> str:
     if worst < FOLDED:
         return ""
     return (
-        f"An element of beam '{name}' is bent by {np.degrees(worst):.0f} degrees, and tells up to "
-        "180: take more elements, or a stiffer beam"
+        f"An element of beam '{name}' is bent by {np.degrees(worst):.0f} degrees from end to end, "
+        "and its strain is defined below 180: take more elements, or a stiffer beam"
     )
 
 

@@ -15,6 +15,8 @@ enum {
     ALPHA_RATE,    /* convergence rate of the last Newton iteration */
     ALPHA_AGE,     /* steps since the matrix was factored */
     ALPHA_RENEW,   /* so many of the next steps start with a new matrix */
+    ALPHA_FEWEST,  /* mesh: fewest corrections of a step with the matrix, 0: no step yet */
+    ALPHA_EXTRA,   /* mesh: corrections beyond the fewest, summed over its steps */
     ALPHA_STEPS_SINCE_CHANGE,   /* steps since the step size last changed */
     ALPHA_WEAK,    /* mesh: number of replaced pivots; if not 0, solutions are refined */
     ALPHA_SPLIT_LEVELS,   /* mesh, 1: separate matrices for positions and for speeds */

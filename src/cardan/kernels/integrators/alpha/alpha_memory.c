@@ -6,7 +6,7 @@
 static void lay_states(const cardan_run *run, cardan_alpha *v, real *memory, ptrdiff_t *used)
 {
     const ptrdiff_t nz = run->nz, most = v->mesh ? cardan_mesh_most_states(v->mesh) : nz;
-    const ptrdiff_t block = v->mesh ? cardan_mesh_states_block(v->mesh) : nz * (nz + 1);
+    const ptrdiff_t block = v->mesh ? cardan_mesh_states_block(v->mesh) : cardan_states_block(nz);
 
     v->w = cardan_reserve(memory, used, nz);
     v->w_new = cardan_reserve(memory, used, nz);

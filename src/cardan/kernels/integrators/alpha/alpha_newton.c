@@ -24,6 +24,9 @@ enum { LEVELING = 7 };
 static const real HASTE = 8;
 /* a new matrix is due if the convergence rate exceeds SLOW or more than FEW corrections are needed */
 static const real SLOW = 0.3, FEW = 4;
+/* mesh: cost of a new matrix, in corrections. Once an old one has cost as many beyond the fewest, a
+ * new one is due: no rule spends less than half of what this one does. */
+static const real PRICE = 4;
 /* Newton tolerance: SHARE relative to the error tolerance; SOUGHT relative to coordinates for fixed
  * steps; at most MAX_TOL for a mesh with fixed steps, where every correction is expensive */
 static const real SHARE = 0.005, SOUGHT = 1e-13, MAX_TOL = 1e-11;
@@ -212,6 +215,15 @@ static int correct(cardan_run *run, const cardan_alpha *v, real h, real t)
     return status != 0 ? status : place(run, v, h);
 }
 
+/* Count the corrections of a step without a new matrix. */
+static void count(const cardan_alpha *v, int corrections)
+{
+    const real fewest = v->now[ALPHA_FEWEST];
+
+    v->now[ALPHA_FEWEST] = fewest > 0 ? fmin(fewest, corrections) : corrections;
+    v->now[ALPHA_EXTRA] += corrections - v->now[ALPHA_FEWEST];
+}
+
 /* Solve for accelerations and multipliers of a step h to t_new; its end is in `trial`.
  *
  * Full Newton factors a new matrix for every correction. Modified Newton reuses one matrix across
@@ -238,6 +250,7 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
         v->now[ALPHA_ROTATION] += cardan_alpha_sparse_turn(run, v, h);
         stale |= v->now[ALPHA_ROTATION] > SLOW;
     }
+    stale |= v->mesh && v->now[ALPHA_EXTRA] > PRICE;
     /* the matrix failed recently: start with a new one right away */
     if (v->now[ALPHA_RENEW] > 0) {
         v->now[ALPHA_RENEW]--;
@@ -251,6 +264,7 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
         if (stale || v->full) {
             status = renew(run, v, h, t_new);
             v->now[ALPHA_AGE] = v->now[ALPHA_ROTATION] = 0;
+            v->now[ALPHA_FEWEST] = v->now[ALPHA_EXTRA] = 0;
             stale = 0;
             tangents++;
         }
@@ -264,6 +278,8 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
             rate = norm / last;
         if (enough(norm, rate, last, tangents > 0)) {
             v->now[ALPHA_RATE] = fmin(SLOW, fmax(rate, 1e-3));
+            if (tangents == 0)
+                count(v, k + 1);
             return 0;
         }
         /* slow: more than FEW further corrections would be needed, so renew the matrix */

@@ -14,9 +14,8 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ....arrays import Array
+from ....schema.finite_elements import GROUND
 from .tables import Integers, Tables
-
-GROUND = -1
 
 
 @dataclass(frozen=True)

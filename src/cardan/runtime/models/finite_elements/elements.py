@@ -168,9 +168,16 @@ class Elements(ABC):
     def tangent(
         self, at: State, parts: Sequence[str] = PARTS
     ) -> dict[str, scipy.sparse.csr_matrix]:
-        """K, C, M (nu, nu), R, G (m, nu): derivatives of the balance, rows of constraints;
-        H (m, m): which of these no mode holds; L (m, nu): of elements with friction that follows
-        from reactions the derivatives of the balance by -lam, in place of G. ``parts``: which."""
+        """Matrices of all elements by name.
+
+        K, C, M (nu, nu), R, G (m, nu): derivatives of the balance, rows of constraints; H (m, m):
+        which of these no mode holds; L (m, nu): of elements with friction that follows from
+        reactions the derivatives of the balance by -lam, in place of G.
+
+        Args:
+            at: The state.
+            parts: Which of them.
+        """
         tables = self.tables
         entries: dict[str, list[tuple[Any, Any, Any]]] = {name: [] for name in parts}
         numbers = [k for k, g in enumerate(tables.groups) if "balance_tangent" in g.kind.functions]

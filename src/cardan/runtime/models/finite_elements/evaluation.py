@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from functools import partial
 from itertools import groupby
 from math import prod
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import numpy as np
 
@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 
 # matrices that are written out are for looking at
 LARGEST = 600
+# how many values by keys stay with a model
+LATEST = 8
+T = TypeVar("T")
 Inputs = dict[str, Array]
 
 
@@ -51,9 +54,21 @@ class Results:
             **{"positions": lam[: mesh.tables.mp], "y": outputs, "sources": mesh.tables.powers},
             "forces": forces,
         }
+        self._cache: dict[Hashable, object] = {}
         # q as it is moved comes without its tangent
         self._counts = {f"n{name}": len(entries) for name, entries in self._names.items()}
         self._counts |= {"nx": model.nx, "ntangent": 0, "ns": mesh.tables.ns, "ne": mesh.tables.ne}
+
+    def once(self, key: Hashable, make: Callable[[], T]) -> T:
+        """A value that follows from the model and a key, computed at the first request.
+
+        Those of the last few keys stay.
+        """
+        if key not in self._cache:
+            if len(self._cache) >= LATEST:
+                self._cache.pop(next(iter(self._cache)))
+            self._cache[key] = make()
+        return cast("T", self._cache[key])
 
     def of(self, name: str, of: str | None) -> Callable[[Inputs], Array]:
         """A function of given blocks."""

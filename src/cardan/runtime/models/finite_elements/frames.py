@@ -16,8 +16,6 @@ from .tables import Tables
 if TYPE_CHECKING:
     from ..loaded_model import LoadedModel
 
-GROUND = -1
-
 
 def rotation(q: Array) -> Array:
     """Rotation matrices (..., 3, 3) of unit quaternions (..., 4), w x y z."""

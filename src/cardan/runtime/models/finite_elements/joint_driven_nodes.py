@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
-from dataclasses import replace
+from collections.abc import Collection, Mapping
 from functools import cached_property
 from itertools import islice
 from typing import TYPE_CHECKING, Any
@@ -12,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....arrays import Array
-from ....ir.straight_line import read, straight_line
+from ....schema.finite_elements import GROUND, ON_TREE
 from . import table_loading
-from .dependent_nodes import GROUND, STILL, Motion, displacement, joined, motion_of, trailed
+from .dependent_nodes import STILL, Motion, displacement, joined, motion_of, trailed
 from .node_pose import pose, speeds
 from .tables import Integers, Tables
 
@@ -23,8 +22,6 @@ if TYPE_CHECKING:
 
 SAVED = "states"
 ENDS = "ends_q", "ends_u"
-# place of the first body of a tree that a beam ends at; others follow downward
-ON_TREE = -2
 ASSEMBLY_SIGNS = "assembly_signs "  # before the joint whose axes the numbers are about
 ROUNDING = 1e-14
 # cosines of exchanged axes are 0 but for rounding; as kernels/solve/position.c has it
@@ -121,8 +118,12 @@ class Carrier:
             rows = moved.reshape(-1, self.model.nu)
             trails = [
                 trailed(
-                    *(tables, tables.beams, self.reference, np.concatenate([q, row]), located),
-                    self._tree_ends(q, row),
+                    tables,
+                    tables.beams,
+                    self.reference,
+                    x=np.concatenate([q, row]),
+                    located=located,
+                    tree_ends=self._tree_ends(q, row),
                 )[nq:]
                 for row in rows
             ]
@@ -221,21 +222,14 @@ class Carrier:
 
     def _located(self, q: Array) -> Array:
         """Coordinates of nodes by those of joints among q (nq,), at one position after another."""
-        blocks = {
-            "t": [self.t],
-            "q": q[self._sources[0]].tolist(),
-            "r": self.r[: len(self._blocks["r"])].tolist(),
-            "p": self._parameters,
-        }
-        compiled, names = self._place_function
-        return np.array(compiled(*(blocks[name] for name in names)), dtype=np.float64)
+        numbers = self._blocks_of(q[self._sources[0]], np.zeros(0))
+        places = self.model._evaluate_saved(SAVED, "q", **numbers)
+        return np.array(places["q"], dtype=np.float64)
 
-    @cached_property
-    def _place_function(self) -> tuple[Callable[..., list[float]], tuple[str, ...]]:
-        """Coordinates of nodes as a function of the blocks that are named."""
-        states = self.model._objects.function(SAVED)
-        places = replace(states, outputs=tuple(o for o in states.outputs if o.name == "q"))
-        return straight_line(places), read(places)
+    def _blocks_of(self, q: Array, u: Array) -> dict[str, list[float]]:
+        """Numbers of the blocks of the saved function: they are faster than arrays."""
+        r = self.r[: len(self._blocks["r"])].tolist()
+        return {"t": [self.t], "q": q.tolist(), "u": u.tolist(), "r": r, "p": self._parameters}
 
     @cached_property
     def _parameters(self) -> list[float]:
@@ -243,19 +237,17 @@ class Carrier:
         return numbers
 
     def _evaluated(self, q: Array, u: Array) -> Mapping[str, Array]:
+        if q.ndim == u.ndim == 1:
+            one = self.model._evaluate_saved(SAVED, **self._blocks_of(q, u))
+            return {name: np.array(values, dtype=np.float64) for name, values in one.items()}
         inputs: dict[str, Any] = {
             "t": np.array([self.t]),
             "q": q,
             "u": u,
             "p": self.model.parameters.vector,
+            "r": self.r[: len(self._blocks["r"])],
         }
-        inputs["r"] = self.r[: len(self._blocks["r"])]
-        if q.ndim == u.ndim == 1:
-            # of one state: numbers are faster than arrays
-            plain = {name: block.tolist() for name, block in inputs.items()}
-            one = self.model._evaluate_saved(SAVED, "float", **plain)
-            return {name: np.array(values, dtype=np.float64) for name, values in one.items()}
-        evaluated: Mapping[str, Array] = self.model._evaluate_saved(SAVED, "numpy", **inputs)
+        evaluated: Mapping[str, Array] = self.model._evaluate_saved(SAVED, **inputs)
         return evaluated
 
 

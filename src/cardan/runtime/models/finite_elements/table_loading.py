@@ -14,6 +14,7 @@ from ....arrays import Array
 from ....build_progress import listed, stage
 from ....errors import ModelError
 from ....schema.c_functions import FunctionRow
+from ....schema.finite_elements import JUMP_NUMBERS
 from ....schema.manifest import Manifest
 from ....schema.records import PARTS
 from ...calls.lanes import width
@@ -29,8 +30,6 @@ if TYPE_CHECKING:
 FILE = "mesh.npz"
 # elements of a group from which on they go side by side: fewer would leave most lanes unused
 LANE_THRESHOLD = 8
-# numbers of a jump besides its gradient, as kernels/finite_elements/mesh_events.c has them
-ROW = 4
 INTEGER_TABLES = ("z", "s", "events", "outputs", "powers", "reactions")
 
 
@@ -135,7 +134,7 @@ def _check_results(elements: Tables, entries: Mapping[str, FunctionRow]) -> None
         sizes = {"balance": nu + kind.mp + m, "gamma": m, "energy": 2, "momentum": 6}
         sizes |= {"reaction": 6, "stress": 24, "mixed": nu + nu * nu, "mixed_step": INNER}
         sizes |= {"zdot": kind.states[0], "signs": kind.ne + 1, "change": sum(kind.states)}
-        sizes["jumps"] = kind.jumps * (ROW + nu)
+        sizes["jumps"] = kind.jumps * (JUMP_NUMBERS + nu)
         sizes["reaction_friction"] = kind.frictions * (1 + nu + 3 * m)
         sums = {"power": group.powers, "outputs": group.outputs}
         sizes |= {name: 0 if x is None else x.shape[1] for name, x in sums.items()}

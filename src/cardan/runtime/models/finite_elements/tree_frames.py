@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ....arrays import Array
+from ....schema.finite_elements import MOTION_NUMBERS
 from ....schema.mechanism import FrameRow
 from .elements import State
 from .mesh import Mesh
@@ -43,8 +44,8 @@ class TreeFrames:
         (group, member, number), _, _ = self._at[frame]
         groups = self._mesh.tables.groups
         having = [k for k, table in enumerate(groups) if FORM in table.kind.functions]
-        rows = self._mesh.results(FORM, at)[having.index(group)][member].reshape(-1, 24)
-        row = rows[number]
+        bodies = self._mesh.results(FORM, at)[having.index(group)][member]
+        row = bodies.reshape(-1, MOTION_NUMBERS)[number]
         return row[:9].reshape(3, 3), row[9:12], row[12:18], row[18:]
 
     def _arm(self, frame: str, R: Array) -> Array:

@@ -141,7 +141,7 @@ def _lagrange(members: Members, force: Array) -> float:
         return members.call("energy", blocks)
 
     def moving(blocks: Mapping[str, Array]) -> Array:
-        return momenta(members, energies, blocks)
+        return momenta(energies, blocks)
 
     rates, off = members.slope(moving, rates_of(members))
     p, expected = moving(inputs), rates.copy()
@@ -157,7 +157,7 @@ def _lagrange(members: Members, force: Array) -> float:
     return missing(expected, off, force)
 
 
-def momenta(members: Members, energies: Callable[..., Array], blocks: Mapping[str, Array]) -> Array:
+def momenta(energies: Callable[..., Array], blocks: Mapping[str, Array]) -> Array:
     """dT/du: T is of second degree in the speeds, differences of which are exact."""
     u = blocks["u"]
     p = np.zeros_like(u)

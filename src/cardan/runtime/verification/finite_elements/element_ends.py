@@ -104,7 +104,7 @@ def _momentum(members: Members) -> float | str:
         return "its places are not nodes in space"
     if "ground" in members.table.kind.name:
         return NO_LAW
-    p = momenta(members, lambda b: members.call("energy", b), members.inputs)
+    p = momenta(lambda b: members.call("energy", b), members.inputs)
     expected = np.zeros((members.count, 6))
     for a, b, here in zip(*members.starts, nodes, strict=False):
         if not here:

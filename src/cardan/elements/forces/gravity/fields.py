@@ -12,8 +12,8 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
-from ..ir.arithmetic import Scalar, norm
-from ..ir.matrix import Matrix
+from ....ir.arithmetic import Scalar, norm
+from ....ir.matrix import Matrix
 
 
 @dataclass(frozen=True)

@@ -348,7 +348,6 @@ int cardan_radau_elements_iterate(cardan_run *run, real h, real *size)
     status = move(&v, h, v.states + nq, run->nx);
     for (int s = 0; s < 3; s++)
         sum += cardan_radau_squares(run, &v, v.kinematic + s * nu, b + s * rows, v.zdot + s * nz,
-                                    INFINITY,
                                     &largest);
     *size = sqrt(sum / (real)cardan_larger_of(3 * (2 * nu + nz), 1));
     return status;

@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ...ir.matrix import Matrix
-from ..fields import Central, Pull
-from ..formulas import Lines
-from ..limits import Limit, not_negative
-from ..quantity import Bodies, Place, Units, Value
-from .force import Places, constant
+from ....ir.matrix import Matrix
+from ...formulas import Lines
+from ...limits import Limit, not_negative
+from ...quantity import Bodies, Place, Units, Value
+from ..force import Places, constant
+from .fields import Central, Pull
 from .gravitation import ATTRACTION, REACH, Gravitation, Turn
 
 

@@ -213,4 +213,4 @@ static void remember(cardan_run *run)
 }
 
 const cardan_radau_form cardan_radau_rates = {length,  sound,   begin, jacobian, factor, predict,
-                                              rounding, iterate, end,   error_of, remember, 1e-3};
+                                              rounding, iterate, end,   error_of, remember, 1e-3, 0};

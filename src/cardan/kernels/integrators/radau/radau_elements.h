@@ -57,7 +57,7 @@ void cardan_radau_stages_at(const cardan_run *run, cardan_radau_stages *v);
 cardan_state cardan_radau_state(const cardan_run *run, const real *t, const real *x, const real *lam);
 /* Sum of squares of increments d, speeds u and internal states z, each in units of its tolerance. */
 real cardan_radau_squares(cardan_run *run, const cardan_radau_stages *v, const real *d, const real *u,
-                          const real *z, real h, real *largest);
+                          const real *z, real *largest);
 /* radau_elements_newton.c; transform: a (3, n) = B a with a matrix over the stages */
 void cardan_radau_transform(const real B[3][3], ptrdiff_t n, real *a);
 int cardan_radau_elements_iterate(cardan_run *run, real h, real *size);

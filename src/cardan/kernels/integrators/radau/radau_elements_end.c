@@ -197,7 +197,7 @@ int cardan_radau_elements_error(cardan_run *run, real h, int again, real *error)
     if (nz > 0)
         cardan_mesh_states_solve(v.mesh, c, 0, v.change, v.slopes, z, NULL, v.block);
     run->culprit = -1;
-    *error = cardan_radau_squares(run, &v, v.error, v.error + nu, z, h, &largest);
+    *error = cardan_radau_squares(run, &v, v.error, v.error + nu, z, &largest);
     *error = sqrt(*error / (real)cardan_larger_of(2 * nu + nz, 1));
     return 0;
 }

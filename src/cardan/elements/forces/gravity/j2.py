@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ...ir.arithmetic import norm
-from ...ir.matrix import Matrix
-from ..fields import Oblate, Pull
-from ..limits import Limit, not_negative
-from ..quantity import RATIO, Bodies, Direction, Place, Units, Value
+from ....ir.arithmetic import norm
+from ....ir.matrix import Matrix
+from ...limits import Limit, not_negative
+from ...quantity import RATIO, Bodies, Direction, Place, Units, Value
+from .fields import Oblate, Pull
 from .gravitation import Gravitation, Turn
 
 

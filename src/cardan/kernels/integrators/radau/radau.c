@@ -119,13 +119,14 @@ static int solve(cardan_run *run, real h, int *count)
 }
 
 /* Error norm of the trial in units of the tolerance. Stiff components inflate it in the first step
- * and after a rejection; if it is above 1, it is filtered once more, eq. (IV.8.20). */
+ * and after a rejection; if it is above 1, it is filtered once more, eq. (IV.8.20). Those of elements
+ * do in every step: speeds of vibrations that no step follows pass the first filter. */
 static int error_of(cardan_run *run, real h, real *error)
 {
     const cardan_radau_form *form = form_of(run);
     const int status = form->error(run, h, 0, error);
 
-    if (status != 0 || *error <= 1 || !(run->rejected || now_of(run)->h == 0))
+    if (status != 0 || *error <= 1 || !(form->refilters || run->rejected || now_of(run)->h == 0))
         return status;
     return form->error(run, h, 1, error);
 }

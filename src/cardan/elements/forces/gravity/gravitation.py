@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
-from ...errors import ModelError, brief
-from ...ir.matrix import Matrix
-from ..fields import Pull
-from ..formulas import Lines
-from .force import FRAME, Action, ForceElement, Load, Places, constant
+from ....errors import ModelError, brief
+from ....ir.matrix import Matrix
+from ...formulas import Lines, Shapes
+from ..force import FRAME, Action, ForceElement, Load, Places, constant
+from .fields import Pull
 
 # a vector in axes of the center -> in those in which a mass is told
 Turn: TypeAlias = Callable[[Matrix], Matrix]
@@ -23,6 +23,7 @@ class Gravitation(ForceElement):
     beam every section is such a body.
     """
 
+    symbol_shapes: ClassVar[Shapes] = {"c": (3, 1), "I": ("symmetric", 3)}
     center: Any
     bodies: Any
 
@@ -72,7 +73,7 @@ class Gravitation(ForceElement):
             Load(body, pull.torque + com.cross(pull.force), pull.force, axes=body),
             Load(center, -self.torque_about_center(r, pull), -pull.force, axes=body),
         )
-        fixed = self.has_potential and all(constant(at.data[name]) for name in self.quantities())
+        fixed = self.has_potential and constant(*(at.data[name] for name in self.quantities()))
         return (Action(loads, potential=pull.potential if fixed else None),)
 
 

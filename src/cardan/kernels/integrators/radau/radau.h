@@ -49,6 +49,7 @@ typedef struct cardan_radau_form {
     int (*error)(cardan_run *run, real h, int again, real *error);
     void (*remember)(cardan_run *run); /* what the next step extrapolates */
     real fast; /* convergence rates up to this keep the Jacobian */
+    int refilters; /* 1: an error above 1 is filtered again in every step */
 } cardan_radau_form;
 
 /* radau_rates.c: x' = f(t, x), dense matrices */

@@ -123,14 +123,12 @@ cardan_state cardan_radau_state(const cardan_run *run, const real *t, const real
 }
 
 /* Root mean squares: d against the reference length, u against the fastest speed so far, z against
- * its own size. An error of u counts by the way that it makes in a step h, where that allows more:
- * fast vibrations of small amplitude, of which the speed is all that is seen, are passed over. */
+ * its own size. */
 real cardan_radau_squares(cardan_run *run, const cardan_radau_stages *v, const real *d, const real *u,
-                          const real *z, real h, real *largest)
+                          const real *z, real *largest)
 {
     const real *extent = v->now + RADAU_EXTENT, tolerance = run->rtol + run->atol;
-    const real speed = run->atol + run->rtol * v->now[RADAU_FASTEST];
-    const real rate = fmax(speed, tolerance / fabs(h));
+    const real rate = run->atol + run->rtol * v->now[RADAU_FASTEST];
     const ptrdiff_t culprit = run->culprit;
     real most = 0, sum;
 
@@ -279,4 +277,4 @@ static real rounding(cardan_run *run, real h)
 
 const cardan_radau_form cardan_radau_elements = {
     length,  sound,   begin, jacobian, factor, predict, rounding, cardan_radau_elements_iterate, cardan_radau_elements_end,
-    cardan_radau_elements_error, cardan_radau_elements_remember, 0.05};
+    cardan_radau_elements_error, cardan_radau_elements_remember, 0.05, 1};
