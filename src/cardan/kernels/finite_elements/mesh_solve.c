@@ -181,16 +181,16 @@ static int fits(const cardan_mesh *mesh, const cardan_mesh_system *system, const
 static real left_of_rows(const cardan_mesh *mesh, const cardan_mesh_system *system, const real *x,
                          const real *r)
 {
-    real left = 0, asked = 0, moved = 0;
+    real left = 0, required = 0, moved = 0;
 
     for (ptrdiff_t i = 0; i < mesh->plan->n; i++) {
-        asked = fmax(asked, fabs(system->rows[i] * system->right[i]));
+        required = fmax(required, fabs(system->rows[i] * system->right[i]));
         if (i < mesh->nu)
             moved = fmax(moved, fabs(x[i] / system->units[i]));
         else
             left = fmax(left, fabs(system->rows[i] * r[i]));
     }
-    return left > 0 ? left / (moved + asked) : 0;
+    return left > 0 ? left / (moved + required) : 0;
 }
 
 /* Solve where pivots were lost, and improve that until rounding, or what cannot fit, is all there is.
