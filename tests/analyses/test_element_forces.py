@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 from numpy.testing import assert_allclose
 
 import cardan as cd
@@ -205,3 +206,25 @@ def test_states_of_that_name_come_first() -> None:
     assert not model.manifest.element_forces
     with pytest.raises(cd.CardanError, match="has none"):
         model.element_forces(np.zeros(1), np.zeros(1))
+
+
+def test_laws_that_read_nodes_drive_a_joint() -> None:
+    """The torque on the wheel of a free hub, and one that follows the tip of a beam."""
+    scene = cd.Scene("satellite", gravity=(0, 0, 0))
+    hub = scene.body("hub", mass=5, inertia=(0.1, 0.2, 0.15))
+    scene.joint("drift", cd.Free(), scene.ground, hub)
+    dural = cd.material(E=7e10, nu=0.3, rho=2700)
+    beam = scene.beam("panel", hub, (1, 0, 0), cd.section.circle(0.01), dural, elements=1)
+    scene.force("wheel", cd.Rotor(hub, axis="z", inertia=0.01, torque=0.3 * sp.sin(5 * cd.t)))
+    gimbal = scene.body("gimbal", mass=1.0, inertia=(0.01, 0.01, 0.01))
+    scene.joint("tilt", cd.Revolute("x"), hub, gimbal)
+    follow = 0.1 - 2.0 * beam.end.velocity()[2] - 0.1 * scene.u("tilt")
+    scene.force("follow", cd.JointForce("tilt", follow))
+    model = cd.compile(scene)
+    motion = model.simulate(0.5)
+    assert_allclose(motion["wheel.force"], 0.3 * np.sin(5 * motion.t), rtol=0, atol=1e-12)
+    q, u = motion.q, motion.u
+    tip = model.velocity("panel.end", q, u)[:, 5]
+    expected = 0.1 - 2.0 * tip - 0.1 * motion["tilt.u"]
+    assert_allclose(motion["follow.force"], expected, rtol=0, atol=1e-12)
+    assert "element_forces" in str(model.verify())

@@ -74,6 +74,11 @@ def test_damping_ratios() -> None:
     np.testing.assert_allclose(found.damping[1:], 0.02 * free.angular[1:] / 2, rtol=1e-9)
     undamped = row(3, grounded=False, damping=2.0).modes(damped=False)
     np.testing.assert_allclose(undamped.angular, free.angular, atol=1e-6)
+    # what does not oscillate has frequency 0, not rounding
+    heavy = row(3, grounded=False, damping=2e3).modes()
+    slow = np.abs(heavy.values.imag) <= 1e-8 * np.abs(heavy.values)
+    assert slow.sum() > 2
+    assert not heavy.frequencies[slow].any()
     # in motion damping is not told apart from other effects of speeds
     with pytest.raises(cd.ModelError, match="damped=False needs a state at rest"):
         row(3, grounded=False, damping=2.0).modes(u={"s0": 1.0}, damped=False)
@@ -297,3 +302,25 @@ def test_nonsense_is_refused(
 ) -> None:
     with pytest.raises(cd.CardanError, match=said):
         call(double)
+
+
+@pytest.mark.parametrize("elements", [8, 16])
+@pytest.mark.parametrize("ratio", [0.0, 1e-6, 0.02])
+@pytest.mark.parametrize("length", [0.1, 10.0])
+def test_free_beams_have_six_rigid_modes(elements: int, ratio: float, length: float) -> None:
+    """Closed form of a free beam with a damping in proportion to stiffness; sparse matrices.
+
+    Rigid bodies have pairs of eigenvalues 0, which rounding splits: they count once each.
+    """
+    E, rho, width, height = 7e10, 2700.0, 0.03 * length, 0.002 * length
+    scene = cd.Scene("free", gravity=(0, 0, 0))
+    section = cd.section.rectangle(width, height)
+    slenderness = np.array([4.730040744862704, 7.853204624095838]) / length
+    free = slenderness**2 * np.sqrt(E * height**2 / 12 / rho)
+    damping = 2 * ratio / free[0]
+    material = cd.material(E=E, nu=0.3, rho=rho, damping=damping)
+    scene.beam("beam", (0, 0, 0), (length, 0, 0), section, material, elements=elements)
+    frequencies = 2 * np.pi * np.asarray(cd.compile(scene).modes(8).frequencies)
+    assert not frequencies[:6].any()
+    expected = free * np.sqrt(1 - (0.5 * damping * free) ** 2)
+    np.testing.assert_allclose(frequencies[6:], expected, rtol=3e-3)

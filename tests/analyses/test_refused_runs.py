@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 
 import cardan as cd
 
@@ -158,3 +159,22 @@ def test_ended(case: str, models: dict[str, cd.CompiledModel]) -> None:
     assert motion.message in repr(motion)
     with pytest.raises(cd.SolveError, match=words):
         models[name].simulate(t, check=True, **options)
+
+
+@pytest.mark.parametrize("exclusive", [False, True])
+def test_a_latch_that_closes_while_it_is_released(exclusive: bool) -> None:
+    """What the message says of latches ends the chatter."""
+    scene = cd.Scene("latch", gravity=(0, 0, 0))
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("car", mass=1.0))
+    scene.force("spring", cd.JointSpring("x", stiffness=200.0, rest=0.5))
+    release, when = 0.5 - cd.t, 0.05 - scene.q("x")
+    when = sp.Max(when, -release) if exclusive else when
+    scene.force("latch", cd.Lock("x", when=when, release=release))
+    model = cd.compile(scene)
+    if exclusive:
+        motion = model.simulate(0.6)
+        assert motion.success
+        assert [event.name for event in motion.events] == ["latch.lock", "latch.release"]
+        return
+    with pytest.warns(cd.SolveWarning, match="'latch.*when= of a latch be positive while release="):
+        assert model.simulate(0.6).status == "chatter"

@@ -208,3 +208,23 @@ def test_misspelt_arguments_are_told(double: cd.CompiledModel) -> None:
         double.stepper(event={})
     with pytest.raises(TypeError, match=r"no such argument\. Known: path, events\."):
         double.resume("run.npz", evnt={})
+
+
+@pytest.mark.parametrize("beam", [False, True])
+@pytest.mark.parametrize("sample", [None, 0.01])
+def test_auto_takes_the_method_that_a_run_takes(beam: bool, sample: float | None) -> None:
+    """An explicit method would follow the vibrations of beams, with 500 times as many steps."""
+    scene = cd.Scene("arm")
+    arm = scene.body("arm", mass=1.0, com=(0.1, 0, 0), inertia=(0.01, 0.01, 0.01))
+    scene.joint("hinge", cd.Revolute("y"), scene.ground, arm)
+    angle, rate = scene.q("hinge"), scene.u("hinge")
+    pid = cd.Controller.pid("hinge", angle, rate, target=0.1, kp=5, ki=1, kd=1, sample=sample)
+    scene.force("pid", pid)
+    if beam:
+        dural = cd.material(E=7e10, nu=0.3, rho=2700)
+        scene.beam("rod", arm, (1, 0, 0), cd.section.circle(0.01), dural, elements=2)
+    model = cd.compile(scene)
+    motion, stepper = model.simulate(0.2), model.stepper()
+    assert model.simulate(6.0).solver_info.method in repr(stepper)
+    state = stepper.step(0.2)
+    np.testing.assert_allclose(state, motion.x[-1], rtol=0, atol=1e-4)

@@ -34,7 +34,23 @@ def test_both_formulations_agree(name: str) -> None:
     np.testing.assert_allclose(one.reaction(joint), two.reaction(joint), atol=1e-9)
 
 
-def cantilever(elements: int) -> cd.CompiledModel:
+@pytest.mark.parametrize("damping", [0.0, 20.0])
+def test_feedback_of_a_quaternion_stiffens_a_node(damping: float) -> None:
+    """J s^2 + c s + k / 2 = 0 of a body that floats and reads its own quaternion."""
+    k, J = 30.0, 40.0
+    scene = cd.Scene("craft", gravity=(0, 0, 0))
+    hub = scene.body("hub", mass=200, inertia=(30, J, 35))
+    scene.joint("drift", cd.Free(), scene.ground, hub)
+    torque = -k * scene.q("drift.qy") - damping * scene.u("drift.y")
+    scene.force("wheel", cd.Torque(hub, (0, torque, 0), in_=hub))
+    model = cd.compile(scene, coordinates="absolute")
+    values = model.linearize(model.initial()).eigenvalues
+    expected = np.roots([J, damping, k / 2])
+    for root in expected:
+        assert np.abs(values - root).min() < 1e-9 * abs(root)
+
+
+def cantilever_scene(elements: int) -> cd.Scene:
     """A beam of 1 m along x, clamped at its start, with forces and a moment at its end."""
     scene = cd.Scene("cantilever", gravity=(0, 0, 0))
     F, M, P = (scene.parameter(name, 0.0) for name in "FMP")
@@ -42,7 +58,11 @@ def cantilever(elements: int) -> cd.CompiledModel:
     beam = scene.beam("beam", scene.ground, (1.0, 0, 0), section, elements=elements)
     scene.force("load", cd.Force(beam.end, (-P, 0, -F)))
     scene.force("moment", cd.Torque(beam.end, (0, -M, 0)))
-    return cd.compile(scene)
+    return scene
+
+
+def cantilever(elements: int) -> cd.CompiledModel:
+    return cd.compile(cantilever_scene(elements))
 
 
 @pytest.fixture(scope="module")
@@ -140,3 +160,11 @@ def test_a_hinge_that_nothing_holds_is_named() -> None:
 def test_what_cannot_be_held_is_told(beam: cd.CompiledModel) -> None:
     with pytest.raises(cd.ModelError, match="can be held"):
         beam.equilibrium(locked={"beam.end.qw": 1.0})
+
+
+def test_formulas_that_beams_lack_name_the_numbers() -> None:
+    equations = cd.derive(cantilever_scene(1))
+    with pytest.raises(cd.DerivationError, match=r"no 'mass_matrix'.*In numbers: .*mass_matrix\("):
+        _ = equations.mass_matrix
+    with pytest.raises(cd.DerivationError, match=r"see \.kinds\.$"):
+        _ = equations.bias

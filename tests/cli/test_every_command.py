@@ -230,4 +230,4 @@ def test_scenes_with_beams_are_exported_as_c(capsys: pytest.CaptureFixture[str])
     assert {"tables.h", "elements.c", "alpha.c", "example.c"} <= set(files)
     assert not any(name.endswith(".pyx") for name in files)
     assert status("export", "mast.yaml", "-o", "c", "--language", "cython") == 1
-    assert "language='c'" in capsys.readouterr().err
+    assert "--language c" in capsys.readouterr().err

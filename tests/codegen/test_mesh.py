@@ -56,7 +56,7 @@ def test_same_scene_same_bytes(tmp_path: Path) -> None:
     assert FILE in names
     for name in names:
         assert (one / name).read_bytes() == (other / name).read_bytes(), name
-    equations = cd.derive(crane(), coordinates="absolute")
+    equations = cd.derive(crane())
     assert numbers(equations) == (one / FILE).read_bytes()
 
 

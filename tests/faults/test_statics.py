@@ -112,7 +112,7 @@ def test_a7_rows_next_to_a_limit_load_balance(elements: int) -> None:
 def test_a7_the_limit_load_is_that_of_prescribed_displacements() -> None:
     """The load of the fold itself was not to be had; rows came to within 1e-4 of it."""
     reference = known("arch_clamped_hinged_180")
-    model = arch(16, reference["parameters"], clamped=True)
+    model = arch(16, reference["parameters"], clamped=True, coordinates="absolute")
     with pytest.warns(cd.SolveWarning, match=r"the limit point P = 10\.25"):
         loaded = model.statics(P=(0, 12.0))
     (limit,) = loaded.critical()
@@ -134,7 +134,7 @@ def test_a7_the_limit_load_is_that_of_prescribed_displacements() -> None:
 def test_a19_stability_under_dead_loads_and_as_it_is_held() -> None:
     """The stability of the held system was told as that of the dead load."""
     reference = known("arch_clamped_hinged_180")
-    model = arch(8, reference["parameters"], clamped=True)
+    model = arch(8, reference["parameters"], clamped=True, coordinates="absolute")
     path = model.statics(locked={"crown.pz": (1.0, 0.0)}, steps=10)
     rising = np.gradient(path["crown.pz.holding_force"], path["crown.pz"]) > 0
     assert path.stable[1:-1] == rising[1:-1].tolist()

@@ -84,6 +84,27 @@ def test_a12_wrong_function_of_a_beam_is_found(form: str, monkeypatch: pytest.Mo
     assert any(error > BOUND for _, error, _ in check_kinds(own))
 
 
+def test_a_tangent_that_is_missing_is_found() -> None:
+    """A kind without a tangent was taken for one whose balance nothing changes."""
+    scene = cd.Scene("sprung", gravity=(0, 0, 0))
+    body = scene.body("body", mass=1.0, inertia=(1, 1, 1))
+    scene.joint("free", cd.Free(), scene.ground, body)
+    pull = cd.Force(body, (-3 * scene.q("free.px"), 0, 0))
+    scene.force("pull", pull)
+    model = cd.compile(scene, coordinates="absolute")
+    (own,) = [m for m in kinds(model) if m.table.kind.name == "force"]
+    judged = {form: error for form, error, _ in check_kinds(own)}
+    assert judged["balance"] < BOUND
+    assert judged["balance_tangent"] < BOUND
+    kind = own.table.kind
+    functions = {form: name for form, name in kind.functions.items() if form != "balance_tangent"}
+    bare = type(kind)(**{**vars(kind), "functions": functions, "parts": {}})
+    codes = {form: code for form, code in own.codes.items() if form != "balance_tangent"}
+    without = replace(own, table=replace(own.table, kind=bare), codes=codes, cache={})
+    judged = {form: error for form, error, _ in check_kinds(without)}
+    assert judged["balance"] > 1e-2
+
+
 def test_a12_custom_joint_is_judged_by_its_pose(tmp_path: Path) -> None:
     """A scene with a ``Custom`` joint compiled "not checked" without a word."""
     with warnings.catch_warnings():

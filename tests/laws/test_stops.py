@@ -42,3 +42,24 @@ def test_impacts_on_several_stops_come_to_an_end(seed: int) -> None:
         stop, values = scene.forces[f"stop{k}"].element, motion[f"joint{k}"]
         assert values.min() > stop.lower - 1e-6
         assert values.max() < stop.upper + 1e-6
+
+
+@pytest.mark.parametrize("coordinates", ["auto", "absolute"])
+def test_two_sided_stops_of_beams_verify(coordinates: str) -> None:
+    """A joint is never at both its stops: impacts of both at once are none to be judged."""
+    scene = cd.Scene("arm")
+    dural = cd.material(E=7e10, nu=0.3, rho=2700)
+    strip = cd.section.rectangle(0.03, 0.002)
+    beam = scene.beam("beam", scene.ground, (0.8, 0, 0), strip, dural, elements=2)
+    hand = scene.body("hand", mass=0.3, com=(0.05, 0, 0.02), inertia=(1e-3, 1e-3, 1e-3))
+    scene.joint("wrist", cd.Revolute("y"), beam.end, hand)
+    scene.force("stop", cd.Stop("wrist", lower=-0.3, upper=0.3, restitution=0.4))
+    model = cd.compile(scene, coordinates=coordinates)
+    assert "transition" in str(model.verify())
+    motion = model.simulate(0.2, u={"wrist": 5.0})
+    struck = motion.events[0]
+    q, before = model.split(struck.x)
+    impulse = model.mass_matrix(q) @ (model.split(struck.x_after)[1] - before)
+    if coordinates == "auto":
+        others = np.delete(impulse, model.speeds.index("wrist.u"))
+        assert np.abs(others).max() < 1e-9 * np.abs(impulse).max()

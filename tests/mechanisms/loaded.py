@@ -7,11 +7,14 @@ import math
 import cardan as cd
 
 
-def arch(elements: int, known: dict[str, float], clamped: bool = False) -> cd.CompiledModel:
+def arch(
+    elements: int, known: dict[str, float], clamped: bool = False, coordinates: str = "auto"
+) -> cd.CompiledModel:
     """A circular arch under a load P down at its crown.
 
     Args:
         elements: Of the whole.
+        coordinates: "absolute" gives the crown a height that can be held.
         known: Of the reference: radius R, arc_deg, EI, EA, GA.
         clamped: Whether the left end is; hinged else, as the right one is.
     """
@@ -36,7 +39,7 @@ def arch(elements: int, known: dict[str, float], clamped: bool = False) -> cd.Co
         line = cd.arc(through=at(side * half / 2))
         scene.beam(name, start, stop, section, line=line, elements=elements // 2)
     scene.force("load", cd.Force(crown, (0, 0, -scene.parameter("P", 0.0))))
-    return cd.compile(scene)
+    return cd.compile(scene, coordinates=coordinates)
 
 
 def shaft(elements: int, EI: float = 100.0) -> cd.CompiledModel:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import jsonschema
+import numpy as np
 import pytest
 
 import cardan as cd
@@ -226,6 +227,46 @@ def test_an_end_that_is_clamped_is_the_frame_it_is_clamped_to() -> None:
     )
     assert held.start is not place
     assert held.start.name == "c.start"
+
+
+def tool(base: str | None, tmp_path: Path) -> cd.CompiledModel:
+    """A rod on a hand that stands oblique; from a file where its points are told in the hand."""
+    scene = cd.Scene("tool", gravity=(0, 0, 0))
+    arm = scene.body("arm", mass=1, inertia=(0.1, 0.1, 0.1))
+    scene.joint("turn", cd.Revolute("y"), scene.ground.at(0.1, 0, 0.2), arm)
+    hand = scene.body("hand", mass=0.2, inertia=(1e-3, 1e-3, 1e-3))
+    scene.joint("wrist", cd.Fixed(), arm.at(0.3, 0, 0, rotation=("XYZ", 0.2, 0.5, -0.3)), hand)
+    hand.at(0, 0, 0.4, name="tip")
+    if base is not None:
+        steel, section = cd.material(**STEEL), cd.section.rectangle(0.01, 0.004)
+        scene.beam("rod", hand, (0, 0, 0.4), section, steel, elements=2, up="x", base=base)
+        scene = again(scene, tmp_path)
+    return cd.compile(scene)
+
+
+def test_points_of_a_beam_are_told_in_axes_of_its_base(tmp_path: Path) -> None:
+    rigid, flexible = tool(None, tmp_path), tool("hand", tmp_path)
+    for angle in (0.0, 0.7):
+        begin = flexible.initial({"turn": angle})
+        found = flexible.pose("rod.end", flexible.split(begin)[0])
+        tip = rigid.pose("tip", [angle])
+        np.testing.assert_allclose(found[:3, 3], tip[:3, 3], atol=1e-12)
+        # e1 along z of the hand, e3 along its x
+        np.testing.assert_allclose(found[:3, 0], rigid.pose("hand", [angle])[:3, 2], atol=1e-12)
+        np.testing.assert_allclose(found[:3, 2], rigid.pose("hand", [angle])[:3, 0], atol=1e-12)
+
+
+def test_a_free_end_that_moves_says_how_to_place_it() -> None:
+    scene = cd.Scene("m")
+    hand = scene.body("hand", mass=1)
+    scene.joint("turn", cd.Revolute("y"), scene.ground, hand)
+    tip = hand.at(0, 0, 0.4)
+    with pytest.raises(
+        ModelError, match=r"end reads '.*', which moves.*give three numbers and base="
+    ):
+        beam(start=hand, end=tip.position())(scene)
+    with pytest.raises(ModelError, match=r"base is the frame .*; give its body, 'hand'"):
+        beam(start=hand, base=tip)(scene)
 
 
 def test_summary_counts_beams() -> None:

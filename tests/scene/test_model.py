@@ -10,7 +10,7 @@ import sympy
 
 from cardan.api.scene import Scene
 from cardan.elements.forces import JointForce
-from cardan.elements.joints import Revolute, Spherical
+from cardan.elements.joints import Free, Revolute, Spherical
 from cardan.errors import ModelError
 from cardan.scene import inertia, shape, t
 from cardan.scene.units import unit
@@ -291,3 +291,15 @@ def test_shapes_of_rotations(rotation):
 def test_inertia_as_rows_that_are_arrays():
     rows = [np.array(row) for row in ([1.0, 0.1, 0], [0.1, 1.0, 0], [0, 0, 1.5])]
     assert Scene("m").body("b", mass=1.0, inertia=rows).inertia == (1.0, 0.1, 0, 1.0, 0, 1.5)
+
+
+def test_speeds_have_their_names_of_results_too() -> None:
+    scene = Scene("m")
+    body = scene.body("body", mass=1, inertia=(1, 1, 1))
+    scene.joint("drift", Free(), scene.ground, body)
+    link = scene.body("link", mass=1)
+    scene.joint("u", Revolute("x"), body, link)
+    assert scene.u("drift.u.y") == scene.u("drift.y")
+    assert scene.u("u.u") == scene.u("u")
+    with pytest.raises(ModelError, match="no such component"):
+        scene.u("drift.u.w")

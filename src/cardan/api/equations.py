@@ -14,6 +14,7 @@ from ..equations.linearized.linear import Linearizable
 from ..equations.reading.explained import Explained
 from ..errors import DerivationError
 from ..notebooks import html
+from ..schema.functions import FUNCTIONS
 from .compiled_model import CompiledModel
 from .faces import verb
 from .trajectory import Trajectory
@@ -128,7 +129,9 @@ class FiniteElementEquations(FiniteElementRecord):
             raise AttributeError(f"'FiniteElementEquations' object has no attribute '{name}'")
         cure = f" Joint coordinates have it: derive(scene, coordinates='relative').{name}"
         if self.system.segments:
-            cure = ""  # beams have no others
+            # beams have no other coordinates; what runs over their elements is there in numbers
+            numbers = [f.name for f in FUNCTIONS.values() if f.elements] + ["linearize"]
+            cure = f" In numbers: cd.compile(...).{name}(...)" if name in numbers else ""
         raise DerivationError(
             f"equations of '{self.system.name}' in absolute coordinates have no '{name}': their "
             f"elements have functions, see .kinds.{cure}"

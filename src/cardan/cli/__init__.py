@@ -149,7 +149,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     arguments_typed = list(sys.argv[1:] if arguments is None else arguments)
     command = next((word for word in arguments_typed if not word.startswith("-")), "")
     top = build_parser(command)
-    options = top.parse_args(arguments_typed)
+    options, unknown = top.parse_known_args(arguments_typed)
+    if unknown:
+        # the command has help on its own options
+        getattr(options, "parser", top).error(f"unrecognized arguments: {' '.join(unknown)}")
     if options.command is None:
         top.print_help(sys.stderr)
         return 2

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from ..elements.centerlines import Centerline, Straight
 from ..elements.flexible import BEAMS, INERTIAS
@@ -15,7 +15,7 @@ from ..errors import ModelError, brief, near
 from . import checks
 from .beam import RELEASED, Beam, Cable, End, node
 from .body import Body
-from .frame import Frame
+from .frame import Frame, Place
 
 if TYPE_CHECKING:
     from .scene import SceneRecord
@@ -42,6 +42,7 @@ def add_beam(
     kinds: tuple[object, object],
     temperature: object,
     prestrain: Mapping[str, object] | None,
+    base: object,
 ) -> Beam:
     """The work of :meth:`Model.beam`.
 
@@ -73,6 +74,7 @@ def add_beam(
         chosen(who, "inertia", kinds[1], INERTIAS),
         rise,
         prestrain_of(who, prestrain),
+        base_of(model, who, base),
     )
     add_nodes(beam)
     return beam
@@ -114,7 +116,24 @@ def end_of(model: SceneRecord, who: str, role: str, value: object, released: obj
         return End(model.place(who, value, role), None, letting)
     if letting:
         raise ModelError(f"{who}: release_{role}: that end is free, nothing holds it; leave it out")
-    return End(None, _triple(who, role, value))
+    return End(None, _triple(model, who, role, value))
+
+
+def base_of(model: SceneRecord, who: str, base: object) -> Body | None:
+    """The body in whose axes points are told; None for the ground.
+
+    Raises:
+        ModelError: there is none of that name, or it is a frame.
+    """
+    if base is None:
+        return None
+    place = model.place(who, cast("Place | str", base), "base")
+    if not isinstance(place, Body):
+        raise ModelError(
+            f"{who}: base is the frame '{place.name}'; give its body, '{place.body.name}', and "
+            "points in axes of that"
+        )
+    return None if place is model.ground else place
 
 
 def _released(who: str, role: str, value: object) -> tuple[str, ...]:
@@ -133,13 +152,21 @@ def _released(who: str, role: str, value: object) -> tuple[str, ...]:
     return tuple(listed)
 
 
-def _triple(who: str, role: str, value: object) -> tuple[Value, Value, Value]:
+def _triple(model: SceneRecord, who: str, role: str, value: object) -> tuple[Value, Value, Value]:
     try:
         x, y, z = vector(who, role, value, 3)
     except ModelError as problem:
         raise ModelError(
-            f"{problem}. An end is a frame, a body, a name or three numbers in ground axes"
+            f"{problem}. An end is a frame, a body, a name or three numbers in axes of base="
         ) from problem
+    written = (x for x in (x, y, z) if is_expression(x))
+    for symbol in sorted(str(one) for entry in written for one in entry.free_symbols):
+        if symbol in model.atoms:
+            raise ModelError(
+                f"{who}: {role} reads '{symbol}', which moves. A free end is a point of the "
+                "reference configuration: give three numbers and base=, the body in whose axes "
+                "they are"
+            )
     return x, y, z
 
 
@@ -240,6 +267,7 @@ def add_cable(
     length: Value | None,
     tension: float | None,
     elements: int,
+    base: object,
 ) -> Cable:
     """The work of :meth:`Scene.cable`.
 
@@ -282,6 +310,7 @@ def add_cable(
         tension=pull,
         damping=values["damping"],
         elements=count,
+        base=base_of(model, who, base),
     )
     add_cable_nodes(cable)
     return cable

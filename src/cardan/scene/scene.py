@@ -296,6 +296,7 @@ class SceneRecord(Vocabulary):
         release_end: str | Sequence[str] = (),
         temperature: Value = 0,
         prestrain: Mapping[str, Value] | None = None,
+        base: Body | str | None = None,
     ) -> Beam:
         """Add a beam: slender, elastic, of one section, in displacements of any size.
 
@@ -305,17 +306,17 @@ class SceneRecord(Vocabulary):
         Args:
             name: Its name.
             start, end: A frame, body or name that the end is clamped to, or a free end: three
-                numbers in ground axes at the reference configuration.
+                numbers in axes of ``base`` at the reference configuration.
             section: One of :mod:`cardan.section`, such as ``cd.section.tube(0.05, 0.04)``.
             material: ``cd.material(E=, nu=, rho=, damping=, expansion=)``; not needed by
                 ``cd.section.general``.
             elements: Number of finite elements.
-            up: Direction of e3 in ground axes, or its part across the beam. Without it e3 starts
-                upward (of an upright beam e2 along y) and is carried along without twist.
+            up: Direction of e3 in axes of ``base``, or its part across the beam. Without it e3
+                starts upward (of an upright beam e2 along y) and goes on without twist.
             line: ``cd.arc(...)`` or ``cd.spline(points)`` from start to end; straight without. The
                 beam is without stress there.
-            element: Kind of finite element: ``"hellinger_reissner"``, ``"helicoidal"``,
-                ``"classical"`` or ``"classical_plain"``.
+            element: Kind of finite element: ``"hellinger_reissner"``, the same ``..._loaded``,
+                ``"helicoidal"``, ``"classical"`` or ``"classical_plain"``.
             inertia: ``"linked"``, that of the motion between nodes, or ``"lumped"`` at them.
             release_start, release_end: What the clamp does not hold there: ``"x" "y" "z"``
                 displacements along and ``"rx" "ry" "rz"`` rotations about the section axes, such as
@@ -324,6 +325,7 @@ class SceneRecord(Vocabulary):
             temperature: Rise against the reference configuration [K].
             prestrain: What the beam has without stress beyond the reference configuration: any of
                 twist, curvature2, curvature3 [1/m], stretch, shear2, shear3.
+            base: Body in whose axes points and directions of the beam are told; None: the ground.
 
         Returns:
             The beam; :meth:`Beam.at`, ``start`` and ``end`` are frames for joints and forces.
@@ -333,17 +335,10 @@ class SceneRecord(Vocabulary):
 
         Source: J. C. Simo and L. Vu-Quoc, A three-dimensional finite-strain rod model, 1986.
         """
+        ends, stuff = ((start, release_start), (end, release_end)), (section, material)
+        kinds = (element, inertia)
         return add_beam(
-            self,
-            name,
-            ((start, release_start), (end, release_end)),
-            (section, material),
-            elements,
-            up,
-            line,
-            (element, inertia),
-            temperature,
-            prestrain,
+            self, name, ends, stuff, elements, up, line, kinds, temperature, prestrain, base
         )
 
     @checked
@@ -358,18 +353,20 @@ class SceneRecord(Vocabulary):
         tension: float | None = None,
         damping: Value = 0,
         elements: int = 1,
+        base: Body | str | None = None,
     ) -> Cable:
         """Add a cable: straight elastic pieces that pull and do not push, with mass in its nodes.
 
         Args:
             name: Its name.
             start, end: A frame, body or name, whose origin holds the end without moments, or a free
-                end: three numbers in ground axes at the reference configuration.
+                end: three numbers in axes of ``base`` at the reference configuration.
             EA, rhoA: Stiffness [N] and mass per length [kg/m] of the section.
             length: Without load [m]; longer than the distance of the ends it sags.
             tension: In the reference configuration [N], where ``length`` is not given.
             damping: Tension of a rate of the strain is EA times this time [s].
             elements: Number of pieces of equal length.
+            base: Body in whose axes free ends are told; None: the ground.
 
         Raises:
             ModelError: unknown or foreign frames, numbers no cable has, or a name that is taken.
@@ -377,7 +374,7 @@ class SceneRecord(Vocabulary):
         Source: Irvine, Cable Structures (1981), chapter 1.
         """
         numbers = {"EA": EA, "rhoA": rhoA, "damping": damping}
-        return add_cable(self, name, (start, end), numbers, length, tension, elements)
+        return add_cable(self, name, (start, end), numbers, length, tension, elements, base)
 
     @checked
     def include(self, other: SceneRecord, prefix: str, at: Place | str | None = None) -> Included:

@@ -139,9 +139,17 @@ class Vocabulary(ABC):
 
     @checked
     def u(self, speed: str) -> sympy.Symbol:
-        """Symbol of a speed: ``"elbow"``, or ``"joint.x"`` where the joint has several."""
+        """Symbol of a speed: ``"elbow"``, or ``"joint.x"`` where the joint has several.
+
+        Its name in results, ``"elbow.u"`` or ``"joint.u.x"``, is taken too.
+        """
+        kinds = self.joint_kinds()
+        if speed not in kinds:
+            joints = [j for j in kinds if f"{speed}.".startswith(f"{j}.u.")]
+            name = max(joints, key=len, default="")
+            speed = name + speed[len(name) + 2 :] if name else speed
         joint, _, component = speed.partition(".")
-        if speed in self.joint_kinds():
+        if speed in kinds:
             joint, component = speed, ""
         return self._coordinate("u", speed, f"{joint}.u" + (f".{component}" if component else ""))
 

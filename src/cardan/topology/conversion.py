@@ -59,6 +59,7 @@ class Converter:
         self.used: set[str] = set()
         self.moving = False
         self.fixing = False
+        self.cure = "What moves a body is a joint, with prescribed= where it is prescribed"
         self.symbols: dict[str, int] = {}
         self.units: dict[str, str | None] = {}
         self.values = dict(model.values) | (built_in.values if built_in is not None else {})
@@ -172,8 +173,7 @@ class Converter:
         for symbol in nodes_of_symbols:
             if symbol.name not in self._fixed:
                 raise ModelError(
-                    f"'{name}' may depend on parameters only; it has '{symbol.name}'. What moves a "
-                    "body is a joint, with prescribed= where it is prescribed"
+                    f"'{name}' may depend on parameters only; it has '{symbol.name}'. {self.cure}"
                 )
 
     def vector(

@@ -29,6 +29,7 @@ from ..systems import dynamic_system_of
 from ..systems.dynamic_system import DynamicSystem, Moment
 from ..systems.saddle_point import (
     Factor,
+    Matrix,
     Singular,
     Sparse,
     factored,
@@ -51,6 +52,8 @@ STILL = 1e-7  # of the largest modulus: eigenvalues that are 0
 SQUARE = 1e-12  # the same of squares of frequencies
 FEW = 12  # modes of a sparse system if no number is given
 SHIFT = 1e-3  # rad/s next to 0
+ROUNDING = 2e-15  # of the stiffness of the parts of a shape: below it there is none
+FARTHEST = 1e-3  # of what the largest stiffness over the largest mass makes
 
 
 @checked
@@ -165,7 +168,7 @@ def _solved(
             # a part of the speeds: nearer to rotations that nothing holds others would be lost
             shift = SHIFT * max(1.0, 100 * float(np.abs(at.u / system.columns).max(initial=0.0)))
             try:
-                values, shapes = near_quadratic(*shifted, M, G, shift, 2 * (count or FEW), by)
+                values, shapes = _near(*shifted, M, G, shift, 2 * (count or FEW), by)
             except ArpackError:
                 if not small:
                     raise
@@ -191,6 +194,25 @@ def _solved(
     return values[chosen], _phased(shapes) * system.columns[:, None]
 
 
+def _near(
+    K: Matrix, C: Matrix, M: Matrix, G: Matrix, shift: float, count: int, by: Factor
+) -> tuple[Complex, Complex]:
+    """Modes next to 0 of a quadratic problem, from a shift at which rigid bodies resist.
+
+    Beside stiff elements the inertia that a small shift adds to free motions is rounding: it grows
+    until there is a solution, or it is what :func:`_real` takes.
+    """
+    largest = float(np.sqrt(np.abs(K.diagonal()).max() / np.abs(M.diagonal()).max()))
+    while True:
+        try:
+            values, shapes = near_quadratic(K, C, M, G, shift, count, by)
+            return _resolved(values, shapes, K, C, M), shapes
+        except Singular:
+            if shift >= FARTHEST * largest:
+                raise
+        shift = min(10 * shift, FARTHEST * largest)
+
+
 def _undamped(K: Any, M: Any, G: Any, count: int | None, by: Factor) -> tuple[Complex, Array]:
     """Undamped modes; of sparse matrices by full ones where the search for few does not end."""
     try:
@@ -207,7 +229,9 @@ def _real(
 ) -> tuple[Complex, Array]:
     """Undamped modes."""
     if issparse(K):
-        shift = -1e-6 * float(np.abs(K.diagonal()).max()) / float(np.abs(M.diagonal()).max())
+        shift = (
+            -(FARTHEST**2) * float(np.abs(K.diagonal()).max()) / float(np.abs(M.diagonal()).max())
+        )
         half = csr_array(0.5 * (K + K.T))
         squares, shapes = near(half, csr_array(M), G, shift, count or FEW, by)
     else:
@@ -218,7 +242,20 @@ def _real(
     largest = float(np.abs(squares).max(initial=0.0))
     squares = np.where(np.abs(squares) <= SQUARE * largest, 0.0, squares)
     values = np.where(squares >= 0, 1j, 1.0) * np.sqrt(np.abs(squares))
-    return values.astype(np.complex128), shapes
+    return _resolved(values.astype(np.complex128), shapes, K, 0 * K, M), shapes
+
+
+def _resolved(values: Complex, shapes: Array | Complex, K: Matrix, C: Matrix, M: Matrix) -> Complex:
+    """Eigenvalues, 0 where the stiffness k of their shape is but rounding of that of its parts.
+
+    By v^2 m + v c + k = 0 they are 0 then, or -c / m. Those of a rigid body come in pairs that
+    rounding splits, further than k says; only as 0 do they count once.
+    """
+    size = np.abs(shapes)
+    rounding = ROUNDING * np.einsum("ik,ik->k", size, abs(K) @ size)
+    k, c, m = (np.einsum("ik,ik->k", shapes.conj(), matrix @ shapes) for matrix in (K, C, M))
+    free = (np.abs(k) <= rounding) & (np.abs(values * m + c) > 0.5 * np.abs(c))
+    return np.where(free, 0.0, values)
 
 
 def _first(
@@ -235,6 +272,7 @@ def _chosen(values: Complex, count: int | None, double: bool) -> NDArray[np.intp
     """One of every pair, from the lowest frequency; what is not periodic by its rate."""
     size = float(np.abs(values).max(initial=0.0))
     values[np.abs(values) <= STILL * size] = 0.0
+    values.imag[np.abs(values.imag) <= ALIKE * np.abs(values)] = 0.0
     upper = np.flatnonzero(values.imag >= -ALIKE * np.abs(values))
     # a rigid body counts once: it has a position and a speed
     still = upper[values[upper] == 0]

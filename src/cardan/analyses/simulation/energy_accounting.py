@@ -97,7 +97,10 @@ def accounts(motion: TrajectoryRecord, how: Settings, closure_tol: float = 0.0) 
     if fastest <= max(atol, ROUNDING):
         # at rest, as far as the tolerance tells: what is left of speeds is rounding
         return closures
-    return _energy(motion, rows, rtol, periods) + _momentum(motion, rows, rtol, periods) + closures
+    # speeds that stay at 0 are uncertain by this all the same
+    doubt = atol + _rounded(motion, fastest)
+    momenta = _momentum(motion, rows, rtol, periods, doubt)
+    return _energy(motion, rows, rtol, periods) + momenta + closures
 
 
 def excess(motion: TrajectoryRecord, how: Settings, closure_tol: float = 0.0) -> str:
@@ -189,9 +192,9 @@ def _energy(
 
 
 def _momentum(
-    motion: TrajectoryRecord, rows: NDArray[np.intp], rtol: float, periods: float
+    motion: TrajectoryRecord, rows: NDArray[np.intp], rtol: float, periods: float, doubt: float
 ) -> list[Account]:
-    """Both momenta of a run, where nothing acts from outside."""
+    """Both momenta of a run where nothing acts from outside; all speeds are in doubt by so much."""
     model = motion.model
     functions = motion.manifest.available
     if model is None or not isolated(motion) or "momentum" not in functions or not model.nu:
@@ -201,19 +204,20 @@ def _momentum(
     values = model.momentum(q, u, t=t)
     some = _some(len(rows), FEW)
     groups = np.array_split(np.arange(model.nu), min(model.nu, PARTS))
-    magnitudes = np.zeros((2, len(some)))
+    magnitudes, noise = np.zeros((2, 2, len(some)))
     for group in groups:
-        alone = np.zeros_like(u[some])
-        alone[:, group] = u[some][:, group]
-        part = model.momentum(q[some], alone, t=t[some]).reshape(-1, 2, 3)
-        magnitudes += np.linalg.norm(part, axis=2).T
+        for total, speeds in ((magnitudes, u[some]), (noise, np.full_like(u[some], doubt))):
+            alone = np.zeros_like(speeds)
+            alone[:, group] = speeds[:, group]
+            part = model.momentum(q[some], alone, t=t[some]).reshape(-1, 2, 3)
+            total += np.linalg.norm(part, axis=2).T
     listed = []
     for k, (what, unit) in enumerate(MOMENTA):
         history = values[:, 3 * k : 3 * k + 3]
         missed = float(np.linalg.norm(history - history[0], axis=1).max())
         magnitude = float(magnitudes[k].max())
         worth = rtol * magnitude * periods
-        listed.append(Account(what, missed, worth, magnitude, _rounded(motion, magnitude), unit))
+        listed.append(Account(what, missed, worth, magnitude, float(noise[k].max()), unit))
     return listed
 
 

@@ -199,6 +199,7 @@ def _event(runner: Runner, answer: int, at: str) -> tuple[str, str]:
     shorter = "" if runner.settings.method.adaptive else "take step= shorter, "
     return "chatter", (
         f"stopped {at}: {what} happens ever again within no time to speak of, such as the last "
-        "bounces of a ball that comes to rest. Let it stick below a speed (Stop: settle=), "
+        "bounces of a ball that comes to rest. Let it stick below a speed (Stop: settle=), let "
+        "when= of a latch be positive while release= is negative (Lock), "
         f"{shorter}take a smooth law (Friction: smooth=), or end the run there with events="
     )

@@ -168,16 +168,20 @@ def _settled(
 
 
 def case_of(
-    model: LoadedModel, rtol: float, over: Span, input_signals: Signals, event_table: EventTable
+    model: LoadedModel,
+    rtol: float,
+    over: Span | None,
+    input_signals: Signals,
+    event_table: EventTable,
 ) -> Case:
-    """Facts from which ``method="auto"`` chooses."""
+    """Facts from which ``method="auto"`` chooses, for a run of some length, or of none known."""
     periods = [float(tick.period) for tick in event_table.ticks]
     if input_signals.functions and input_signals.sample is not None:
         periods.append(input_signals.sample)
     return Case(
         rtol=rtol,
         period=min(periods, default=None),
-        length=over.length,
+        length=None if over is None else over.length,
         derived=JACOBIAN in model.manifest.available,
         input_functions=bool(input_signals.functions),
         elements=model.manifest.absolute,

@@ -214,7 +214,7 @@ def stepper(
     Raises:
         ModelError, ArgumentError, SolveError: as for ``simulate``.
     """
-    from .simulate import runner_of
+    from .simulate import case_of, chosen, runner_of
 
     how: Settings = settings(method, rtol, atol, step, max_step, None)
     for name, value in (inputs or {}).items():
@@ -226,7 +226,10 @@ def stepper(
     begin = start(model, x0, q, u, z)
     begin = closed_start(model, begin, *blocks(x0, q, u), t, input_signals.constants)
     check_start(model, begin.x, t, input_signals.constants)
-    runner = runner_of(model, how, input_signals, event_table_of(model, events))
+    event_table = event_table_of(model, events)
+    if method == "auto":
+        how = chosen(how, case_of(model, rtol, None, input_signals, event_table))
+    runner = runner_of(model, how, input_signals, event_table)
     runner.loosen(begin.closure_tol)
     runner.want(None, dense=False)
     instance = Stepper(runner, how)

@@ -33,19 +33,21 @@ LEAVES = tuple(f"pose of a joint between nodes [{k}]" for k in range(21))
 def increments(k: Kinematics) -> list[Seeds]:
     """Changes of the poses of nodes and of joint coordinates along every speed of a small system.
 
-    Rotations change as they stand, R' = R [w], not through quaternions.
+    Rotations change as they stand, R' = R [w], not through quaternions; these change as well, for
+    expressions that read them.
     """
     g, seeds = k.graph, list[Seeds]()
     for i, joint in enumerate(k.system.joints):
         if joint.u < 0:
             continue
+        moved = _by_coordinates(k, i)
         if joint.element == Free() and k.system.bodies[i].parent == GROUND:
             R, p = k.ground_rotation[i], k.ground_position[i]
-            for unit in _axes(g):
-                seeds.append(dict(zip(R.nodes, (R @ unit.skew).nodes, strict=True)))
-            seeds += [{node: ONE} for node in p.nodes]
-            continue
-        seeds += _by_coordinates(k, i)
+            for at, axis in zip(moved, _axes(g), strict=False):
+                at.update(zip(R.nodes, (R @ axis.skew).nodes, strict=True))
+            for at, node in zip(moved[3:], p.nodes, strict=True):
+                at[node] = ONE
+        seeds += moved
     return seeds
 
 

@@ -19,6 +19,7 @@ MAIN = ("T", "V", "sigma", "g", "s", "f", "F", "M", "tau", "zdot", "b_m", "b_f",
 def overview(scene: FiniteElementRecord) -> str:
     """Sizes, names, and for every kind of element its members, rows and operations."""
     system, places = scene.system, scene.places
+    wide = max([20, *(len(group.kind.name) for group in scene.groups)])
     lines = [
         f"equations of '{system.name}' in absolute coordinates"
         + (f" ({scene.reason})" if scene.reason and not system.segments else ""),
@@ -27,7 +28,7 @@ def overview(scene: FiniteElementRecord) -> str:
         f"{sum(len(group) * group.kind.m for group in scene.groups)} multipliers, "
         f"{counted(len(scene.parameters), 'parameter')}, {counted(len(scene.inputs), 'input')}",
         "  places: " + _row(places.names),
-        f"  {'element':20} members  unknowns  rows  balance  tangent",
+        f"  {'element':{wide}} members  unknowns  rows  balance  tangent",
     ]
     for group in scene.groups:
         kind = group.kind
@@ -35,7 +36,7 @@ def overview(scene: FiniteElementRecord) -> str:
             scene.operations[kind.c_name(name)].total if name in kind.functions else 0
             for name in ("balance", "balance_tangent")
         ]
-        row = f"  {kind.name:20} {len(group):7d}  {kind.nu:8d}  {kind.m:4d}"
+        row = f"  {kind.name:{wide}} {len(group):7d}  {kind.nu:8d}  {kind.m:4d}"
         lines.append(row + f"  {counts[0]:7d}  {counts[1]:7d}")
     lines += _formulas(scene)
     return "\n".join(lines)

@@ -7,17 +7,11 @@
 #include <math.h>
 #include <string.h>
 
-/* what resists a motion without inertia while loops are closed [kg] */
-static const real LIGHT = 1e-6;
-/* what resists the motion of what is held, of what resists most */
-static const real HEAVY = 1e12;
 /* what redundant rows may leave: of what gaps of positions and speeds explain; whatever these are */
 static const real EXPLAINED = 100, GOOD = 1e-8;
 /* speeds [rad/s, m/s] of what is as good as at rest: beside slower ones the rounding of rates would
  * explain anything */
 static const real SLOWEST = 1e-6;
-/* what is open of closed constraints; a projection seeks the same (close.c) */
-static const real CLOSED = 1e-15;
 
 int cardan_mesh_call_balance(const cardan_in *in, real *out, real *work)
 {
@@ -222,90 +216,6 @@ int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
         out[mesh->nq + i] = solution[i];
     if (status == 0 && mesh->nz > 0)
         status = cardan_mesh_zdot(mesh, &at, out + mesh->nq + mesh->nu, work);
-    return status;
-}
-
-/* Solve M dx + Gᵀ y = 0, G dx = -open; what nothing resists is held a little, and what is to be
- * held, by `locked` other than 0, as good as fixed. */
-static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const real *locked,
-                        const real *open, ptrdiff_t rows, cardan_mesh_system *system)
-{
-    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL, 0};
-    int status = cardan_mesh_matrix(mesh, at, &parts, system);
-    real largest = 0;
-
-    if (status != 0)
-        return status;
-    for (ptrdiff_t i = 0; i < mesh->nu; i++) {
-        real *entry = system->a + mesh->diagonal[i];
-        if (*entry == 0)
-            *entry = LIGHT;
-        largest = fmax(largest, fabs(*entry));
-    }
-    for (ptrdiff_t i = 0; i < mesh->nu && locked; i++)
-        if (locked[i] != 0)
-            system->a[mesh->diagonal[i]] += HEAVY * largest;
-    status = cardan_mesh_refactor(mesh, system);
-    for (ptrdiff_t i = 0; i < mesh->nu; i++)
-        system->right[i] = 0;
-    for (ptrdiff_t k = 0; k < mesh->m; k++)
-        system->right[mesh->unknown[k]] = k < rows ? -open[k] : 0;
-    return status != 0 ? status : cardan_mesh_solve(mesh, system);
-}
-
-/* Whether the largest of what is open (rows) is rounding, of which no step makes less. */
-static int is_closed(const real *open, ptrdiff_t rows)
-{
-    real most = 0;
-
-    for (ptrdiff_t k = 0; k < rows; k++)
-        most = fabs(open[k]) <= most ? most : fabs(open[k]);
-    return most <= CLOSED;
-}
-
-/* q (nq) a step nearer to closing all loops, then what was open (mp). */
-int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work)
-{
-    const cardan_mesh *mesh = cardan_mesh_of(in);
-    const cardan_state at = cardan_state_of(in);
-    cardan_mesh_system system = {0};
-    real *missing = work + cardan_mesh_lay(mesh, work, &system), *open = missing + mesh->nu;
-    int status = cardan_mesh_balance(mesh, &at, missing, system.work);
-
-    for (ptrdiff_t k = 0; k < mesh->mp; k++)
-        out[mesh->nq + k] = open[k];
-    if (status == 0 && is_closed(open, mesh->mp)) {
-        memcpy(out, in->q, (size_t)mesh->nq * sizeof(real));
-        return 0;
-    }
-    system.open = open;
-    if (status == 0)
-        status = closing_step(mesh, &at, in->tau, open, mesh->mp, &system);
-    return status != 0 ? status
-                       : cardan_mesh_move(mesh, in->q, system.solution, out, NULL, system.work);
-}
-
-/* u (nu) that the constraints allow, then what the given ones missed (m). */
-int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work)
-{
-    const cardan_mesh *mesh = cardan_mesh_of(in);
-    const cardan_state at = cardan_state_of(in);
-    cardan_mesh_system system = {0};
-    real *missing = work + cardan_mesh_lay(mesh, work, &system);
-    real *rates = missing + mesh->nu + mesh->mp;
-    int status = cardan_mesh_balance(mesh, &at, missing, system.work);
-
-    for (ptrdiff_t k = 0; k < mesh->m; k++)
-        out[mesh->nu + k] = rates[k];
-    if (status == 0 && is_closed(rates, mesh->m)) {
-        memcpy(out, in->u, (size_t)mesh->nu * sizeof(real));
-        return 0;
-    }
-    system.open = missing + mesh->nu;
-    if (status == 0)
-        status = closing_step(mesh, &at, in->tau, rates, mesh->m, &system);
-    for (ptrdiff_t i = 0; i < mesh->nu; i++)
-        out[i] = in->u[i] + system.solution[i];
     return status;
 }
 

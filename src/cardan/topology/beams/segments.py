@@ -25,6 +25,7 @@ Data = dict[str, tuple[int, int, Nodes]]
 # of a shape with numbers of its own
 PAIRS = ("shear", "GA", "EI", "rhoI")
 LOADS = ("dead_force", "dead_moment", "follower_force", "follower_moment")
+CHANGING = "A load that changes is a cd.Force at nodes beam.at(s), or at the ends"
 
 
 def segments(scene: SceneRecord, assembly: Assembly) -> tuple[Segment, ...]:
@@ -168,6 +169,7 @@ def _checked(properties: Sequence[BeamProperties], convert: Converter) -> list[O
 def _loads(scene: SceneRecord, convert: Converter) -> dict[str, Data]:
     """Sums of what acts along every beam, per length."""
     sums: dict[str, dict[str, Nodes]] = {name: dict.fromkeys(LOADS, ORIGIN) for name in scene.beams}
+    cure, convert.cure = convert.cure, CHANGING
     for name, force in scene.forces.items():
         element = force.element
         if not isinstance(element, LineLoad):
@@ -185,6 +187,7 @@ def _loads(scene: SceneRecord, convert: Converter) -> dict[str, Data]:
                 before = sums[element.beam][where]
                 added = map(convert.graph.add, before, nodes)
                 sums[element.beam][where] = tuple(added)
+    convert.cure = cure
     return {
         beam: {key: (3, 1, nodes) for key, nodes in loads.items()} for beam, loads in sums.items()
     }

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from ..differences import input_rates, missing, relative, ways, worst_of
+from ..differences import BOUND, input_rates, missing, relative, ways, worst_of
 from ..joint_motion import Array, cross, times
 from . import element_events
 from .members import NODE, Members
@@ -24,7 +24,8 @@ MATRICES = {"K": ("q", 0), "C": ("u", 0), "M": ("udot", 0), "R": ("q", 1), "G": 
 def _tangent(members: Members) -> float | str:
     """K, C, M, R and G."""
     kind, n = members.table.kind, members.count
-    flat, worst, nu = members.call("balance_tangent"), np.nan, kind.nu
+    flat = members.call("balance_tangent") if kind.parts else np.zeros((n, 0))
+    worst, nu = np.nan, kind.nu
     for name, (letter, bound) in MATRICES.items():
         rows = kind.m if bound else nu
         at = kind.parts.get(name)
@@ -78,6 +79,18 @@ def _gamma(members: Members) -> float | str:
 
 
 def balance(members: Members) -> float | str:
+    """By its laws; without a tangent, nothing may change it besides."""
+    error = _by_laws(members)
+    if "balance_tangent" in members.table.kind.functions:
+        return error
+    constant = _tangent(members)
+    if isinstance(error, str) or isinstance(constant, str):
+        # that it stays as it is says nothing of its size
+        return constant if not isinstance(constant, str) and constant > BOUND else error
+    return worst_of(error, constant)
+
+
+def _by_laws(members: Members) -> float | str:
     """Rows of constraints and what their multipliers do; forces by energies and powers."""
     kind = members.table.kind
     value, worst, judges = members.call("balance"), np.nan, 0

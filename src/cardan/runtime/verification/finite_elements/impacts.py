@@ -113,8 +113,22 @@ class _Events:
             at = replace(self.at, u=speeds, udot=None, lam=None)
             moving = replace(self, at=replace(at, u=self._closed(at)))
             values, ne = moving._values(), moving.mesh.tables.ne
-            for e in (*np.eye(ne), np.ones(ne), rng.integers(0, 2, ne).astype(float)):
+            for e in (*np.eye(ne), self._simultaneous(rng, 1.0), self._simultaneous(rng, 0.5)):
                 yield (values, *moving._transition(e))
+
+    def _simultaneous(self, rng: np.random.Generator, share: float) -> Array:
+        """Events of one time: one of every element, of a share of them.
+
+        Those of one element exclude each other: no joint is at both its stops.
+        """
+        e = np.zeros(self.mesh.tables.ne)
+        for group in self.mesh.tables.groups:
+            for member in (
+                () if group.events is None else np.reshape(group.events, (len(group), -1))
+            ):
+                if len(member) and rng.random() < share:
+                    e[rng.choice(member)] = 1.0
+        return e
 
     # the state
 

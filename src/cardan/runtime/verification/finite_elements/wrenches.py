@@ -37,16 +37,15 @@ def _element_forces(members: Members) -> float | str:
         return _on_node(members, force, value[:, [3, 4, 5, 0, 1, 2]])
     if value.shape[-1] > 1:
         return "it drives several speeds at once"
-    blocks = zip(members.blocks, members.starts[1], strict=False)
+    kind, blocks = members.table.kind, list(zip(members.blocks, members.starts[1], strict=False))
     parts = [
         force[:, part]
         for block, b in blocks
         for part in ((slice(b, b + 3), slice(b + 3, b + 6)) if in_space(block) else ())
     ]
-    kind = members.table.kind
-    if not parts and "reactions" not in kind.functions:
-        # on a joint itself, not on bodies that it carries
-        parts = [force[:, :1]] if kind.nu == 1 else []
+    if "reactions" not in kind.functions:
+        # on a joint itself, not on bodies that it carries; nodes that a law reads feel nothing
+        parts = [*(force[:, b : b + 1] for block, b in blocks if block.nu == 1), *parts]
     # along a line or a slider the node feels the force itself, on an axle the moment alone
     norms = [np.linalg.norm(part, axis=-1, keepdims=True) for part in reversed(parts)]
     pushed = [norm for norm in norms if norm.any()]

@@ -234,12 +234,9 @@ class _Reader:
     def _beam(self, name: str, item: Item) -> None:
         self.model.origins["beam", name] = item.spot
         values = self.values.record(keys.BEAM, item, "a beam")
-        nodes, base = values.pop("nodes", {}), values.pop("base", None)
+        nodes = values.pop("nodes", {})
         with item.at_item():
             beam = self.model.beam(name, **values)
-            if base is not None:
-                home = self.model.place(f"beam '{name}'", base, "base").body
-                beam = self.model.beams[name] = dataclasses.replace(beam, base=home)
             for node, s in nodes.items():
                 beam.at(s, name=node)
 
@@ -248,12 +245,8 @@ class _Reader:
 
     def _cable(self, name: str, item: Item) -> None:
         values = self.values.record(keys.CABLE, item, "a cable")
-        base = values.pop("base", None)
         with item.at_item():
-            cable = self.model.cable(name, **values)
-            if base is not None:
-                home = self.model.place(f"cable '{name}'", base, "base").body
-                self.model.cables[name] = dataclasses.replace(cable, base=home)
+            self.model.cable(name, **values)
 
     # joints, forces, outputs
 
