@@ -137,10 +137,7 @@ def test_a_state_where_constraints_lose_rank_comes_later(kind: str) -> None:
         for joint in "ABCD":
             model.reaction(joint, regular, still)
     with pytest.warns(cd.SolveWarning, match="at state 1, where constraints lose rank") as said:
-        found = [
-            model.reaction(joint, np.array([regular, line]), still)[1, 3]
-            for joint in "ABCD"
-        ]
+        found = [model.reaction(joint, np.array([regular, line]), still)[1, 3] for joint in "ABCD"]
     assert len(said) == 1
     # the rod pushes the rocker along x, which the ground holds
     assert found == pytest.approx([-6.0, 2.0, 2.0, -2.0], abs=1e-9)

@@ -51,8 +51,8 @@ class Determinacy:
                 m = Mechanism(model)
                 per_unit = m.columns / m.rows[:, None]
             model._derived[Determinacy] = Determinacy(per_unit)
-        known: Determinacy = model._derived[Determinacy]
-        return known
+        determinacy: Determinacy = model._derived[Determinacy]
+        return determinacy
 
 
 class States:
@@ -150,31 +150,31 @@ def undetermined_reaction(
         joint: Whose reaction was asked for.
         lead, q, t, r, parameters: As of :class:`States`.
     """
-    known = Determinacy.of(model)
-    if known.per_unit is None or not prod(lead):
+    determinacy = Determinacy.of(model)
+    if determinacy.per_unit is None or not prod(lead):
         return None
-    ranks = _ranks(model, known.per_unit, lead, q, t, r, parameters)
+    ranks = _ranks(model, determinacy.per_unit, lead, q, t, r, parameters)
     largest = int(ranks.max())
-    if largest == known.rank == ranks.min() and known.joints.get(joint, True):
+    if largest == determinacy.rank == ranks.min() and determinacy.joints.get(joint, True):
         return None
     states = States(model, lead, q, t, r, parameters)
-    if largest > known.rank:
+    if largest > determinacy.rank:
         reports = [states.report(k) for k in _some(np.flatnonzero(ranks == largest))]
-        known.rank = largest
-        known.joints = {
+        determinacy.rank = largest
+        determinacy.joints = {
             name: all(one.joints.get(name, True) for one in reports) for name in reports[0].joints
         }
-        _warn(model, known, joint, reports)
-    open_states = (ranks == known.rank) & (not known.joints.get(joint, True))
-    for k in np.flatnonzero(ranks < known.rank).tolist():
+        _warn(model, determinacy, joint, reports)
+    open_states = (ranks == determinacy.rank) & (not determinacy.joints.get(joint, True))
+    for k in np.flatnonzero(ranks < determinacy.rank).tolist():
         one, at = states.report(k), f"at state {k}, " if lead else ""
         if not one.joints.get(joint, True):
-            _warn(model, known, joint, [one], f" {at}where constraints lose rank")
+            _warn(model, determinacy, joint, [one], f" {at}where constraints lose rank")
             open_states[k] = True
     if not open_states.any():
         return None
     here = {k: (states.mechanism(k), states.q[k]) for k in np.flatnonzero(open_states).tolist()}
-    return Undetermined(joint, tuple(known.joints), here)
+    return Undetermined(joint, tuple(determinacy.joints), here)
 
 
 def _ranks(
@@ -219,13 +219,17 @@ def _some(numbers: NDArray[np.intp]) -> list[int]:
 
 
 def _warn(
-    model: LoadedModel, known: Determinacy, joint: str, reports: Sequence[Redundancy], at: str = ""
+    model: LoadedModel,
+    determinacy: Determinacy,
+    joint: str,
+    reports: Sequence[Redundancy],
+    at: str = "",
 ) -> None:
     """One warning of all joints whose reactions are not determined, if that of this one is not."""
     undetermined = {n: one for one in reports for n, firm in one.joints.items() if not firm}
-    if joint not in undetermined or joint in known.reported:
+    if joint not in undetermined or joint in determinacy.reported:
         return
-    known.reported.update(undetermined)
+    determinacy.reported.update(undetermined)
     alike: dict[str, list[str]] = {}
     for name, one in undetermined.items():
         alike.setdefault(one.released(name), []).append(f"'{name}'")

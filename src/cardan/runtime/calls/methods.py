@@ -244,6 +244,13 @@ def _pushed_rhs(model: Evaluation, key: Key, blocks: ByName, call: ByName) -> Ar
 def _pushed_reaction(model: Evaluation, key: Key, blocks: ByName, call: ByName) -> Array:
     outside.refuse_ground(model, call["wrenches"], call["joint"])
     place = {name: call[name] for name in ("r", "t", "parameters")}
+    if model.manifest.absolute:
+        # elements know nothing of outer wrenches: a body moves under them, and its joint bears them
+        direct = outside.outboard(model, call["wrenches"], call["joint"], call["q"], **place)
+        tau, more = call["tau"], _generalized(model, call)
+        tau = more if tau is None else model._vector("tau", tau) + more
+        values = tuple((blocks | {"tau": tau, "wrench": None}).values())
+        return model._evaluate(key, values, call["parameters"], None) - direct
     wrench = outside.by_part(model, call["wrenches"], call["q"], **place)
     values = tuple((blocks | {"wrench": wrench}).values())
     return model._evaluate(key, values, call["parameters"], None)
