@@ -64,3 +64,22 @@ def test_a_joint_of_a_tree_that_tells_nothing_of_what_it_carries() -> None:
     motion = model.simulate(1e-9, q={"shoulder": [0.3, 0.2]})
     with pytest.raises(cd.ModelError, match="Put them into the scene as a Force and a Torque"):
         model.reaction("elbow", motion.q[0], motion.u[0], wrenches=WRENCHES)
+
+
+def test_reactions_of_more_speeds_than_a_full_mass_matrix_has() -> None:
+    """A long beam between hinges with a link: rows of constraints are few."""
+    scene = cd.Scene("long")
+    section, steel = cd.section.rectangle(0.1, 0.01), cd.material(E=7e10, nu=0.3, rho=2700)
+    left, right, bob = (
+        scene.body(name, mass=1.0, inertia=(1, 1, 1), pose=place)
+        for name, place in (("a", (0, 0, 0)), ("b", (1, 0, 0)), ("c", (1, 0, -1)))
+    )
+    scene.joint("left", cd.Revolute("y"), scene.ground, left)
+    scene.beam("beam", left, right, section, steel, elements=130)
+    scene.joint("right", cd.Revolute("y"), scene.ground.at(1, 0, 0), right)
+    scene.joint("link", cd.Distance(length=1.0), right, bob)
+    model = cd.compile(scene)
+    assert model.nu > 600
+    q, u = model.split(model.initial())
+    # the bob hangs at rest
+    assert abs(model.reaction("link", q, u)[3:]).max() == pytest.approx(9.81, rel=1e-6)
