@@ -115,8 +115,8 @@ def _mixed(sizes: tuple[int, ...]) -> Iterator[Figure]:
         found = mixed.robots(n)
         most = 1.5 * found["rod"] + found["robot"]
         yield Figure(
-            f"UR5 with a flexible rod of {n} elements, a step of 1 ms: 1.5 of the clamped rod and the"
-            " rigid robot",
+            f"UR5 with a flexible rod of {n} elements, a step of 1 ms: 1.5 of the clamped rod"
+            " and the rigid robot",
             f"{1e6 * most:.0f} us",
             f"{1e6 * found['both']:.0f} us",
             found["both"] <= most,
