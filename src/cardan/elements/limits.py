@@ -12,15 +12,16 @@ from ..errors import ModelError
 
 @dataclass(frozen=True)
 class Limit:
-    """Limits of one number of an element.
+    """Limits of one quantity of a section, a material, a cable or a force element.
 
     Attributes:
-        name: Of the quantity.
+        name: Of the quantity; of several entries each has these limits.
         message: What is said where it is something else; ``{value}`` stands for it, ``{other}`` for
-            the number of the other quantity.
+            what it must not be below.
         least, most: Its range.
         open: The least value itself, or that of the other quantity, is not in it.
-        other: Name of a quantity that it must not be below; "" for none.
+        other: Name of a quantity of which it must not be below a multiple; "" for none.
+        times: Which multiple.
     """
 
     name: str
@@ -29,6 +30,7 @@ class Limit:
     most: float = math.inf
     open: bool = False
     other: str = ""
+    times: float = 1.0
 
 
 def not_negative(*names: str, requirement: str = "0 or more") -> tuple[Limit, ...]:
@@ -49,19 +51,21 @@ def judge(who: str, limits: Sequence[Limit], values: Mapping[str, Any]) -> None:
     Args:
         who: Whose they are, for messages.
         limits: Of the element.
-        values: Name -> number, expression or None.
+        values: Name -> number, expression or None, or a tuple of such.
 
     Raises:
         ModelError: one is.
     """
     for limit in limits:
-        value, other = values.get(limit.name), values.get(limit.other)
-        if not isinstance(value, float) or (limit.other and not isinstance(other, float)):
-            continue
-        least = other if limit.other else limit.least
-        assert least is not None
-        if value < least or value > limit.most or (limit.open and value == least):
-            message = limit.message.replace("{value}", f"{value:g}").replace(
-                "{other}", f"{least:g}"
-            )
-            raise ModelError(f"{who}: {message}")
+        entries, least = values.get(limit.name), limit.least
+        if limit.other:
+            other = values.get(limit.other)
+            if not isinstance(other, float):
+                continue
+            least = limit.times * other
+        for value in entries if isinstance(entries, tuple) else (entries,):
+            if not isinstance(value, float):
+                continue
+            if value < least or value > limit.most or (limit.open and value == least):
+                message = limit.message.replace("{value}", f"{value:g}")
+                raise ModelError(f"{who}: {message.replace('{other}', f'{least:g}')}")

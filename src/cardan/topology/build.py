@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from ..elements.forces.force import ForceElement
@@ -12,7 +12,7 @@ from ..errors import ModelError, TopologyError, near
 from ..ir.function import live
 from ..ir.graph import ZERO, Graph
 from ..scene import checks
-from ..scene.beam import Beam
+from ..scene.beam import UNITS, Beam, Cable
 from ..scene.body import Body
 from ..scene.masses import pulled
 from ..scene.origins import located
@@ -29,6 +29,7 @@ from .drawing.shapes import pictures
 from .loops.circuits import Numbers, independent
 from .loops.closed_forms import closed_forms
 from .loops.legs import Axes
+from .number_limits import NumberLimits, check
 from .rotors import with_rotors, with_rotors_on
 from .structural_parameters import BuiltIn
 from .system import Atom, Closure, Cut, Force, Named, System
@@ -64,8 +65,9 @@ def build(
     try:
         independent_joints = (independent,) if isinstance(independent, str) else independent or ()
         checks.check_distinguishable(model)
+        cables = tuple(model.cables.values())
         model = with_cables(model, _assembled)
-        return _build(model, BuiltIn.of(specialize), branches, independent_joints)
+        return _build(model, cables, BuiltIn.of(specialize), branches, independent_joints)
     except ZeroDivisionError as problem:
         raise ModelError(
             f"{problem}. With specialize= a number that is built in may be 0: leave it free, or "
@@ -80,6 +82,7 @@ def build(
 
 def _build(
     model: SceneRecord,
+    cables: Sequence[Cable],
     built_in: BuiltIn | None,
     branches: Mapping[str, str] | None,
     independent: Collection[str],
@@ -105,12 +108,12 @@ def _build(
             assembly.frame(frame, frame.name)
 
     expression_inertias = announcements.check_masses(assembly.unchecked, convert)
-    beams = segments(scene, assembly)
+    beams, limits = segments(scene, assembly)
     if assembly.beams.geometry:
         # where beams are is numbers: so are the parameters that say it
         placing = assembly.beams.geometry
         names = BuiltIn.with_names(built_in, placing)
-        return _build(model, names, branches, independent, placing)
+        return _build(model, cables, names, branches, independent, placing)
     announcements.check_lone_moments(model, assembly, expression_inertias)
 
     # what expressions may speak of, then the expressions
@@ -131,6 +134,8 @@ def _build(
     constraints = tuple([_constraint(scene, convert, name) for name in scene.constraints])
     bodies = tuple([rigid.body(convert.graph) for rigid in assembly.bodies])
     convert.finish()
+    limits += tuple(_limits(forces, cables, convert))
+    check(limits, convert.graph, convert.defaults)
     system = System(
         name=scene.name,
         graph=convert.graph,
@@ -155,8 +160,31 @@ def _build(
         shapes=pictures(scene, assembly.numbers),
         snaps=tuple(scene.snaps),
         structural=convert.structural,
+        number_limits=limits,
     )
     return announcements.announce(system, scene, convert, placing)
+
+
+def _limits(
+    forces: Sequence[Force], cables: Sequence[Cable], convert: Converter
+) -> Iterator[NumberLimits]:
+    """Limits of the numbers of cables and of force elements."""
+    for cable in cables:
+        nodes = {
+            key: (convert.converted(f"{cable.name}.{key}", getattr(cable, key), unit),)
+            for key, unit in UNITS.items()
+        }
+        yield NumberLimits(f"cable '{cable.name}'", cable.limits(), nodes)
+    # those that act on several bodies once
+    for force in {force.name: force for force in forces}.values():
+        element = force.element
+        data = {key: nodes for key, (*_, nodes) in force.data.items()}
+        # such as the inertia of a rotor, which is that of a body
+        for limit in element.limits():
+            value, name = getattr(element, limit.name, None), f"{force.name}.{limit.name}"
+            if limit.name not in data and value is not None:
+                data[limit.name] = (convert.converted(name, value, ""),)
+        yield NumberLimits(element.title, element.limits(), data)
 
 
 def _assembled(model: SceneRecord) -> Assembly:

@@ -108,6 +108,14 @@ class Converter:
         self._nodes[name] = self._parameter(name, number, unit)
         return self._nodes[name]
 
+    def converted(self, name: str, value: Any, unit: str) -> int:
+        """The node of a number that was converted under this name, or of an expression."""
+        if is_number(value) or value is None:
+            name = self.same.get(name, name)
+            number = self.structural.get(name, value)
+            return self._nodes[name] if name in self._nodes else self.graph.const(number)
+        return self.expression(value, name, unit)
+
     def defaults(self, nodes: Sequence[int], graph: Graph | None = None) -> list[float]:
         """Values of expressions of the parameters at their defaults.
 

@@ -16,6 +16,7 @@ from ..elements.internal_states import EventSpec
 from ..elements.joints.joint import Joint as JointElement
 from ..ir.graph import ZERO, Graph
 from .beams.segment_tables import Segment
+from .number_limits import NumberLimits
 
 Nodes = tuple[int, ...]
 GROUND = -1
@@ -334,6 +335,7 @@ class System:
     snaps: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     structural: dict[str, float] = field(default_factory=dict, repr=False)
+    number_limits: tuple[NumberLimits, ...] = field(default=(), repr=False)
 
     def children(self, body: int) -> list[int]:
         """Bodies jointed outboard to a body (-1: to the ground)."""

@@ -69,7 +69,7 @@ class Parameters(Mapping[str, float]):
         return result
 
     def judge(self, values: Array) -> None:
-        """Refuse numbers that force elements cannot have.
+        """Refuse numbers that elements cannot have.
 
         Args:
             values: (..., np), in the order of the manifest.
@@ -78,12 +78,15 @@ class Parameters(Mapping[str, float]):
             ModelError: what the element said where the scene was written.
         """
         for limit in self._limits:
-            value, least = values[..., self._place[limit.parameter]], limit.least
-            low = values[..., self._place[least]] if isinstance(least, str) else least
+            value, least = limit.scale * values[..., self._place[limit.parameter]], limit.least
+            low = limit.times * values[..., self._place[least]] if isinstance(least, str) else least
             low = np.full_like(value, -np.inf if low is None else low)
-            bad = (value < low) | (value > (np.inf if limit.most is None else limit.most))
+            most = np.inf if limit.most is None else limit.most
+            bad = (value < low) | (value > most)
             if limit.open:
                 bad |= value == low
+            if limit.below:
+                bad |= value == most
             if bad.any():
                 one = tuple(np.argwhere(bad)[0])
                 message = limit.message.replace("{value}", f"{value[one]:g}")
