@@ -9,6 +9,7 @@ from typing import Any
 
 from ..elements.internal_states import TICK
 from ..elements.joints.joint import entries
+from ..elements.limits import limit_rows
 from ..elements.quantity import written_unit
 from ..equations.constraints import reaction_friction
 from ..equations.constraints.constraints import Row, left_out
@@ -39,7 +40,6 @@ from ..topology.loops.welds import passed
 from ..topology.system import Cut, Frame, Joint, System
 from ..version import ABI, MANIFEST, VERSION
 from . import flat_scene
-from .parameter_limits import limit_rows
 
 LOADS = ("dead_force", "dead_moment", "follower_force", "follower_moment")
 
@@ -119,7 +119,9 @@ def common(system: System, method: str, functions: Sequence[str]) -> dict[str, A
             for p in system.parameters
         ],
         "structural": dict(system.structural),
-        "limits": limit_rows(system),
+        "limits": limit_rows(
+            system.number_limits, system.graph, [p.name for p in system.parameters]
+        ),
         "element_forces": force_rows(system),
         "isolated": isolated(system),
         "fixed": list(system.fixed),

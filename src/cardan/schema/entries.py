@@ -89,6 +89,7 @@ class LimitRow(Record):
     most: float | None = field(number, default=None)
     open: bool = field(flag, "whether the least value itself is refused", default=False)
     below: bool = field(flag, "whether the most value itself is refused", default=False)
+    nonzero: bool = field(flag, "whether 0 is refused", default=False)
     scale: float = field(number, "the limit is of this multiple of the parameter", default=1.0)
     times: float = field(number, "multiple of the parameter that has the least value", default=1.0)
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from ..elements.forces.force import ForceElement
 from ..elements.forces.gravity.gravitation import Gravitation
 from ..elements.forces.line_load import LineLoad
+from ..elements.limits import NumberLimits, check
 from ..errors import ModelError, TopologyError, near
 from ..ir.function import live
 from ..ir.graph import ZERO, Graph
@@ -29,10 +30,9 @@ from .drawing.shapes import pictures
 from .loops.circuits import Numbers, independent
 from .loops.closed_forms import closed_forms
 from .loops.legs import Axes
-from .number_limits import NumberLimits, check
 from .rotors import with_rotors, with_rotors_on
 from .structural_parameters import BuiltIn
-from .system import Atom, Closure, Cut, Force, Named, System
+from .system import Atom, Closure, Cut, Force, Joint, Named, System
 from .tree import rooted_tree
 
 # leaves of expressions that move with the system
@@ -88,17 +88,14 @@ def _build(
     independent: Collection[str],
     placing: Collection[str] = (),
 ) -> System:
-    scene, rotors = with_rotors(model)
-    scene, nodes = with_beams(scene)
-    nodes.check()
-    convert = Converter(scene, Graph(), built_in)
-    convert.same.update(rotors.same)
+    empty = _empty(model, built_in)
+    scene, convert = empty.model, empty.convert
     inputs = prescribed_motion.declare_inputs(scene, convert)
     with convert.graph.made_by("ground", "gravity"):
         gravity = convert.vector(scene.gravity, "gravity", "m/s^2")
 
     # the tree: bodies, frames, joints and their slots
-    assembly = _grown(Assembly(scene, convert, rotors.place, nodes))
+    assembly = _grown(empty)
     settle(assembly)
     cuts, solved = _circuits(assembly, branches, independent)
     closures, closable = ((), solved) if branches is None else (solved, ())
@@ -134,8 +131,7 @@ def _build(
     constraints = tuple([_constraint(scene, convert, name) for name in scene.constraints])
     bodies = tuple([rigid.body(convert.graph) for rigid in assembly.bodies])
     convert.finish()
-    limits += tuple(_limits(forces, cables, convert))
-    check(limits, convert.graph, convert.defaults)
+    limits += _limits(forces, fields, [*joints, *all_cuts], cables, convert)
     system = System(
         name=scene.name,
         graph=convert.graph,
@@ -166,37 +162,60 @@ def _build(
 
 
 def _limits(
-    forces: Sequence[Force], cables: Sequence[Cable], convert: Converter
-) -> Iterator[NumberLimits]:
-    """Limits of the numbers of cables and of force elements."""
+    forces: Sequence[Force],
+    fields: Mapping[str, Sequence[GravityOnBeam]],
+    joints: Sequence[Joint | Cut],
+    cables: Sequence[Cable],
+    convert: Converter,
+) -> tuple[NumberLimits, ...]:
+    """Limits of the numbers of cables, of joints and of force elements.
+
+    Raises:
+        ModelError: one is exceeded at the defaults.
+    """
+    limits: list[NumberLimits] = []
     for cable in cables:
         nodes = {
             key: (convert.converted(f"{cable.name}.{key}", getattr(cable, key), unit),)
             for key, unit in UNITS.items()
         }
-        yield NumberLimits(f"cable '{cable.name}'", cable.limits(), nodes)
-    # those that act on several bodies once
-    for force in {force.name: force for force in forces}.values():
-        element = force.element
-        data = {key: nodes for key, (*_, nodes) in force.data.items()}
+        limits.append(NumberLimits(f"cable '{cable.name}'", cable.limits(), nodes))
+    for joint in joints:
+        data = {key: nodes for key, (*_, nodes) in joint.data.items()}
+        owner = f"joint '{joint.name}' ({joint.element.called})"
+        limits.append(NumberLimits(owner, joint.element.limits(), data))
+    # those that act on several bodies or beams once
+    on_beams = (field for several in fields.values() for field in several)
+    acting: dict[str, tuple[ForceElement, Mapping[str, tuple[int, int, tuple[int, ...]]]]]
+    acting = {field.force: (field.element, field.data) for field in on_beams}
+    acting |= {force.name: (force.element, force.data) for force in forces}
+    for name, (element, quantities) in acting.items():
+        data = {key: nodes for key, (*_, nodes) in quantities.items()}
         # such as the inertia of a rotor, which is that of a body
         for limit in element.limits():
-            value, name = getattr(element, limit.name, None), f"{force.name}.{limit.name}"
+            value = getattr(element, limit.name, None)
             if limit.name not in data and value is not None:
-                data[limit.name] = (convert.converted(name, value, ""),)
-        yield NumberLimits(element.title, element.limits(), data)
+                data[limit.name] = (convert.converted(f"{name}.{limit.name}", value, ""),)
+        limits.append(NumberLimits(element.title, element.limits(), data))
+    check(limits, convert.graph, convert.defaults)
+    return tuple(limits)
 
 
 def _assembled(model: SceneRecord) -> Assembly:
     """The bodies of a scene in its reference configuration."""
+    assembly = _empty(model, None)
+    assembly.reference.active = True
+    return _grown(assembly)
+
+
+def _empty(model: SceneRecord, built_in: BuiltIn | None) -> Assembly:
+    """The assembly of a scene, with its rotors and the nodes of its beams, without bodies yet."""
     scene, rotors = with_rotors(model)
     scene, nodes = with_beams(scene)
     nodes.check()
-    convert = Converter(scene, Graph())
+    convert = Converter(scene, Graph(), built_in)
     convert.same.update(rotors.same)
-    assembly = Assembly(scene, convert, rotors.place, nodes)
-    assembly.reference.active = True
-    return _grown(assembly)
+    return Assembly(scene, convert, rotors.place, nodes)
 
 
 def _grown(assembly: Assembly) -> Assembly:

@@ -14,9 +14,9 @@ from dataclasses import dataclass, field
 from ..elements.forces.force import ForceElement
 from ..elements.internal_states import EventSpec
 from ..elements.joints.joint import Joint as JointElement
+from ..elements.limits import NumberLimits
 from ..ir.graph import ZERO, Graph
 from .beams.segment_tables import Segment
-from .number_limits import NumberLimits
 
 Nodes = tuple[int, ...]
 GROUND = -1

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from ...elements.forces.line_load import LineLoad
+from ...elements.limits import NumberLimits, check
 from ...elements.material import LIMITS
 from ...elements.sections.section import Outline, SectionProperties
 from ...errors import ModelError, near
@@ -17,7 +18,6 @@ from ...scene.beam_arguments import STRAINS
 from ...scene.scene import SceneRecord
 from ..assembly import Assembly
 from ..conversion import ORIGIN, Converter
-from ..number_limits import NumberLimits, check
 from ..system import Nodes
 from .beams import Laid
 from .segment_tables import Segment
