@@ -78,7 +78,7 @@ def case(method: str) -> tuple[cd.CompiledModel, dict[str, Any]]:
 METHODS = [m for m in INTEGRATORS if "rhs_jacobian" not in REFUSED.get(m, "")]
 
 
-@pytest.mark.parametrize("method", [*METHODS, "auto"])
+@pytest.mark.parametrize("method", some([*METHODS, "auto"], 3))
 def test_a_killed_run_goes_on_to_the_bit(method: str, tmp_path: Path) -> None:
     model, options = case(method)
     whole = model.simulate(**options)
@@ -92,7 +92,7 @@ def test_a_killed_run_goes_on_to_the_bit(method: str, tmp_path: Path) -> None:
     alike(model.simulate(**stored), whole)
 
 
-@pytest.mark.parametrize("method", ["GeneralizedAlpha", "HHT", "DOP853", "Radau"])
+@pytest.mark.parametrize("method", some(["Radau", "HHT", "GeneralizedAlpha", "DOP853"], 2))
 def test_a_run_goes_on_from_every_place(
     method: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -147,7 +147,7 @@ REDUNDANT = {"four_bar": 3, "bricard": 1, "stewart": 0, "geared": 3}
 
 @pytest.mark.parametrize("name", REDUNDANT)
 def test_mechanisms(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Accelerations of closed mechanisms of bodies as nodes; as many pivots are lost as must be."""
+    """Accelerations of closed mechanisms of bodies as nodes; so many rows are redundant."""
     used: list[BlockSolver] = []
 
     def seen(made: Plan) -> BlockSolver:
@@ -168,7 +168,9 @@ def test_mechanisms(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     udot, lam, condition = reference.solved()
     assert np.abs(found[: len(M)] - udot).max() <= 1e2 * condition * np.abs(udot).max()
     assert np.abs(found[len(M) :]).max() <= 2 * np.abs(lam).max()
-    assert len(used[0].weak) == REDUNDANT[name]
+    assert bool(len(used[0].weak)) == bool(REDUNDANT[name])
+    by.counted(csr_array(M), csr_array(G), symmetric=True)
+    assert used[-1].inertia()[2] == REDUNDANT[name]
 
 
 def test_what_has_no_solution_is_an_error_of_the_program() -> None:

@@ -12,6 +12,7 @@ from numpy.testing import assert_allclose
 
 import cardan as cd
 from mechanisms.robots import folder
+from spread import some
 
 SEED = 7
 EPS = float(np.finfo(float).eps)
@@ -152,7 +153,7 @@ ROBOTS = {
 }
 
 
-@pytest.mark.parametrize("name", ROBOTS)
+@pytest.mark.parametrize("name", some(ROBOTS, 3))
 def test_robots_of_pinocchio(name: str) -> None:
     pin = pytest.importorskip("pinocchio")
     path, free = str(folder() / name), ROBOTS[name]

@@ -14,7 +14,7 @@ import cardan as cd
 from cardan.schema.integrators import INTEGRATORS
 
 from .features import PRESENT, closed
-from .method_arrays import ARRAYS, COORDINATES, EXCLUDED, LOOPS, REFUSED
+from .method_arrays import ARRAYS, COORDINATES, EXCLUDED, REFUSED
 from .refusals import expected
 from .routes import Names, outputs_at, route
 from .test_combinations import checked
@@ -25,12 +25,6 @@ LOW, HIGH = (1e-5, 5e-3), (1e-8, 1e-4)
 STEP = 2e-4
 # scenes in every run: the ones that build soonest
 QUICK = 1
-# features whose scenes fail, and why
-FAULTS = {
-    frozenset(
-        ("spherical", "universal", "gear coupling", *LOOPS)
-    ): "in nodes alone one row too many counts as redundant"
-}
 
 
 @functools.lru_cache(maxsize=2)
@@ -73,14 +67,7 @@ def rows() -> list[Any]:
         pytest.param(
             *(method, scene),
             id=f"scene{number[scene]}-{method}",
-            marks=[
-                *([pytest.mark.slow] if number[scene] >= QUICK else []),
-                *(
-                    pytest.mark.xfail(reason=reason, strict=True)
-                    for part, reason in FAULTS.items()
-                    if part <= {*scene} and method in COORDINATES
-                ),
-            ],
+            marks=[pytest.mark.slow] if number[scene] >= QUICK else [],
         )
         for scene in scenes
         for method, array in ARRAYS.items()
@@ -90,11 +77,7 @@ def rows() -> list[Any]:
 
 @pytest.mark.parametrize(("method", "scene"), rows())
 def test_integrators(method: str, scene: Names) -> None:
-    if any(part <= {*scene} for part in FAULTS):
-        # its part is on the list
-        moves(method)(scene)
-    else:
-        checked(scene, moves(method), method)
+    checked(scene, moves(method), method)
 
 
 @pytest.mark.parametrize(

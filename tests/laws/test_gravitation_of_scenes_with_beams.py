@@ -149,6 +149,7 @@ def test_coordinates_do_not_change_accelerations(center: str) -> None:
     np.testing.assert_allclose(*values, atol=1e-9 * np.abs(values).max())
 
 
+@pytest.mark.slow
 def test_planar_nodes_are_those_in_space() -> None:
     def planar() -> cd.Scene:
         scene = cd.Scene("planar", gravity=(0, 0, 0))

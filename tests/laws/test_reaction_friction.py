@@ -15,6 +15,7 @@ from cardan.runtime.models.finite_elements.elements import State
 from faults.test_verify import braked
 from laws.test_absolute import STEP, carried, mesh_of
 from laws.test_happening import inclined
+from spread import some
 
 G = 9.81
 FINE = {"rtol": 1e-10, "atol": 1e-12}
@@ -66,7 +67,7 @@ def both(name: str) -> tuple[cd.CompiledModel, cd.CompiledModel]:
 
 
 @pytest.mark.parametrize("seed", [0, *(pytest.param(k, marks=pytest.mark.slow) for k in (1, 2))])
-@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("name", some(SCENES, 2))
 def test_one_law_in_both_coordinates(name: str, seed: int) -> None:
     """Accelerations, reactions, forces, powers, events and what is behind them."""
     model, other = both(name)
@@ -182,6 +183,7 @@ def test_flexible_slider_crank() -> None:
     assert motion["drive"][-1] == pytest.approx(ends[0], abs=1e-6)
 
 
+@pytest.mark.slow
 def test_flexible_slider_crank_sticks_and_slips() -> None:
     """Its slider starts at rest, and comes to rest at the end of its stroke."""
     model, start = cd.compile(flexible_slider_crank()), {"q": {"drive": 0.2}}

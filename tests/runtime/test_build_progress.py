@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+from spread import some
+
 SCENE = """
 import sys, time
 import cardan as cd
@@ -66,7 +68,7 @@ def on_terminal(folder: Path, *arguments: str) -> str:
 
 
 @pytest.mark.skipif(not HAS_TERMINALS, reason="no terminals here")
-@pytest.mark.parametrize("beam", [False, True])
+@pytest.mark.parametrize("beam", some([True, False], 2))
 def test_a_long_build_says_what_is_built(tmp_path: Path, beam: bool) -> None:
     text = on_terminal(tmp_path, "0.0", *["beam"] * beam)
     lines = text.split("\r\x1b[2K")

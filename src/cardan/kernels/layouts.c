@@ -209,16 +209,17 @@ const size_t cardan_sparse_layout[27] = {
     offsetof(cardan_sparse, target)
 };
 
-extern const size_t cardan_sparse_factors_layout[16];
-const size_t cardan_sparse_factors_layout[16] = {
+extern const size_t cardan_sparse_factors_layout[17];
+const size_t cardan_sparse_factors_layout[17] = {
     sizeof(cardan_sparse_factors), offsetof(cardan_sparse_factors, values),
     offsetof(cardan_sparse_factors, scale), offsetof(cardan_sparse_factors, work),
     offsetof(cardan_sparse_factors, shift), offsetof(cardan_sparse_factors, pivot),
     offsetof(cardan_sparse_factors, exchanged), offsetof(cardan_sparse_factors, replaced),
     offsetof(cardan_sparse_factors, rows), offsetof(cardan_sparse_factors, columns),
-    offsetof(cardan_sparse_factors, hidden), offsetof(cardan_sparse_factors, count),
-    offsetof(cardan_sparse_factors, weak), offsetof(cardan_sparse_factors, singular),
-    offsetof(cardan_sparse_factors, positive), offsetof(cardan_sparse_factors, negative)
+    offsetof(cardan_sparse_factors, hidden), offsetof(cardan_sparse_factors, compliance),
+    offsetof(cardan_sparse_factors, count), offsetof(cardan_sparse_factors, weak),
+    offsetof(cardan_sparse_factors, singular), offsetof(cardan_sparse_factors, positive),
+    offsetof(cardan_sparse_factors, negative)
 };
 
 extern const size_t cardan_target_layout[10];

@@ -18,7 +18,9 @@ from spread import some
 OF_MODEL = ("events", "transition", "energy at events")
 
 
-@pytest.mark.parametrize("name", ["ball", "feet", "latch", "four_bar", "slider_crank", "sampled"])
+@pytest.mark.parametrize(
+    "name", some(["ball", "feet", "latch", "four_bar", "slider_crank", "sampled"], 2)
+)
 def test_events_are_judged(name: str) -> None:
     found = cd.compile(SCENES[name]()[0], coordinates="absolute").verify()
     spoken = [f for f in found.checked if f.endswith((" signs", " jumps", " change"))]
@@ -90,7 +92,7 @@ def test_a_released_row_that_is_told_to_hold_is_found(monkeypatch: pytest.Monkey
         model.verify()
 
 
-@pytest.mark.parametrize("what", OF_MODEL)
+@pytest.mark.parametrize("what", some(OF_MODEL, 2))
 def test_wrong_transitions_are_found(what: str, monkeypatch: pytest.MonkeyPatch) -> None:
     model, real, total = stop_model(), Mesh.call, Mesh.total
 

@@ -82,14 +82,14 @@ def beside(rows: NDArray[np.float64]) -> tuple[Plan, NDArray[np.float64]]:
     return drawn, a
 
 
-def test_rows_that_are_kept_stand_at_large_angles() -> None:
-    """Redundant rows were kept as they stood: multipliers grew by the angle between two of them."""
+def test_multipliers_do_not_grow_by_the_angle_between_redundant_rows() -> None:
+    """Rows at an angle of 1e-5, of which rounding is not to choose: all of them give way."""
     drawn, a = beside(np.concatenate(ROWS))
     wanted = np.array([0.5, -0.3, 0.2, 1.0, 0.0, -0.7, 0.4])
     by = solver(drawn)
     by.factor(values(drawn, a))
-    x = by.solve(a @ wanted)
-    assert len(by.weak) == 2
+    x = solution(by, a @ wanted)
+    assert len(by.weak) == 4
     assert np.abs(x[:3] - wanted[:3]).max() < 1e-13
     assert np.abs(x).max() < 10
     assert np.abs(a @ (x - wanted)).max() < 1e-13

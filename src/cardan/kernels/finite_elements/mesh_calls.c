@@ -8,7 +8,9 @@
 #include <string.h>
 
 /* what redundant rows may leave: of what gaps of positions and speeds explain; whatever these are */
-static const real EXPLAINED = 100, GOOD = 1e-8;
+static const real EXPLAINED = 100, GOOD = 1e-10;
+/* what rows that close loops give way at least, of their size */
+static const real SLIGHT = 1e-12;
 /* speeds [rad/s, m/s] of what is as good as at rest: beside slower ones the rounding of rates would
  * explain anything */
 static const real SLOWEST = 1e-6;
@@ -61,24 +63,32 @@ static real missed(const cardan_mesh *mesh, const cardan_mesh_system *system, co
     return most > 0 ? most / fastest : 0;
 }
 
+/* Whether rows of constraints are satisfied, but for what contradicts itself because of gaps: `most`. */
+static int satisfied(const cardan_mesh_system *system, real most)
+{
+    return system->unfit <= GOOD || (!system->unsettled && system->unfit <= most);
+}
+
 /* Solve for accelerations with what redundant rows leave explained by gaps of the state: where it is
- * not, a row of its own passed for one of them, and none is taken for redundant because of gaps. */
+ * not, a row of its own passed for one of them, as next to singular positions. None is taken for
+ * redundant because of gaps then, and rows give way as little as rounding lets them. */
 static int solve(const cardan_mesh *mesh, const real *u, const real *rates,
                  cardan_mesh_system *system)
 {
     int status = cardan_mesh_solve(mesh, system);
     real most;
 
-    if (status == 0 && system->unfit <= GOOD)
+    if (status == 0 && satisfied(system, GOOD))
         return 0;
     most = fmax(GOOD, EXPLAINED * fmax(system->sine, missed(mesh, system, u, rates)));
-    if (status == 0 && system->unfit <= most)
+    if (status == 0 && satisfied(system, most))
         return 0;
     system->open = NULL;
+    system->factors.compliance = SLIGHT;
     status = cardan_mesh_refactor(mesh, system);
     if (status == 0)
         status = cardan_mesh_solve(mesh, system);
-    return status == 0 && system->unfit > most ? CARDAN_UNSOLVED : status;
+    return status == 0 && !satisfied(system, most) ? CARDAN_UNSOLVED : status;
 }
 
 /* udot (nu) and lam (m) with M udot = f - h + tau + Gᵀ lam, G udot = gamma; tau may be NULL. */

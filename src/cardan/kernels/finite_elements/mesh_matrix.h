@@ -21,7 +21,8 @@ typedef struct cardan_mesh_system {
     real *right, *solution;  /* (n) */
     const real *open;     /* (mp) gaps of positions that hide redundant rows; NULL: there are none */
     real sine;            /* of the angle that redundant rows may have because of them */
-    real unfit;           /* what redundant rows leave of a right-hand side, of the largest equation */
+    real unfit;           /* what rows of constraints leave where some are redundant, of the motion */
+    int unsettled;        /* 1: not because they contradict each other, but corrections were too few */
     real *work;           /* of refinement (3 n); of loops over elements */
 } cardan_mesh_system;
 
@@ -44,8 +45,8 @@ real cardan_mesh_sine(const cardan_mesh *mesh, const cardan_mesh_system *system,
  * nothing has mass or inertia, else 0. */
 int cardan_mesh_massless(const cardan_mesh *mesh, const cardan_mesh_system *system);
 /* found = a^-1 right, CARDAN_UNSOLVED where it leaves more of that than rounding does. Redundant rows
- * may ask for something else: how much of the largest equation that is stands in `unfit`; what may
- * be, the caller knows. Corrections of gaps are judged by the gaps they leave: those of a step that
+ * may ask for something else: how much of the motion that is stands in `unfit`; what may be, the
+ * caller knows. Corrections of gaps are judged by the gaps they leave: those of a step that
  * is taken close (cardan_gaps_close), and so do positions that are closed. */
 int cardan_mesh_solve(const cardan_mesh *mesh, cardan_mesh_system *system);
 

@@ -7,6 +7,8 @@
 
 /* backward error of a solution that is enough, and how often one is improved */
 static const real ENOUGH = 1e-13, GOOD = 1e-8;
+/* what rounding may leave of rows of constraints, of the motion, where they are redundant */
+static const real CONSISTENT = 1e-10;
 /* sine of the angle to others at which a row is one of its own however wide gaps are */
 static const real SMALL_SINE = 1e-4;
 /* what resists a free motion, of what resists others */
@@ -44,7 +46,7 @@ ptrdiff_t cardan_mesh_lay(const cardan_mesh *mesh, real *block, cardan_mesh_syst
     factors->columns = system->units;
     /* whoever has factors from earlier says how many of their pivots were replaced */
     factors->count = factors->weak = 0;
-    factors->hidden = 0;
+    factors->hidden = factors->compliance = 0;
     system->work = cardan_reserve(block, &used, 3 * n + cardan_mesh_room(mesh));
     return used;
 }
@@ -174,7 +176,25 @@ static int fits(const cardan_mesh *mesh, const cardan_mesh_system *system, const
     return taken <= REDUNDANT * left && forces * error <= FORCES * left;
 }
 
-/* Solve with lost pivots, and improve that until rounding, or what cannot fit, is all there is. */
+/* What rows of constraints miss in r (n), of the motion x, of what the right-hand side asks for and of
+ * the motion that its forces alone would cause: beside the forces themselves it may look like rounding. */
+static real left_of_rows(const cardan_mesh *mesh, const cardan_mesh_system *system, const real *x,
+                         const real *r)
+{
+    real left = 0, required = 0, moved = 0;
+
+    for (ptrdiff_t i = 0; i < mesh->plan->n; i++) {
+        required = fmax(required, fabs(system->rows[i] * system->right[i]));
+        if (i < mesh->nu)
+            moved = fmax(moved, fabs(x[i] / system->units[i]));
+        else
+            left = fmax(left, fabs(system->rows[i] * r[i]));
+    }
+    return left > 0 ? left / (moved + required) : 0;
+}
+
+/* Solve where pivots were lost, and improve that until rounding, or what cannot fit, is all there is.
+ * Rows that close loops gave way in the factors: each correction makes up for most of that. */
 static int solve_weak(const cardan_mesh *mesh, cardan_mesh_system *system)
 {
     const ptrdiff_t n = mesh->plan->n;
@@ -184,21 +204,24 @@ static int solve_weak(const cardan_mesh *mesh, cardan_mesh_system *system)
     pass(mesh, system, system->right, x, t);
     /* what is judged is what is given: the last correction is measured too */
     for (int step = 0; step <= IMPROVE; step++) {
+        real most;
         error = cardan_sparse_residual(mesh->plan, &system->factors, system->a, system->right, x, r);
-        system->unfit = error;
-        if (error <= ENOUGH)
-            break;
         if (!(error < INFINITY))
             return CARDAN_UNSOLVED;
+        system->unfit = left_of_rows(mesh, system, x, r);
+        most = fmax(error, system->unfit);
+        if (most <= ENOUGH)
+            break;
         pass(mesh, system, r, d, t);
         if (fits(mesh, system, r, d, error, t))
             return 0;
-        if (step == IMPROVE || !(error < before))
+        if (step == IMPROVE || !(most < before))
             break;
-        before = error;
+        before = most;
         for (ptrdiff_t i = 0; i < n; i++)
             x[i] += d[i];
     }
+    system->unsettled = system->unfit > CONSISTENT;
     return error <= GOOD && cardan_not_finite(x, n) < 0 ? 0 : CARDAN_UNSOLVED;
 }
 
@@ -209,6 +232,7 @@ int cardan_mesh_solve(const cardan_mesh *mesh, cardan_mesh_system *system)
     real *x = system->solution, *room = system->work, error;
 
     system->unfit = 0;
+    system->unsettled = 0;
     if (factors->weak > 0)
         return solve_weak(mesh, system);
     cardan_sparse_solve(plan, factors, 1, system->right, x);

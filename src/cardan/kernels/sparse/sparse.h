@@ -13,8 +13,9 @@
  *          U its rows with later unknowns, Lt (transposed) the rows of later unknowns with its
  *          columns. Pivots are chosen among the rows of the supernode only
  *
- * Zero pivots that remain are replaced by small ones and recorded. If the matrix is regular, or its
- * constraints are redundant but consistent, refinement still gives the solution.
+ * Zero pivots that remain are replaced by small ones and recorded; where they are of multipliers, all
+ * rows that close loops give way by as much. If the matrix is regular, or its constraints are redundant
+ * but consistent, refinement still gives the solution.
  * Denormal numbers are flushed to zero inside; the processor mode is restored.
  * Source: I. S. Duff, A. M. Erisman, J. K. Reid, Direct Methods for Sparse Matrices, chapters 10-12;
  * X. S. Li, J. W. Demmel, SuperLU_DIST, ACM TOMS 29 (2003), on static pivots with refinement.
@@ -80,16 +81,19 @@ typedef struct cardan_sparse_factors {
     double *values;        /* plan->factors */
     double *scale;         /* n: original size of each pivot, before anything was subtracted */
     double *work;          /* cardan_sparse_work(plan); solutions use it too */
-    double *shift;         /* n: what was added to pivots, the first `weak` of them */
+    double *shift;         /* n: what was added to the diagonal, the first `weak` of them */
     int32_t *pivot;        /* n: with which row of its supernode each was exchanged */
     int32_t *exchanged;    /* n: with which column of it */
-    int32_t *replaced;     /* n: the k-th unknowns, in order of elimination, they belong to */
+    int32_t *replaced;     /* n: the k-th unknowns, in order of elimination, they belong to: what lost
+                              its pivot, and all rows that close loops if one of them did */
     const double *rows;    /* n: what equations are multiplied with, NULL for 1 */
     const double *columns; /* n: the units of unknowns, NULL for 1 */
     double hidden;         /* loop constraints count as redundant if the squared sine of their
                               angle to the other rows is below this */
+    double compliance;     /* what rows that close loops give way where multipliers lose their pivots,
+                              of their size; 0: 1e-8, more where `hidden` asks for it */
     int32_t count;         /* 1: count the signs of the eigenvalues of a symmetric matrix */
-    int32_t weak;          /* how many pivots were replaced */
+    int32_t weak;          /* how many numbers were added; if not 0, solutions are to be refined */
     int32_t singular;      /* the unknown without any equation, or -1 */
     int32_t positive;      /* eigenvalues by their signs; the others are zero to rounding */
     int32_t negative;

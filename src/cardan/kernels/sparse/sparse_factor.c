@@ -5,10 +5,16 @@
  *   1. take the size that its pivots are compared with; its panel was loaded with the entries of
  *      the matrix before the first supernode that is subtracted from it (see 5);
  *   2. if asked, count the signs of the eigenvalues of its diagonal block D;
- *   3. eliminate D by rows with pivoting inside the supernode; pivots below the rounding error are
- *      replaced by small ones and recorded (see sparse_free_column.c and cardan_sparse_refine);
+ *   3. eliminate D by rows with pivoting inside the supernode; pivots of speeds below the rounding
+ *      error are replaced by small ones and recorded (see sparse_free_column.c);
  *   4. solve for the part below: Lt = (upper factor of D)^-T Lt;
  *   5. subtract L U from the panels of later supernodes (right-looking).
+ *
+ * Where the pivot of a multiplier is only rounding error, constraints are redundant. Rounding is not to
+ * decide which: all is factored again with a small negative number on the diagonal of all rows that
+ * close loops. That is regular whatever their rank, and refinement (proximal iterations) makes up.
+ * Source: J. Carpentier, R. Budhiraja, N. Mansard, Proximal and sparse resolution of constrained
+ * dynamic equations, Robotics: Science and Systems, 2021.
  */
 #include "sparse.h"
 #include "sparse_dense.h"
@@ -21,6 +27,14 @@
 #define MULTIPLIER_NOISE 1e-12
 /* ... and are replaced by this fraction of it */
 #define REPLACEMENT 1e-8
+/* what rows that close loops give way where constraints are redundant, of their size: at least, and of
+ * `hidden`, so that no multiplier grows by it */
+#define COMPLIANCE 1e-8
+#define HIDDEN 1e2
+/* what a row that follows from others is left with, of what each of these gives way */
+#define YIELDING 100
+/* what comes beside a status: a multiplier has no pivot */
+#define REDUNDANT (-1)
 /* a row of the same kind (speed or multiplier) is taken as the pivot if its entry is at least this
  * fraction of the largest entry in rows of the other kind */
 #define EARLY 1e-2
@@ -63,23 +77,46 @@ static void fill(const cardan_sparse *plan, ptrdiff_t s, const double *a, cardan
         load(plan->load + i, a, f, width);
 }
 
-/* Size up to which a pivot is only rounding error. */
-static double noise_of(const cardan_sparse *plan, const cardan_sparse_factors *f, ptrdiff_t k)
+/* Size up to which a pivot is only rounding error; compliance: of rows that close loops. */
+static double noise_of(const cardan_sparse *plan, const cardan_sparse_factors *f, ptrdiff_t k,
+                       double compliance)
 {
-    const double noise = plan->multiplier[k] ? MULTIPLIER_NOISE : SPEED_NOISE;
+    double noise = plan->multiplier[k] ? MULTIPLIER_NOISE : SPEED_NOISE;
 
-    return (plan->multiplier[k] == CLOSES ? fmax(noise, f->hidden) : noise) * f->scale[k];
+    if (plan->multiplier[k] == CLOSES && compliance == 0)
+        noise = fmax(noise, f->hidden);
+    return noise * f->scale[k];
 }
 
-/* Count the signs of the eigenvalues of D. */
-static void count(const cardan_sparse *plan, ptrdiff_t s, const double *panel,
+/* Let rows of a supernode that close loops give way, and record that. */
+static void comply(const cardan_sparse *plan, ptrdiff_t s, double compliance, double *panel,
+                   cardan_sparse_factors *f)
+{
+    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
+
+    for (ptrdiff_t k = 0; k < n; k++) {
+        const double scale = f->scale[first + k];
+        const double shift = -compliance * (scale > 0 ? scale : 1);
+        if (plan->multiplier[first + k] != CLOSES)
+            continue;
+        panel[k * plan->width[s] + k] += shift;
+        f->shift[f->weak] = shift;
+        f->replaced[f->weak++] = (int32_t)(first + k);
+    }
+}
+
+/* Count the signs of the eigenvalues of D; what rows give way counts as zero. */
+static void count(const cardan_sparse *plan, ptrdiff_t s, double compliance, const double *panel,
                   cardan_sparse_factors *f)
 {
     const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
-    double *noise = f->work;
+    double *noise = f->work, largest = 0;
 
     for (ptrdiff_t k = 0; k < n; k++)
-        noise[k] = noise_of(plan, f, first + k);
+        largest = plan->multiplier[first + k] ? fmax(largest, f->scale[first + k]) : largest;
+    for (ptrdiff_t k = 0; k < n; k++)
+        noise[k] = noise_of(plan, f, first + k, 0)
+                   + (plan->multiplier[first + k] ? YIELDING * compliance * largest : 0);
     cardan_sparse_signs(n, panel, plan->width[s], noise, f);
 }
 
@@ -198,7 +235,7 @@ static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *
         scale = 1;
     small = fmax(REPLACEMENT * scale, plan->multiplier[k] ? BEYOND * size : 0);
     replacement = plan->multiplier[k] || *pivot < 0 ? -small : small;
-    if (!(scale - scale == 0) || scale == 0 || !(*pivot - *pivot == 0)) {
+    if (!(scale - scale == 0) || scale == 0 || !(*pivot - *pivot == 0) || f->weak == plan->n) {
         f->singular = plan->order[k];
         return CARDAN_SINGULAR;
     }
@@ -209,8 +246,9 @@ static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *
 }
 
 /* Factor D with row exchanges P: P D = L R with unit lower L, and U becomes L^-1 P U. L and R replace
- * D; its diagonal keeps the reciprocals of the pivots. */
-static int eliminate(const cardan_sparse *plan, ptrdiff_t s, double *panel,
+ * D; its diagonal keeps the reciprocals of the pivots. compliance: of rows that close loops, 0 as long
+ * as no multiplier has lost its pivot. */
+static int eliminate(const cardan_sparse *plan, ptrdiff_t s, double compliance, double *panel,
                      cardan_sparse_factors *f)
 {
     const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
@@ -229,7 +267,9 @@ static int eliminate(const cardan_sparse *plan, ptrdiff_t s, double *panel,
         if (plan->multiplier[place] == CLOSES)
             choose(plan, s, k, panel, f);
         pivot = pivot_of(plan, s, k, panel, f, &most);
-        if (!(most > noise_of(plan, f, place))) {
+        if (!(most > noise_of(plan, f, place, compliance))) {
+            if (plan->multiplier[place] && compliance == 0)
+                return REDUNDANT;
             pivot = emptiest(k, n, all, panel, width);
             if (replace(plan, s, place, panel + pivot * width, most, f))
                 return CARDAN_SINGULAR;
@@ -317,8 +357,11 @@ ptrdiff_t cardan_sparse_work(const cardan_sparse *plan)
     return plan->n + plan->widest * plan->widest;
 }
 
-static int factor(const cardan_sparse *plan, const double *a, cardan_sparse_factors *f)
+static int factor(const cardan_sparse *plan, const double *a, double compliance,
+                  cardan_sparse_factors *f)
 {
+    f->weak = f->positive = f->negative = 0;
+    f->singular = -1;
     for (ptrdiff_t s = 0; s < plan->supernodes; s++) {
         const ptrdiff_t n = plan->start[s + 1] - plan->start[s], width = plan->width[s];
         double *panel = f->values + plan->panel[s];
@@ -330,10 +373,13 @@ static int factor(const cardan_sparse *plan, const double *a, cardan_sparse_fact
         for (ptrdiff_t i = 0; i < n; i++)
             cardan_larger(n, panel + i * width, f->scale + plan->start[s]);
         note_closing(plan, s, panel, f);
+        if (compliance > 0)
+            comply(plan, s, compliance, panel, f);
         if (f->count)
-            count(plan, s, panel, f);
-        if (eliminate(plan, s, panel, f))
-            return CARDAN_SINGULAR;
+            count(plan, s, compliance, panel, f);
+        const int status = eliminate(plan, s, compliance, panel, f);
+        if (status != CARDAN_OK)
+            return status;
         turn(n, plan->later[s], panel, width, panel + plan->transposed[s]);
         hand_on(plan, s, panel, f);
     }
@@ -345,9 +391,10 @@ int cardan_sparse_factor(const cardan_sparse *plan, const double *a, cardan_spar
     const uint64_t mode = cardan_flush();
     int status;
 
-    f->weak = f->positive = f->negative = 0;
-    f->singular = -1;
-    status = factor(plan, a, f);
+    status = factor(plan, a, 0, f);
+    if (status == REDUNDANT)
+        status = factor(
+            plan, a, f->compliance > 0 ? f->compliance : fmax(COMPLIANCE, HIDDEN * f->hidden), f);
     cardan_restore(mode);
     return status;
 }

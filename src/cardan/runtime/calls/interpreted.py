@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from ...ir.function import Function
 
 SINGULAR = 1  # CARDAN_SINGULAR of cardan.h
+UNSOLVED = -8  # CARDAN_UNSOLVED of run.h
 RAISED = 1 << 16  # status of a function that raised, beside those of cardan.h
 NUMBERS = 4_000_000  # held at once: every node has a value for every state of a piece
 CURE = "pip install 'cardan[compiler]' makes it some hundred times faster"

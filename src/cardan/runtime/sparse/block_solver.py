@@ -163,18 +163,22 @@ class BlockSolver:
 
     @property
     def weak(self) -> NDArray[np.int32]:
-        """The unknowns whose pivots were lost in rounding and replaced."""
+        """The unknowns on whose diagonal something was added.
+
+        Those whose pivots were lost in rounding; if multipliers are among them, all rows that
+        close loops.
+        """
         self._ready()
         return self.plan.order[self._memory.replaced[: self._factors.weak]]
 
     @property
     def shifts(self) -> Reals:
-        """Shifts that were added to those pivots, in units."""
+        """What was added there, in units."""
         self._ready()
         return self._memory.shift[: self._factors.weak]
 
     def perturbation(self, b: ArrayLike, x: ArrayLike) -> tuple[float, int]:
-        """Share of b that replaced pivots take, and the unknown.
+        """Share of b that what was added takes, and the unknown.
 
         See ``cardan_sparse_perturbation``.
         """

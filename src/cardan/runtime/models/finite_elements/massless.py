@@ -48,6 +48,18 @@ def refusal(mesh: Elements, at: State) -> str:
     )
 
 
+def contradiction(mesh: Elements, at: State) -> str:
+    """Why redundant constraints have no common accelerations, and what to do."""
+    _, gaps, rates = mesh.balance(at)
+    position, velocity = (float(np.abs(x).max(initial=0.0)) for x in (gaps, rates))
+    return (
+        "no accelerations: redundant constraints contradict each other at this state, where loops "
+        f"are open by {position:.1e} (positions) and {velocity:.1e} (speeds). model.redundancy() "
+        "names them: give joints that repeat others exact positions and equal motions, leave one "
+        "of them out, or close the loops by model.assemble(...)"
+    )
+
+
 def _said(tables: Tables, moved: Array) -> str:
     """Bodies and beams at the places that move, in words."""
     largest = moved.max(initial=0.0)

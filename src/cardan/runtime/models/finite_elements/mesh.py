@@ -18,13 +18,13 @@ from ....schema.finite_elements import ElementKind
 from ....schema.planned import Fields
 from ....schema.records import FORMS, Form, Group, MeshRecord, Movers, StateRecord
 from ...calls.abi_ctypes import FUNCTION
-from ...calls.interpreted import SINGULAR, called_back
+from ...calls.interpreted import SINGULAR, UNSOLVED, called_back
 from ...calls.loaded_function import prepare, prepare_rows
 from ...calls.objects import Code
 from ...sparse.block_solver import plan_record
 from ...sparse.matrices import Matrices
 from .elements import INNER, Elements, State
-from .massless import refusal
+from .massless import contradiction, refusal
 from .record_fields import group_fields, mesh_fields, mover_fields
 from .tables import Tables
 
@@ -213,6 +213,8 @@ class Mesh(Elements):
         status = self._status("accelerations", at, more, _at(out))
         if status == SINGULAR:
             raise SolveError(refusal(self, at))
+        if status == UNSOLVED:
+            raise SolveError(contradiction(self, at))
         _done("accelerations", status)
         udot, lam = np.split(out, [self.tables.nu])
         return udot, lam
