@@ -138,3 +138,21 @@ def test_rosenbrock_goes_by_differences() -> None:
     print("Rosenbrock over elements: steps and errors", errors, "order", slope)
     assert errors[-1][1] < 1e-8
     assert slope > 4
+
+
+@pytest.mark.parametrize("method", ["Radau", "GeneralizedAlpha", "DOP853"])
+def test_the_energy_of_a_load_that_is_put_on(method: str) -> None:
+    """It is the load times the way of its tip; check= asks for what the tolerance is worth."""
+    load = 3.0
+    scene = cd.Scene("loaded", gravity=(0, 0, 0))
+    section, alloy = cd.section.rectangle(0.1, 0.01), cd.material(E=7e10, nu=0.3, rho=2700)
+    beam = scene.beam("beam", scene.ground, (1, 0, 0), section, alloy, elements=2)
+    scene.force("load", cd.Force(beam.end, (0, 0, load)))
+    motion = cd.compile(scene).simulate(0.01, method=method, check=True)
+    # its potential is counted as a force's is not
+    work = load * (motion["beam.end.pz"] - motion["beam.end.pz"][0])
+    total = motion.energy.total - motion.energy.total[0]
+    scale = np.abs(motion.energy.kinetic).max() + np.ptp(work)
+    missed = np.abs(total - work).max()
+    print(method, "missed", missed, "of", scale)
+    assert missed < (1e-3 if method == "GeneralizedAlpha" else 1e-6) * scale

@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 
 import cardan as cd
-from benchmarks import flexible, flexible_large, sparse
+from benchmarks import flexible, flexible_large, mixed, sparse
 from mechanisms.flexible import bend45
 
 TESTS = Path(__file__).parents[1]
@@ -54,6 +54,7 @@ def figures(quick: bool = False) -> Iterator[Figure]:
         spent = _cold(n)
         text = f"derived, written, compiled and called the first time, {n} elements"
         yield Figure(text, "3 s", f"{spent:.1f} s", spent <= 3)
+    yield from _mixed((2,) if quick else (2, 8, 32))
     if not quick:
         yield _large()
 
@@ -107,6 +108,29 @@ def _cold(n: int) -> float:
         start = time.perf_counter()
         subprocess.run([sys.executable, "-c", COLD, str(TESTS), str(n)], env=given, check=True)
         return time.perf_counter() - start
+
+
+def _mixed(sizes: tuple[int, ...]) -> Iterator[Figure]:
+    for n in sizes:
+        found = mixed.robots(n)
+        most = 1.5 * found["rod"] + found["robot"]
+        yield Figure(
+            f"UR5 with a flexible rod of {n} elements, a step of 1 ms: 1.5 of the clamped rod"
+            " and the rigid robot",
+            f"{1e6 * most:.0f} us",
+            f"{1e6 * found['both']:.0f} us",
+            found["both"] <= most,
+        )
+    spent, apart = mixed.bodies_on_nodes()
+    yield Figure(
+        f"{mixed.BODIES} rigid bodies on nodes, {mixed.FEW} steps: at most Exudyn's time "
+        f"({1e6 * apart:.2g} um apart)",
+        f"{1e3 * spent['Exudyn']:.0f} ms",
+        f"{1e3 * spent['cardan']:.0f} ms",
+        spent["cardan"] <= spent["Exudyn"],
+    )
+    start = spent["start"]
+    yield Figure("the same, a run of one step", "5 ms", f"{1e3 * start:.1f} ms", start <= 5e-3)
 
 
 def _large() -> Figure:

@@ -1,20 +1,13 @@
 """Rigid and flexible bodies in one scene: a robot with a flexible rod, rigid bodies on nodes.
 
 Times are those of whole calls by the generalized-alpha method, the least of several in turns.
-
-usage: mixed.py
 """
 
 from __future__ import annotations
 
-import sys
 import time
-from collections.abc import Callable, Iterator, Mapping
-from pathlib import Path
+from collections.abc import Callable, Mapping
 from typing import Any
-
-# the benchmarks stand in the folder above
-sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import numpy as np
 from numpy.typing import NDArray
@@ -168,16 +161,3 @@ def bodies_on_nodes(steps: int = FEW) -> tuple[dict[str, float], float]:
     motion = ours(steps)
     pose = np.asarray(model.pose(f"rod{BODIES - 1}", motion.q[-1]))
     return spent, float(np.abs(pose[:3, 3] + 0.5 * pose[:3, 0] - theirs(steps)).max())
-
-
-def main() -> Iterator[str]:
-    """What was measured, in lines."""
-    for n in (2, 8, 32):
-        found = robots(n)
-        limit = 1.5 * found["rod"] + found["robot"]
-        yield f"{n} elements: {found}, {found['both'] / limit:.2f} of the limit"
-    yield f"{bodies_on_nodes()}"
-
-
-if __name__ == "__main__":
-    print(*main(), sep="\n")

@@ -13,7 +13,7 @@ import cardan as cd
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"inertia": -1.0}, "inertia is -1.0; give 0 or more"),
+        ({"inertia": -1.0}, "inertia is -1; give 0 or more"),
         ({"inertia": 1.0, "ratio": 0}, "ratio is 0"),
         ({"inertia": 1.0, "damping": 5.0}, "damping belongs to an elastic shaft"),
         ({"inertia": math.nan}, "inertia is nan"),

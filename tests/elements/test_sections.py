@@ -196,8 +196,8 @@ WRONG: Mapping[str, Any] = {
     "nu is -1": lambda: cd.material(E=1, nu=-1),
     "leave out one": lambda: cd.material(E=1, nu=0.3, G=1),
     "E is 0": lambda: cd.material(E=0, nu=0.3),
-    "rho is -1 ": lambda: cd.material(E=1, nu=0.3, rho=-1),
-    "damping is -1 s": lambda: cd.material(E=1, nu=0.3, damping=-1),
+    "rho is -1; give": lambda: cd.material(E=1, nu=0.3, rho=-1),
+    "damping is -1; give": lambda: cd.material(E=1, nu=0.3, damping=-1),
     "is not below": lambda: numbers(cd.section.tube(outer=0.01, inner=0.01)),
     "leave no room": lambda: numbers(cd.section.hollow_rectangle(1, 1, 0.5)),
     "leave no web": lambda: numbers(cd.section.i_beam(1, 1, 0.5, 0.1)),
@@ -215,10 +215,10 @@ def test_nonsense_in_parameters_is_found_when_they_have_values() -> None:
     scene = cd.Scene("one")
     r = scene.parameter("r", 0.01)
     scene.beam("b", (0, 0, 0), (1, 0, 0), cd.section.tube(r, 2 * r), cd.material(E, NU))
-    with pytest.raises(ModelError, match="beam 'b': the inner radius"):
+    with pytest.raises(ModelError, match="beam 'b': tube: the inner radius"):
         build(scene)
     scene = cd.Scene("two")
     nu = scene.parameter("nu", 0.6)
     scene.beam("b", (0, 0, 0), (1, 0, 0), cd.section.circle(0.01), cd.material(E, nu))
-    with pytest.raises(ModelError, match=r"beam 'b': nu is 0\.6"):
+    with pytest.raises(ModelError, match=r"beam 'b': material: nu is 0\.6"):
         build(scene)

@@ -84,3 +84,20 @@ def test_a_function_that_the_system_cannot_have_is_not_to_be_asked_for() -> None
         model.constraints([0.0])
     with pytest.raises(cd.DerivationError, match="was not asked for"):
         cd.compile(scene, functions=["energy"]).mass_matrix([0.0])
+
+
+def test_arguments_have_the_names_of_the_signature(pendulum: cd.CompiledModel) -> None:
+    """Messages spoke of blocks: of 'e' for events, of q for q1."""
+    with pytest.raises(cd.ArgumentError, match=r"difference: q1 has shape \(2,\)"):
+        pendulum.difference([0.0], [0.0, 1.0])
+    scene = cd.Scene("cantilever")
+    section, steel = cd.section.tube(0.05, 0.04), cd.material(E=2e11, nu=0.3, rho=7800)
+    scene.beam("beam", scene.ground, (1.0, 0, 0), section, steel, elements=1)
+    beam = cd.compile(scene)
+    q, u = beam.split(beam.initial())
+    with pytest.raises(cd.ArgumentError, match=r"transition: events has shape \(1,\)"):
+        beam.transition(q, u, [1.0])
+    # there are none
+    np.testing.assert_array_equal(beam.transition(q, u, None), beam.transition(q, u, []))
+    with pytest.raises(cd.ArgumentError, match=r"motion: amplitude=1e\+300: states of that size"):
+        beam.modes().motion(0, amplitude=1e300)

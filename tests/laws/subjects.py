@@ -156,6 +156,7 @@ def _scene() -> Iterator[Call]:
             "name": "new", "start": s.ground, "end": (2, 0, 0), "elements": 2,
             "section": cd.section.rectangle(0.1, 0.01), "material": cd.material(E=7e10, nu=0.3),
         },
+        "cable": {"name": "new", "start": s.ground, "end": "b", "EA": 1e3, "rhoA": 0.1},
         "constraint": {"name": "new", "expression": s.q("hinge") - 1},
         "output": {"name": "new", "expression": s.q("hinge")},
         "input": {"name": "new"},

@@ -6,6 +6,7 @@ largest distance between two of the joints.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 
 import numpy as np
@@ -108,3 +109,73 @@ def test_a_table_on_four_legs(kind: str) -> None:
         reactions = [motion.reaction(f"leg{k}")[-1] for k in range(4)]
     assert np.array(reactions) == pytest.approx(expected, abs=1e-6)
     assert sum(reactions)[5] == pytest.approx(12.0 * G)
+
+
+def parallelogram(scene: cd.Scene) -> None:
+    """Two cranks and a rod on balls between them: nothing is redundant, unless all lie in line."""
+    crank, rod, rocker = (
+        scene.body(name, mass=1.0, com=(x / 2, 0, 0), inertia=(0.1, 0.3, 0.3))
+        for name, x in (("crank", 1.0), ("rod", 2.0), ("rocker", 1.0))
+    )
+    scene.joint("A", cd.Revolute("z"), scene.ground, crank)
+    scene.joint("B", cd.Spherical(), crank.at(1, 0, 0), rod)
+    scene.joint("D", cd.Revolute("z"), scene.ground.at(2, 0, 0), rocker)
+    scene.joint("C", cd.Spherical(), rod.at(2, 0, 0), rocker.at(1, 0, 0), cut=True)
+    scene.force("push", cd.Force(crank, (8, 0, 0)))
+
+
+@KINDS
+def test_a_state_where_constraints_lose_rank_comes_later(kind: str) -> None:
+    """In line a force P along the crank takes two ways: with A + P = B = C = D the sum of squares
+    is least for B = P/4."""
+    model = compiled(parallelogram, kind)
+    still = np.zeros(model.nu)
+    regular = model.simulate(1e-4, q={"A": 0.7, "D": 0.7}, u={"A": 0.0}).q[0]
+    line = model.simulate(1e-9, u=still).q[0]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for joint in "ABCD":
+            model.reaction(joint, regular, still)
+    with pytest.warns(cd.SolveWarning, match="at state 1, where constraints lose rank") as said:
+        found = [model.reaction(joint, np.array([regular, line]), still)[1, 3] for joint in "ABCD"]
+    assert len(said) == 1
+    # the rod pushes the rocker along x, which the ground holds
+    assert found == pytest.approx([-6.0, 2.0, 2.0, -2.0], abs=1e-9)
+
+
+@KINDS
+def test_many_speeds_at_one_position(kind: str) -> None:
+    """Every row is of least norm, where only speeds or times have leading axes too."""
+    model = compiled(door, kind)
+    q, u = model.split(model.simulate(1e-3, u={"low": 1.0}).x[0])
+    speeds = np.arange(3.0)[:, None] * u
+    with pytest.warns(cd.SolveWarning, match="least norm"):
+        found = model.reaction("low", q, speeds)
+    for row, omega in zip(found, range(3), strict=True):
+        total = wrench(20.0, np.array([0.4, 0, 1.0]), np.array([-(omega**2) * 0.4, 0, 0]))
+        assert row == pytest.approx(least(HINGES, MOMENTS_ACROSS + FORCES, total)[0], abs=1e-6)
+    assert model.reaction("low", q, u, t=[0.0, 1.0]) == pytest.approx(found[[1, 1]], abs=1e-9)
+    with pytest.raises(cd.ArgumentError, match="leading axes do not broadcast together"):
+        model.reaction("low", q, speeds, t=[0.0, 1.0])
+    # there are no inputs
+    assert model.reaction("low", q, u, r=[]) == pytest.approx(found[1], abs=1e-9)
+
+
+@pytest.mark.parametrize("together", [False, True])
+def test_parameters_of_a_call(together: bool) -> None:
+    """Hinges at a distance that the call gives."""
+    scene = cd.Scene("redundant", gravity=(0, 0, -G))
+    high = scene.parameter("high", 1.8, unit="m")
+    body = scene.body("door", mass=20.0, com=(0.4, 0, 1.0), inertia=(8, 10, 3))
+    scene.joint("low", cd.Revolute("z"), scene.ground.at(*HINGES[0]), body.at(*HINGES[0]))
+    ends = scene.ground.at(0, 0, high), body.at(0, 0, high)
+    scene.joint("high", cd.Revolute("z"), *ends, cut=True)
+    model, heights = cd.compile(scene), np.array([1.0, 3.0])
+    values = [heights] if together else list(heights)
+    with pytest.warns(cd.SolveWarning, match="least norm"):
+        found = [model.reaction("low", [0.0], [0.0], parameters={"high": x}) for x in values]
+    for row, height in zip(np.reshape(found, (-1, 6)), heights, strict=True):
+        places = np.array([HINGES[0], [0, 0, height]])
+        total = wrench(20.0, np.array([0.4, 0, 1.0]), np.zeros(3))
+        expected = least(places, MOMENTS_ACROSS + FORCES, total)[0]
+        assert row == pytest.approx(expected, abs=1e-6)

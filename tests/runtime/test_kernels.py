@@ -52,10 +52,10 @@ def sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
         if path.suffix == ".h" or path.name in kept:
             shutil.copy(path, place)
     monkeypatch.setattr(kernel_files, "KERNELS", place)
-    prebuilt.current.cache_clear()
+    prebuilt.reread()
     kernels._library.cache_clear()
     yield place
-    prebuilt.current.cache_clear()
+    prebuilt.reread()
     kernels._library.cache_clear()
 
 
@@ -93,7 +93,7 @@ def test_what_is_newer_is_compiled_again(sources: Path) -> None:
     before = kernels.library()._name
     with open(sources / "map.c", "a", encoding="utf-8") as file:
         file.write("int cardan_added(void);\nint cardan_added(void) { return 7; }\n")
-    prebuilt.current.cache_clear()
+    prebuilt.reread()
     kernels._library.cache_clear()
     # not installed again yet: the sources that are there are what runs
     assert prebuilt.current() is None
@@ -120,7 +120,7 @@ def test_an_index_that_is_not_of_here_is_left_alone(sources: Path, harm: str) ->
     path.write_text(json.dumps(changed[harm]) if harm in changed else "{", "utf-8")
     if harm == "gone":
         path.unlink()
-    prebuilt.current.cache_clear()
+    prebuilt.reread()
     assert prebuilt.current() is None
     assert Path(kernels.library()._name).parent != sources / "built"
 

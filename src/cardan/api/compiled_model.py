@@ -81,8 +81,7 @@ class CompiledModel(LoadedModel):
     _verify_built = verb("cardan.runtime.verification.verify:verify_built")
     _verify_elements = verb("cardan.runtime.verification.verify:verify_elements")
 
-    _doubt = verb("cardan.analyses.mechanisms.redundancy:doubt")
-    _least_reaction = verb("cardan.analyses.mechanisms.redundancy:least_reaction")
+    _undetermined = verb("cardan.analyses.mechanisms.undetermined_reactions:undetermined_reaction")
 
     def __reduce__(self) -> tuple[object, ...]:
         from .saved_model import reduced

@@ -15,6 +15,7 @@ from ..analyses.mechanisms.minimal_coordinates import Partition
 from ..analyses.mechanisms.redundancy import Redundancy
 from ..analyses.mechanisms.screw_axis import ScrewAxis
 from ..analyses.mechanisms.singular_positions import Singular
+from ..analyses.mechanisms.undetermined_reactions import Undetermined
 from ..analyses.simulation.alpha_methods import Alpha, GeneralizedAlpha
 from ..analyses.simulation.precision.report import Report
 from ..analyses.simulation.precision.runs import Show
@@ -1036,34 +1037,23 @@ class CompiledModel(LoadedModel):
         Raises:
             BuildError: one is wrong.
         """
-    def _doubt(
+    def _undetermined(
         self,
         joint: str,
+        lead: tuple[int, ...],
         q: State,
         t: ArrayLike,
         r: State | None,
-    ) -> dict[str, bool]:
-        """Joints of loops, and whether they are determined at the first, middle or last state.
+        parameters: Values | None,
+    ) -> Undetermined | None:
+        """The states at which the reaction of a joint is not determined; None where all determine it.
 
-        Where that of the joint itself is not, a warning names all that are not, once; else there are
-        none.
+        The first, the middle and the last state at which constraints have their largest rank tell it
+        for all of these; where they have less each tells it for itself. In absolute coordinates, whose
+        Jacobians are large, only the first, the middle and the last state of a call are looked at. A
+        warning names the joints, each once.
 
         Args:
             joint: Whose reaction was asked for.
-            q, t, r: States as functions of the model take them (..., nq), (...), (..., nr).
-        """
-    def _least_reaction(
-        self,
-        joint: str,
-        reactions: Mapping[str, Array],
-        q: State,
-        t: ArrayLike,
-        r: State | None,
-    ) -> Array:
-        """Reactions (..., 6) of a joint of least norm.
-
-        Args:
-            joint: Which.
-            reactions: Of all joints of loops (..., 6).
-            q, t, r: As of :func:`doubt`.
+            lead, q, t, r, parameters: As of :class:`States`.
         """

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from math import isfinite
 from typing import Any
 
 from ..elements.internal_states import TICK
 from ..elements.joints.joint import entries
+from ..elements.limits import limit_rows
 from ..elements.quantity import written_unit
 from ..equations.constraints import reaction_friction
 from ..equations.constraints.constraints import Row, left_out
@@ -24,7 +25,6 @@ from ..schema.entries import (
     CoordinateRow,
     Entry,
     EventRow,
-    LimitRow,
     ModeRow,
     MultiplierRow,
     OutputRow,
@@ -38,7 +38,7 @@ from ..topology.beams.segment_tables import Segment
 from ..topology.beams.segments import LOADS
 from ..topology.internal_states import slides
 from ..topology.loops.welds import passed
-from ..topology.system import Cut, Force, Frame, Joint, System
+from ..topology.system import Cut, Frame, Joint, System
 from ..version import ABI, MANIFEST, VERSION
 from . import flat_scene
 
@@ -65,9 +65,6 @@ def base(equations: EquationRecord, functions: Sequence[str] = ()) -> Base:
     """
     system = equations.system
     joints = [_joint(equations, i) for i in range(len(system.joints))]
-    # of those that act on several bodies once
-    once = {force.name: force for force in system.forces}.values()
-    limits = [row for force in once for row in _limits(system, force)]
     absent = {name: why for joint in system.joints for name, why in joint.element.lacks.items()}
     data = Manifest(
         **common(system, equations.method, functions),
@@ -75,7 +72,6 @@ def base(equations: EquationRecord, functions: Sequence[str] = ()) -> Base:
         speeds=_speeds(equations),
         events=event_rows(system),
         ticks=tick_rows(system),
-        limits=limits,
         multipliers=[_multiplier(row) for row in equations.constraint_rows],
         # what holds such a system together is that its constraints give way
         projected=not equations.constraint_rows or equations.treatment.exact,
@@ -122,6 +118,9 @@ def common(system: System, method: str, functions: Sequence[str]) -> dict[str, A
             for p in system.parameters
         ],
         "structural": dict(system.structural),
+        "limits": limit_rows(
+            system.number_limits, system.graph, [p.name for p in system.parameters]
+        ),
         "element_forces": force_rows(system),
         "isolated": isolated(system),
         "fixed": list(system.fixed),
@@ -170,34 +169,6 @@ def _loaded(system: System, segment: Segment) -> bool:
     loads = [segment.data[name] for name in LOADS] + [*segment.variable_loads.values()]
     nodes = [node for *_, entries in loads for node in entries]
     return any(system.graph.nodes[node] != ("const", 0.0) for node in nodes)
-
-
-def _limits(system: System, force: Force) -> Iterator[LimitRow]:
-    """Limits of the parameters that are numbers of a force element."""
-    for limit in force.element.limits():
-        name, other = (_source(system, force, part) for part in (limit.name, limit.other))
-        if not isinstance(name, str) or (limit.other and other is None):
-            continue
-        least = other if limit.other else limit.least
-        yield LimitRow(
-            parameter=name,
-            element=force.element.title,
-            message=limit.message,
-            least=least if isinstance(least, str) or isfinite(least or 0.0) else None,
-            most=limit.most if isfinite(limit.most) else None,
-            open=limit.open,
-        )
-
-
-def _source(system: System, force: Force, quantity: str) -> str | float | None:
-    """The parameter or the number that a quantity is; None if it is something else."""
-    rows, columns, nodes = force.data.get(quantity, (0, 0, ()))
-    if (rows, columns) != (1, 1):
-        return None
-    node = system.graph.nodes[nodes[0]]
-    if node[0] == "const":
-        return float(node[1])
-    return system.parameters[node[2]].name if node[:2] == ("var", "p") else None
 
 
 def _multiplier(row: Row) -> MultiplierRow:

@@ -5,10 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..errors import ModelError
+from .limits import Limit, judge, not_negative, positive
 from .quantity import Quantity, Value
-from .validation import is_expression, number, positive
+from .validation import number
 
 UNITS = {"E": "Pa", "nu": "", "G": "Pa", "rho": "kg/m^3", "damping": "s", "expansion": "1/K"}
+LIMITS = (
+    *positive("E", "G", requirement="more than 0 [Pa]"),
+    Limit(
+        "nu", "nu is {value}; give Poisson's ratio, above -1 and at most 0.5", -1.0, 0.5, open=True
+    ),
+    *not_negative("rho", requirement="0 or more [kg/m^3]"),
+    *not_negative("damping", requirement="0 or more [s]"),
+)
 
 
 @dataclass(frozen=True)
@@ -23,18 +32,12 @@ class Material:
     expansion: Value = 0
 
     def __post_init__(self) -> None:
-        for name in ("E", "G"):
-            if getattr(self, name) is not None:
-                object.__setattr__(self, name, positive("material", name, getattr(self, name)))
-        for name in ("nu", "rho", "damping", "expansion"):
+        for name in UNITS:
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, number("material", name, getattr(self, name)))
         if self.nu is not None and self.G is not None:
             raise ModelError("material: nu and G say the same with E; leave out one of them")
-        numbers = {name: getattr(self, name) for name in UNITS}
-        problem = complaint({n: x for n, x in numbers.items() if not is_expression(x)})
-        if problem:
-            raise ModelError(f"material: {problem}")
+        judge("material", LIMITS, vars(self))
 
     def quantities(self) -> dict[str, Quantity]:
         """The user's values by name."""
@@ -74,17 +77,3 @@ def material(
             density or damping, or ``nu`` and ``G`` at once.
     """
     return Material(E, nu, G, rho, damping, expansion)
-
-
-def complaint(values: dict[str, Value]) -> str:
-    """Why no material has these numbers; "" where one may. None is not judged."""
-    for name in ("E", "G"):
-        if values.get(name) is not None and values[name] <= 0:
-            return f"{name} is {values[name]:g} Pa; it must be above 0"
-    nu = values.get("nu")
-    if nu is not None and not -1 < nu <= 0.5:
-        return f"nu is {nu:g}; Poisson's ratio is above -1 and at most 0.5"
-    for name in ("rho", "damping"):
-        if values.get(name) is not None and values[name] < 0:
-            return f"{name} is {values[name]:g} {UNITS[name]}; it must not be negative"
-    return ""

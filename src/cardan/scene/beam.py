@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from ..elements.centerlines import Centerline
+from ..elements.forces import cable as pieces
 from ..elements.joints.cylindrical import Cylindrical
 from ..elements.joints.joint import Joint as JointElement
 from ..elements.joints.planar import Planar
@@ -15,6 +16,7 @@ from ..elements.joints.revolute import Revolute
 from ..elements.joints.spherical import Spherical
 from ..elements.joints.translation import Translation
 from ..elements.joints.universal import Universal
+from ..elements.limits import Limit, not_negative
 from ..elements.material import Material
 from ..elements.quantity import Value
 from ..elements.sections import Section
@@ -46,6 +48,14 @@ RELEASED: dict[frozenset[str], JointElement] = {
 
 # numbers of a cable, and its parameters
 UNITS = {"EA": "N", "rhoA": "kg/m", "length": "m", "damping": "s"}
+# of a cable with nodes that are free to move
+MASSIVE = Limit(
+    "rhoA",
+    "rhoA is {value}: its nodes have no mass, so that their accelerations are not determined; give "
+    "rhoA, or one element between two frames",
+    0.0,
+    open=True,
+)
 
 
 @dataclass(frozen=True)
@@ -217,6 +227,11 @@ class Cable:
                 f"1/{self.elements} from 0 to 1. Change elements="
             )
         return self.model.nodes[self.node_name(k)]
+
+    def limits(self) -> tuple[Limit, ...]:
+        """Limits of its numbers: those of a piece, and of the mass of its nodes."""
+        free = self.elements > 1 or None in (end.place for end in self.ends)
+        return (*pieces.LIMITS, *not_negative("rhoA"), *(MASSIVE,) * free)
 
     def node_name(self, k: int) -> str:
         """Name of the node behind k elements."""

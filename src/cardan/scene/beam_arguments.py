@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from ..elements.centerlines import Centerline, Straight
 from ..elements.flexible import BEAMS, INERTIAS
+from ..elements.limits import judge
 from ..elements.material import Material
 from ..elements.quantity import Value
 from ..elements.sections import Section
@@ -280,23 +281,10 @@ def add_cable(
     first, last = (end_of(model, who, role, end, ()) for role, end in zip(ROLES, ends, strict=True))
     values = {key: number(who, key, value) for key, value in numbers.items()}
     count = count_of(who, elements)
-    for key, value in values.items():
-        if (not is_expression(value) and value < 0) or (key == "EA" and value == 0):
-            raise ModelError(
-                f"{who}: {key} is {value:g}; give {'more than 0' if key == 'EA' else '0 or more'}"
-            )
-    massless = not is_expression(values["rhoA"]) and values["rhoA"] == 0
-    if massless and (count > 1 or None in (first.place, last.place)):
-        raise ModelError(
-            f"{who}: its nodes have no mass, so that their accelerations are not determined; give "
-            "rhoA, or one element between two frames"
-        )
     if length is not None and tension is not None:
         raise ModelError(f"{who}: length and tension exclude each other; give one")
     if length is not None:
         length = number(who, "length", length)
-        if not is_expression(length) and length <= 0:
-            raise ModelError(f"{who}: length is {length:g}; give more than 0")
     pull = 0.0 if tension is None else checks.number(f"{who}: tension", tension)
     if pull < 0:
         raise ModelError(f"{who}: tension is {pull:g}; a cable does not push: give 0 or more")
@@ -312,6 +300,7 @@ def add_cable(
         elements=count,
         base=base_of(model, who, base),
     )
+    judge(who, cable.limits(), vars(cable))
     add_cable_nodes(cable)
     return cable
 

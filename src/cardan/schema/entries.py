@@ -78,7 +78,7 @@ class OutputRow(Entry):
 
 
 class LimitRow(Record):
-    """Limits of a parameter that is a number of a force element."""
+    """Limits of a multiple of a parameter, which is a number of an element."""
 
     parameter: str = field(text, "what the limit is of")
     element: str = field(text, "the element it belongs to, in words")
@@ -88,6 +88,10 @@ class LimitRow(Record):
     )
     most: float | None = field(number, default=None)
     open: bool = field(flag, "whether the least value itself is refused", default=False)
+    below: bool = field(flag, "whether the most value itself is refused", default=False)
+    nonzero: bool = field(flag, "whether 0 is refused", default=False)
+    scale: float = field(number, "the limit is of this multiple of the parameter", default=1.0)
+    times: float = field(number, "multiple of the parameter that has the least value", default=1.0)
 
 
 class MultiplierRow(Record):

@@ -253,6 +253,11 @@ class ModelFunction(NamedTuple):
         solvers = "x" in self.arguments
         return [name for name in self.arguments if solvers or not ARGUMENTS[name].default]
 
+    @property
+    def renamed(self) -> dict[str, str]:
+        """Blocks that the method has under another name, and this."""
+        return dict(zip(self.required, self.call.split(), strict=False)) | {"wrench": "wrenches"}
+
     def sizes(self, counts: Mapping[str, int]) -> tuple[int, ...]:
         """Shape of the result where counts such as ``nu`` are these."""
         numbers = {digit: int(digit) for digit in "123456"} | dict(counts)

@@ -105,7 +105,7 @@ class Manifest(Record):
         run=NOTHING,
     )
     limits: Sequence[LimitRow] = field(
-        listed(LimitRow), "what parameters may be that are numbers of force elements", default=()
+        listed(LimitRow), "what parameters may be that are numbers of elements", default=()
     )
     multipliers: Sequence[MultiplierRow] = field(
         listed(MultiplierRow), "entries of lam: constraints of position level first", run=()

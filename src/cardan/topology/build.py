@@ -8,11 +8,12 @@ from dataclasses import replace
 from ..elements.forces.force import ForceElement
 from ..elements.forces.gravity.gravitation import Gravitation
 from ..elements.forces.line_load import LineLoad
+from ..elements.limits import NumberLimits, check
 from ..errors import ModelError, TopologyError, near
 from ..ir.function import live
 from ..ir.graph import ZERO, Graph
 from ..scene import checks
-from ..scene.beam import Beam
+from ..scene.beam import UNITS, Beam, Cable
 from ..scene.body import Body
 from ..scene.masses import pulled
 from ..scene.origins import located
@@ -31,7 +32,7 @@ from .loops.closed_forms import closed_forms
 from .loops.legs import Axes
 from .rotors import with_rotors, with_rotors_on
 from .structural_parameters import BuiltIn
-from .system import Atom, Closure, Cut, Force, Named, System
+from .system import Atom, Closure, Cut, Force, Joint, Named, System
 from .tree import rooted_tree
 
 # leaves of expressions that move with the system
@@ -64,8 +65,9 @@ def build(
     try:
         independent_joints = (independent,) if isinstance(independent, str) else independent or ()
         checks.check_distinguishable(model)
+        cables = tuple(model.cables.values())
         model = with_cables(model, _assembled)
-        return _build(model, BuiltIn.of(specialize), branches, independent_joints)
+        return _build(model, cables, BuiltIn.of(specialize), branches, independent_joints)
     except ZeroDivisionError as problem:
         raise ModelError(
             f"{problem}. With specialize= a number that is built in may be 0: leave it free, or "
@@ -80,22 +82,20 @@ def build(
 
 def _build(
     model: SceneRecord,
+    cables: Sequence[Cable],
     built_in: BuiltIn | None,
     branches: Mapping[str, str] | None,
     independent: Collection[str],
     placing: Collection[str] = (),
 ) -> System:
-    scene, rotors = with_rotors(model)
-    scene, nodes = with_beams(scene)
-    nodes.check()
-    convert = Converter(scene, Graph(), built_in)
-    convert.same.update(rotors.same)
+    empty = _empty(model, built_in)
+    scene, convert = empty.model, empty.convert
     inputs = prescribed_motion.declare_inputs(scene, convert)
     with convert.graph.made_by("ground", "gravity"):
         gravity = convert.vector(scene.gravity, "gravity", "m/s^2")
 
     # the tree: bodies, frames, joints and their slots
-    assembly = _grown(Assembly(scene, convert, rotors.place, nodes))
+    assembly = _grown(empty)
     settle(assembly)
     cuts, solved = _circuits(assembly, branches, independent)
     closures, closable = ((), solved) if branches is None else (solved, ())
@@ -105,12 +105,12 @@ def _build(
             assembly.frame(frame, frame.name)
 
     expression_inertias = announcements.check_masses(assembly.unchecked, convert)
-    beams = segments(scene, assembly)
+    beams, limits = segments(scene, assembly)
     if assembly.beams.geometry:
         # where beams are is numbers: so are the parameters that say it
         placing = assembly.beams.geometry
         names = BuiltIn.with_names(built_in, placing)
-        return _build(model, names, branches, independent, placing)
+        return _build(model, cables, names, branches, independent, placing)
     announcements.check_lone_moments(model, assembly, expression_inertias)
 
     # what expressions may speak of, then the expressions
@@ -132,6 +132,7 @@ def _build(
     constraints = tuple([_constraint(scene, convert, name) for name in scene.constraints])
     bodies = tuple([rigid.body(convert.graph) for rigid in assembly.bodies])
     convert.finish()
+    limits += _limits(forces, fields, [*joints, *all_cuts], cables, convert)
     system = System(
         name=scene.name,
         graph=convert.graph,
@@ -156,20 +157,66 @@ def _build(
         shapes=pictures(scene, assembly.numbers),
         snaps=tuple(scene.snaps),
         structural=convert.structural,
+        number_limits=limits,
     )
     return announcements.announce(system, scene, convert, placing)
 
 
+def _limits(
+    forces: Sequence[Force],
+    fields: Mapping[str, Sequence[GravityOnBeam]],
+    joints: Sequence[Joint | Cut],
+    cables: Sequence[Cable],
+    convert: Converter,
+) -> tuple[NumberLimits, ...]:
+    """Limits of the numbers of cables, of joints and of force elements.
+
+    Raises:
+        ModelError: one is exceeded at the defaults.
+    """
+    limits: list[NumberLimits] = []
+    for cable in cables:
+        nodes = {
+            key: (convert.converted(f"{cable.name}.{key}", getattr(cable, key), unit),)
+            for key, unit in UNITS.items()
+        }
+        limits.append(NumberLimits(f"cable '{cable.name}'", cable.limits(), nodes))
+    for joint in joints:
+        data = {key: nodes for key, (*_, nodes) in joint.data.items()}
+        owner = f"joint '{joint.name}' ({joint.element.called})"
+        limits.append(NumberLimits(owner, joint.element.limits(), data))
+    # those that act on several bodies or beams once
+    on_beams = (field for several in fields.values() for field in several)
+    acting: dict[str, tuple[ForceElement, Mapping[str, tuple[int, int, tuple[int, ...]]]]]
+    acting = {field.force: (field.element, field.data) for field in on_beams}
+    acting |= {force.name: (force.element, force.data) for force in forces}
+    for name, (element, quantities) in acting.items():
+        data = {key: nodes for key, (*_, nodes) in quantities.items()}
+        # such as the inertia of a rotor, which is that of a body
+        for limit in element.limits():
+            value = getattr(element, limit.name, None)
+            if limit.name not in data and value is not None:
+                data[limit.name] = (convert.converted(f"{name}.{limit.name}", value, ""),)
+        limits.append(NumberLimits(element.title, element.limits(), data))
+    check(limits, convert.graph, convert.defaults)
+    return tuple(limits)
+
+
 def _assembled(model: SceneRecord) -> Assembly:
     """The bodies of a scene in its reference configuration."""
+    assembly = _empty(model, None)
+    assembly.reference.active = True
+    return _grown(assembly)
+
+
+def _empty(model: SceneRecord, built_in: BuiltIn | None) -> Assembly:
+    """The assembly of a scene, with its rotors and the nodes of its beams, without bodies yet."""
     scene, rotors = with_rotors(model)
     scene, nodes = with_beams(scene)
     nodes.check()
-    convert = Converter(scene, Graph())
+    convert = Converter(scene, Graph(), built_in)
     convert.same.update(rotors.same)
-    assembly = Assembly(scene, convert, rotors.place, nodes)
-    assembly.reference.active = True
-    return _grown(assembly)
+    return Assembly(scene, convert, rotors.place, nodes)
 
 
 def _grown(assembly: Assembly) -> Assembly:

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-from ..elements.quantity import Quantity, Ready, written_unit
+from ..elements.quantity import Quantity, Ready, Value, written_unit
 from ..elements.validation import TOO_DEEP
 from ..errors import ModelError, brief, near
 from ..ir.function import Function, Output, live, operands
@@ -107,6 +107,15 @@ class Converter:
             raise ModelError(f"the name '{name}' stands for two numbers; rename one of its owners")
         self._nodes[name] = self._parameter(name, number, unit)
         return self._nodes[name]
+
+    def converted(self, name: str, value: Value | None, unit: str) -> int:
+        """The node of a number that was converted under this name, or of an expression."""
+        name = self.same.get(name, name)
+        if name in self._nodes:
+            return self._nodes[name]
+        if value is None or is_number(value):
+            return self.graph.const(self.structural.get(name, float(value or 0.0)))
+        return self.expression(value, name, unit)
 
     def defaults(self, nodes: Sequence[int], graph: Graph | None = None) -> list[float]:
         """Values of expressions of the parameters at their defaults.

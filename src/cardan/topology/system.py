@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from ..elements.forces.force import ForceElement
 from ..elements.internal_states import EventSpec
 from ..elements.joints.joint import Joint as JointElement
+from ..elements.limits import NumberLimits
 from ..ir.graph import ZERO, Graph
 from .beams.segment_tables import Segment
 
@@ -334,6 +335,7 @@ class System:
     snaps: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     structural: dict[str, float] = field(default_factory=dict, repr=False)
+    number_limits: tuple[NumberLimits, ...] = field(default=(), repr=False)
 
     def children(self, body: int) -> list[int]:
         """Bodies jointed outboard to a body (-1: to the ground)."""

@@ -185,10 +185,15 @@ def motion(
     rate = float(modes.angular[k])
     phase = 2 * np.pi * periods * np.linspace(0, 1, int(PICTURES * periods) + 1)
     t = phase / (rate or 2 * np.pi)
-    increments = factor * np.exp(1j * phase)[:, None] * shape
-    q = np.array([system.integrate(modes.at.q, step) for step in np.real(increments)])
-    u = np.real(1j * rate * increments)
+    with np.errstate(over="ignore", invalid="ignore"):
+        increments = factor * np.exp(1j * phase)[:, None] * shape
+        q = np.array([system.integrate(modes.at.q, step) for step in np.real(increments)])
+        u = np.real(1j * rate * increments)
     x = np.concatenate([q, u, np.tile(modes.at.z, (len(t), 1))], axis=1)
+    if not np.isfinite(x).all():
+        raise ArgumentError(
+            f"motion: amplitude={factor:g}: states of that size overflow. Give a smaller number"
+        )
     r = np.broadcast_to(modes.at.r, (len(t), len(modes.at.r)))
     description = f"mode {k} at {modes.frequencies[k]:.6g} Hz"
     return TrajectoryRecord.of_states(modes.model, t, x, r, description)

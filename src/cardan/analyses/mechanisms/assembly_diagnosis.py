@@ -11,8 +11,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import ModelError
 from ...runtime.trajectory.closure_errors import residual_unit
-from .branch_advice import guess_advice
-from .branches import OFFSET
+from .branches import OFFSET, guess_advice
 from .mechanism import Mechanism
 from .position_solver import PositionSolver, Solution, missed
 from .redundancy import rank_of

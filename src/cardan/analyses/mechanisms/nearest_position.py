@@ -16,8 +16,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import SolveWarning, warn
 from .assembly_diagnosis import explain
-from .branch_advice import tie_advice
-from .branches import Branch, refuse
+from .branches import Branch, refuse, tie_advice
 from .mechanism import Mechanism
 from .position_solver import PositionSolver, Solution
 from .rounded_loops import rounded

@@ -11,13 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...arguments import checked
 from ...arrays import Array
-from ...errors import SolveWarning, warn
 from ...runtime.calls.evaluation import State
 from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.entries import MultiplierRow
 from .mechanism import Mechanism
-from .self_stress import COMPONENTS, RANK, determined, of_least_norm, passed
+from .self_stress import COMPONENTS, RANK, determined, passed
 
 UNIQUE = 1e-7
 SHARE = 0.2  # entries below this part of the largest are not told
@@ -26,8 +25,6 @@ FORMS = {"p": "translation along {}", "r": "rotation about {}"}
 NEARBY = 1e-3
 DIFFERENCE = {1: 2 / 3, -1: -2 / 3, 2: -1 / 12, -2: 1 / 12}
 ROUNDING = 1e-9
-SHARED = "constraints='perturbed' shares the others by compliance"
-ELASTIC = "with a beam in place of one of its bodies elasticity shares the others"
 
 
 @final
@@ -131,94 +128,6 @@ def redundancy(
         ModelError: an unknown name.
     """
     return report(Mechanism(model, t, r), position(model, q))
-
-
-def doubt(
-    model: LoadedModel, joint: str, q: State, t: ArrayLike, r: State | None
-) -> dict[str, bool]:
-    """Joints of loops, and whether they are determined at the first, middle or last state.
-
-    Where that of the joint itself is not, a warning names all that are not, once; else there are
-    none.
-
-    Args:
-        model: The compiled model.
-        joint: Whose reaction was asked for.
-        q, t, r: States as functions of the model take them (..., nq), (...), (..., nr).
-    """
-    if not bound(model):
-        return {}
-    treatment = model.manifest.scene.treatment
-    rests = any(cut.left_out for cut in model.manifest.cuts)
-    if treatment and not treatment.exact and not rests:
-        return {}
-    states = _states(model, q, t, r)
-    reports: list[Redundancy] = []
-    for k in sorted({0, len(states) // 2, len(states) - 1}) if states else ():
-        m, here = states[k]
-        reports.append(report(m, here))
-        if reports[-1].joints.get(joint, True):
-            return {}
-    if not reports:
-        return {}
-    # one warning for all joints: the others are not asked again
-    last, elastic = reports[-1], rests or model.manifest.absolute
-    open_joints = [n for n in last.components if not any(r.joints.get(n, True) for r in reports)]
-    model._doubted.update(open_joints)
-    warn(
-        f"reactions are not determined in {_components(last, open_joints)}: constraints "
-        f"are redundant, {last.directions[0]}. There those of least norm are given; all other "
-        "components are determined. model.redundancy(q) has the details; "
-        f"{ELASTIC if elastic else SHARED}",
-        SolveWarning,
-    )
-    return {name: name not in open_joints for name in last.components}
-
-
-def least_reaction(
-    model: LoadedModel,
-    joint: str,
-    reactions: Mapping[str, Array],
-    q: State,
-    t: ArrayLike,
-    r: State | None,
-) -> Array:
-    """Reactions (..., 6) of a joint of least norm.
-
-    Args:
-        model: The compiled model.
-        joint: Which.
-        reactions: Of all joints of loops (..., 6).
-        q, t, r: As of :func:`doubt`.
-    """
-    result = np.array(reactions[joint])
-    rows = {name: np.reshape(x, (-1, 6)) for name, x in reactions.items()}
-    flat = result.reshape(-1, 6)
-    for k, (m, here) in enumerate(_states(model, q, t, r)):
-        flat[k] = of_least_norm(m, here, {name: x[k] for name, x in rows.items()})[joint]
-    return result
-
-
-def _states(
-    model: LoadedModel, q: State, t: ArrayLike, r: State | None
-) -> list[tuple[Mechanism, Array]]:
-    """Mechanisms and positions (nq,) of states as functions of the model take them."""
-    states = np.reshape(model._vector("q", q), (-1, model.nq))
-    times = np.broadcast_to(np.ravel(t), len(states)) if np.size(t) > 1 else np.ravel(t)
-    inputs = None if r is None else np.reshape(model._vector("r", r), (-1, model.nr))
-    listed = list[tuple[Mechanism, Array]]()
-    for k, state in enumerate(states):
-        row = None if inputs is None else inputs[min(k, len(inputs) - 1)]
-        listed.append((Mechanism(model, float(times[min(k, len(times) - 1)]), row), state))
-    return listed
-
-
-def _components(redundancy: Redundancy, joints: Sequence[str]) -> str:
-    """Components of reactions that are not determined, with the joints alike in that."""
-    alike: dict[str, list[str]] = {}
-    for name in joints:
-        alike.setdefault(redundancy.released(name), []).append(f"'{name}'")
-    return "; ".join(f"{which} of {', '.join(names)}" for which, names in alike.items())
 
 
 def undetermined(model: LoadedModel, q: Array, t: float = 0.0) -> tuple[str, ...]:

@@ -45,7 +45,7 @@ def _damping_capped(model: LoadedModel, method: Integrator) -> tuple[Integrator,
 def _assembled(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """Tangents of elements in tables are assembled where the elements are."""
     needs = method.called(model.manifest.absolute, bool(model.manifest.z))
-    return replace(method, needs=needs), ""
+    return (method if needs == method.needs else replace(method, needs=needs)), ""
 
 
 def _joint_speeds(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:

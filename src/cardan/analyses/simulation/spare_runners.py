@@ -24,7 +24,7 @@ def spare(
         return None
     # nobody else has it meanwhile
     runner: Runner | None = model._derived.pop((Runner, settings.method.name), None)
-    if runner is None or runner.settings.method is not settings.method:
+    if runner is None or runner.settings.method != settings.method:
         return None
     record, runner.closing = runner.begun
     ctypes.memmove(ctypes.addressof(runner.record), record, len(record))

@@ -12,6 +12,9 @@ from ..quantity import Place, Units, Value
 from .force import LINE, Action, ForceElement, Places, constant
 from .line import PULL, RATE, SPAN, along_line, direction
 
+# of its numbers
+LIMITS = (*positive("EA", "length"), *not_negative("damping"))
+
 
 @dataclass(frozen=True)
 class Cable(ForceElement):
@@ -44,7 +47,7 @@ class Cable(ForceElement):
     damping: Value = 0.0
 
     def limits(self) -> tuple[Limit, ...]:
-        return (*positive("EA", "length"), *not_negative("damping"))
+        return LIMITS
 
     def acts_on(self) -> tuple[str, str]:
         return LINE, "a"

@@ -10,6 +10,7 @@ from ...errors import ModelError, brief
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from ..formulas import Lines
+from ..limits import Limit, not_negative
 from ..quantity import RATIO, JointName, Quantity, Units, Value, quantities_of
 from .force import (
     Action,
@@ -73,20 +74,21 @@ class Drive(ForceElement):
         """Refuse what no drive can be.
 
         Raises:
-            ModelError: negative inertia, no ratio, or damping of a shaft that is rigid.
+            ModelError: damping of a shaft that is rigid.
         """
         who = f"drive on joint {brief(self.joint)}"
-        if isinstance(self.inertia, float) and self.inertia < 0:
-            raise ModelError(f"{who}: inertia is {self.inertia}; give 0 or more [kg m^2]")
-        if self.ratio == 0:
-            raise ModelError(
-                f"{who}: ratio is 0; give the turns of the rotor per turn of the joint"
-            )
         if self.stiffness is None and self.damping != 0:
             raise ModelError(
                 f"{who}: damping belongs to an elastic shaft; give its stiffness too, or use "
                 "friction for the rotor"
             )
+
+    def limits(self) -> tuple[Limit, ...]:
+        ratio = "ratio is {value}; give the turns of the rotor per turn of the joint, not 0"
+        return (
+            *not_negative("inertia", requirement="0 or more [kg m^2]"),
+            Limit("ratio", ratio, nonzero=True),
+        )
 
     def rotor(self) -> RotorBody | None:
         if self.stiffness is None and not self.gyroscopic:

@@ -9,8 +9,8 @@ from typing import ClassVar
 from ...ir.arithmetic import Scalar, cos, sin
 from ...ir.matrix import Matrix
 from ...spatial.axis import complement, unit
+from ..limits import Limit, positive
 from ..quantity import RATIO, Direction, Units, Value
-from ..validation import positive
 from .guided import Guided
 from .joint import Component
 
@@ -45,9 +45,8 @@ class Distance(Guided):
     axis: Direction = "z"
     rotation: str = "quaternion"
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "length", positive("distance", "length", self.length))
-        super().__post_init__()
+    def limits(self) -> tuple[Limit, ...]:
+        return positive("length", requirement="a number above 0 [m]")
 
     @property
     def guides(self) -> tuple[Component, ...]:

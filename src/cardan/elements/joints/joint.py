@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 
 from ...ir.matrix import Matrix
 from ...literature import HasSource
+from ..limits import Limit, judge
 from ..quantity import Direction, Quantity, Units, Value, quantities_of, take
 
 
@@ -115,6 +116,11 @@ class Joint(HasSource, ABC):
 
     def __post_init__(self) -> None:
         take(self, self.called, self.units)
+        judge(self.called, self.limits(), vars(self))
+
+    def limits(self) -> tuple[Limit, ...]:
+        """Limits of its numbers."""
+        return ()
 
     @property
     def called(self) -> str:

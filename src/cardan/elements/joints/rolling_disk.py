@@ -7,8 +7,8 @@ from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
+from ..limits import Limit, positive
 from ..quantity import RATIO, Direction, Units, Value
-from ..validation import positive
 from .joint import Component
 from .rolling import Rolling
 
@@ -42,9 +42,8 @@ class RollingDisk(Rolling):
     normal: Direction = "z"
     knife_edge: bool = False
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "radius", positive("rolling disk", "radius", self.radius))
-        super().__post_init__()
+    def limits(self) -> tuple[Limit, ...]:
+        return positive("radius", requirement="a number above 0 [m]")
 
     def radii(self, data: dict[str, Matrix]) -> tuple[Scalar, Scalar]:
         radius = data["radius"][0]

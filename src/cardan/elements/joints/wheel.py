@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ...errors import ModelError
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
+from ..limits import Limit, not_negative, positive
 from ..quantity import RATIO, Direction, Units, Value
-from ..validation import is_expression, positive
 from .joint import Component
 from .rolling import Rolling
 
@@ -47,15 +46,13 @@ class Wheel(Rolling):
     normal: Direction = "z"
     lateral_slip: bool = False
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "radius", positive("wheel", "radius", self.radius))
-        super().__post_init__()
-        numeric = not is_expression(self.crown)
-        largest = self.radius if numeric and not is_expression(self.radius) else float("inf")
-        if numeric and not 0 <= self.crown <= largest:
-            raise ModelError(
-                f"wheel: crown is {self.crown}; give a length from 0 to the radius {self.radius}"
-            )
+    def limits(self) -> tuple[Limit, ...]:
+        crown = "crown is {other}; give a length from 0 to the radius {value}"
+        return (
+            *positive("radius", requirement="a number above 0 [m]"),
+            *not_negative("crown", requirement="a length from 0 to the radius [m]"),
+            Limit("radius", crown, other="crown"),
+        )
 
     def radii(self, data: dict[str, Matrix]) -> tuple[Scalar, Scalar]:
         radius, crown = data["radius"][0], data["crown"][0]

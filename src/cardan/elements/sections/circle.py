@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
+from ..limits import Limit
 from ..quantity import Pair, Units, Value
 from .section import Data, Numbers, Outline, Section, SectionProperties, corrections, made_of
 
@@ -39,8 +40,8 @@ class Circle(Section):
         shear = corrections(data, k, k)
         return made_of(math.pi * square, (second, second), 2 * second, shear, material)
 
-    def complaint(self, values: Numbers) -> str:
-        return ""
+    def relations(self) -> tuple[Limit, ...]:
+        return ()
 
     def outline(self, values: Numbers) -> Outline:
         return Outline(values["radius"], values["radius"], round=True)

@@ -6,9 +6,9 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ..quantity import Units, Value
-from ..validation import positive
-from .section import Data, Numbers, Outline, Section, SectionProperties, inertias, pair
+from ..limits import Limit
+from ..quantity import Pair, Units, Value
+from .section import Data, Numbers, Outline, Section, SectionProperties
 
 
 @dataclass(frozen=True)
@@ -38,20 +38,11 @@ class General(Section):
     }
     shaped: ClassVar[bool] = False
     EA: Value
-    GA: Value
+    GA: Pair
     GJ: Value
-    EI: Value
+    EI: Pair
     rhoA: Value = 0
-    rhoI: Value = 0
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "EA", positive("general", "EA", self.EA))
-        object.__setattr__(self, "GA", pair("general", "GA", self.GA))
-        object.__setattr__(self, "GJ", positive("general", "GJ", self.GJ))
-        object.__setattr__(self, "EI", pair("general", "EI", self.EI))
-        # massless beams are allowed
-        for name in ("rhoA", "rhoI"):
-            object.__setattr__(self, name, inertias("general", name, getattr(self, name)))
+    rhoI: Pair = 0
 
     def stiffness(self, data: Data, material: Data) -> SectionProperties:
         return SectionProperties(
@@ -66,8 +57,8 @@ class General(Section):
             rhoI3=data["rhoI.e3"],
         )
 
-    def complaint(self, values: Numbers) -> str:
-        return ""
+    def relations(self) -> tuple[Limit, ...]:
+        return ()
 
     def outline(self, values: Numbers) -> Outline:
         # that of a full round bar of this stiffness

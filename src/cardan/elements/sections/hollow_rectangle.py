@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
+from ..limits import Limit
 from ..quantity import Pair, Units, Value
 from .section import Data, Numbers, Outline, Section, SectionProperties, corrections, made_of
 
@@ -53,13 +54,14 @@ class HollowRectangle(Section):
         shear = corrections(data, _shear(mid_h, mid_w, nu), _shear(mid_w, mid_h, nu))
         return made_of(w * h - inner_w * inner_h, second, torsion, shear, material)
 
-    def complaint(self, values: Numbers) -> str:
-        least = min(values["width"], values["height"])
-        if 2 * values["thickness"] < least:
-            return ""
-        return (
-            f"walls of {values['thickness']:g} m leave no room in a hollow_rectangle of "
-            f"{least:g} m; a full one is a rectangle"
+    def relations(self) -> tuple[Limit, ...]:
+        message = (
+            "two walls, {other} m together, leave no room in a hollow_rectangle of {value} m; a "
+            "full one is a rectangle"
+        )
+        return tuple(
+            Limit(side, message, open=True, other="thickness", times=2.0)
+            for side in ("width", "height")
         )
 
     def outline(self, values: Numbers) -> Outline:

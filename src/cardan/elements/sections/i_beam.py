@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from ..limits import Limit
 from ..quantity import Pair, Units, Value
 from .section import (
     Data,
@@ -74,15 +75,13 @@ class IBeam(Section):
         shear = corrections(data, along_flanges, along_web)
         return made_of(area, second, torsion, shear, material)
 
-    def complaint(self, values: Numbers) -> str:
-        if 2 * values["flange"] >= values["height"]:
-            return (
-                f"two flanges of {values['flange']:g} m leave no web in a height of "
-                f"{values['height']:g} m"
-            )
-        if values["web"] > values["width"]:
-            return f"the web of {values['web']:g} m is wider than the flanges"
-        return ""
+    def relations(self) -> tuple[Limit, ...]:
+        flanges = "two flanges, {other} m together, leave no web in a height of {value} m"
+        web = "the web of {other} m is wider than the flanges of {value} m"
+        return (
+            Limit("height", flanges, open=True, other="flange", times=2.0),
+            Limit("width", web, other="web"),
+        )
 
     def outline(self, values: Numbers) -> Outline:
         e2, e3, web = values["width"] / 2, values["height"] / 2, values["web"] / 2

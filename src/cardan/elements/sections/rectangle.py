@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
+from ..limits import Limit
 from ..quantity import Pair, Units, Value
 from .section import (
     Data,
@@ -56,8 +57,8 @@ class Rectangle(Section):
         k = rectangle_shear(material["nu"])
         return made_of(area, second, torsion(width, height), corrections(data, k, k), material)
 
-    def complaint(self, values: Numbers) -> str:
-        return ""
+    def relations(self) -> tuple[Limit, ...]:
+        return ()
 
     def outline(self, values: Numbers) -> Outline:
         return Outline(values["width"] / 2, values["height"] / 2)

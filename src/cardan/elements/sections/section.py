@@ -11,14 +11,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
-from ...errors import ModelError
 from ...ir.arithmetic import Scalar
 from ...literature import HasSource
+from ..limits import Limit, judge, not_negative, positive
 from ..quantity import Pair, Quantity, Units, annotated, quantities_of
-from ..validation import is_expression, number, positive, vector
+from ..validation import number, vector
 
 Data = Mapping[str, "Scalar"]
 Numbers = Mapping[str, float]
+# what may be 0: beams without mass are allowed
+INERTIAS = ("rhoA", "rhoI")
 
 
 @dataclass(frozen=True)
@@ -67,10 +69,15 @@ class Section(HasSource, ABC):
     def __post_init__(self) -> None:
         pairs = annotated(self, "Pair")
         for name in self.units:
-            check = pair if name in pairs else positive
-            if name == "rhoI":
-                check = inertias
+            check = pair if name in pairs else number
             object.__setattr__(self, name, check(self.kind, name, getattr(self, name)))
+        judge(self.kind, self.limits(), vars(self))
+
+    def limits(self) -> tuple[Limit, ...]:
+        """Limits of its numbers."""
+        inertias = [name for name in self.units if name in INERTIAS]
+        sizes = [name for name in self.units if name not in INERTIAS]
+        return (*positive(*sizes), *not_negative(*inertias), *self.relations())
 
     def quantities(self) -> dict[str, Quantity]:
         """The user's values by name; become ``data``."""
@@ -96,8 +103,8 @@ class Section(HasSource, ABC):
         return replace(properties, rhoI2=data["rhoI.e2"], rhoI3=data["rhoI.e3"])
 
     @abstractmethod
-    def complaint(self, values: Numbers) -> str:
-        """Why no section has these numbers; "" where one may."""
+    def relations(self) -> tuple[Limit, ...]:
+        """Limits of its numbers against each other."""
 
     @abstractmethod
     def outline(self, values: Numbers) -> Outline:
@@ -140,7 +147,7 @@ def corrections(data: Data, e2: Scalar, e3: Scalar) -> tuple[Scalar, Scalar]:
 
 
 def pair(owner: str, name: str, value: object) -> Pair:
-    """One positive number for both directions, or two; None stays.
+    """One number for both directions, or two; None stays.
 
     Raises:
         ModelError: neither.
@@ -148,10 +155,7 @@ def pair(owner: str, name: str, value: object) -> Pair:
     if value is None:
         return None
     listed = hasattr(value, "tolist") or isinstance(value, (list, tuple))
-    if not listed:
-        return positive(owner, name, value)
-    two = vector(owner, name, value, 2)
-    return tuple(positive(owner, f"{name}[{k}]", x) for k, x in enumerate(two))
+    return vector(owner, name, value, 2) if listed else number(owner, name, value)
 
 
 def rectangle_shear(nu: Scalar) -> Scalar:
@@ -160,19 +164,3 @@ def rectangle_shear(nu: Scalar) -> Scalar:
     Source: G. R. Cowper, The shear coefficient in Timoshenko's beam theory, 1966.
     """
     return 10 * (1 + nu) / (12 + 11 * nu)
-
-
-def inertias(owner: str, name: str, value: object) -> Pair:
-    """One number for both directions, or two, 0 or more: what has none of them still has mass.
-
-    Raises:
-        ModelError: neither, or one below 0.
-    """
-    if value is None:
-        return None
-    listed = hasattr(value, "tolist") or isinstance(value, (list, tuple))
-    entries = vector(owner, name, value, 2) if listed else (number(owner, name, value),)
-    for entry in entries:
-        if not is_expression(entry) and entry < 0:
-            raise ModelError(f"{owner}: {name} is {entry:g}; give 0 or more")
-    return entries if listed else entries[0]

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
+from ..limits import Limit
 from ..quantity import Pair, Units, Value
 from .section import Data, Numbers, Outline, Section, SectionProperties, corrections, made_of
 
@@ -42,13 +43,9 @@ class Tube(Section):
         shear = corrections(data, k, k)
         return made_of(math.pi * (outer - inner), (second, second), 2 * second, shear, material)
 
-    def complaint(self, values: Numbers) -> str:
-        if values["inner"] < values["outer"]:
-            return ""
-        return (
-            f"the inner radius {values['inner']:g} m of the tube is not below the outer "
-            f"{values['outer']:g} m"
-        )
+    def relations(self) -> tuple[Limit, ...]:
+        message = "the inner radius {other} m of the tube is not below the outer {value} m"
+        return (Limit("outer", message, open=True, other="inner"),)
 
     def outline(self, values: Numbers) -> Outline:
         return Outline(values["outer"], values["outer"], round=True)

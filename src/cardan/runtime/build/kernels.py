@@ -102,7 +102,7 @@ def install(place: Path, levels: Sequence[Level], by: Compiler, say: Callable[[s
     for variant, name in zip(work, names, strict=True):
         objects[variant.by.level.name][variant.name] = name
     cache.publish(place / prebuilt.INDEX, prebuilt.Index.of(by.identity, chooser, objects).text())
-    prebuilt.current.cache_clear()
+    prebuilt.reread()
     _library.cache_clear()
     for path in place.iterdir():
         if path.name not in (chooser, *names, prebuilt.INDEX):

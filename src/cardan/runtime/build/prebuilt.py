@@ -139,16 +139,23 @@ def current() -> Index | None:
     return index if index and index.sources == digest() else None
 
 
+def reread() -> None:
+    """Look again at what is installed."""
+    current.cache_clear()
+    level_object.cache_clear()
+
+
 def library(level: Level, variant: Variant) -> Path | None:
     """The object of a variant, if it was compiled for this level."""
     index = current()
     return _there(index.objects.get(level.name, {}).get(variant.name)) if index else None
 
 
+@lru_cache(maxsize=1)
 def level_object() -> Path | None:
     """The object that tells the level of this processor, if it was compiled of this source.
 
-    Every process asks for it, also those that use no other kernel: these are not read.
+    Every run asks for it, also in processes that use no other kernel: these are not read.
     """
     index = _index()
     return _there(index.level) if index and index.level_source == digest(LEVEL) else None

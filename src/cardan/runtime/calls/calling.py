@@ -26,7 +26,7 @@ class Argument:
     """An argument of a compiled function as Python sees it.
 
     Attributes:
-        name: As in the signature: ``q``, ``x``, ...
+        name: Of its block: ``q``, ``x``, ...
         shape: Trailing axes: () for t, (nq,) for q, (parts, 6) for wrench.
         entries: Name of every number of it.
         blocks: (slot in cardan_in, first number) of every input block it fills.
@@ -34,6 +34,7 @@ class Argument:
         what: What the entries are called in errors.
         places: Where named entries lie, for values given by name.
         start: The entries that are not named then.
+        label: What the signature calls it, for errors; as the block if empty.
     """
 
     name: str
@@ -44,10 +45,14 @@ class Argument:
     what: str = "entries"
     places: Mapping[str, slice] = field(default_factory=dict, repr=False)
     start: Array | None = None
+    label: str = ""
 
     @cached_property
     def size(self) -> int:
         return prod(self.shape)
+
+    def __str__(self) -> str:
+        return self.label or self.name
 
 
 class Caller:
@@ -124,8 +129,6 @@ class Caller:
         strides = [0] * len(ORDER)
         argument_arrays: list[tuple[Argument, Array]] = []
         for argument, array in zip(self.arguments, arrays, strict=True):
-            if array is None:
-                continue
             flat, stride = _rows(array, lead, argument.shape)
             argument_arrays.append((argument, flat))
             for slot, first in argument.blocks:
@@ -172,29 +175,28 @@ class Caller:
             return self.evaluator.run(blocks, strides, rows)
         return abi.run(self.address, blocks, strides, len(rows), rows, self.work_size)
 
-    def _read(self, argument: Argument, value: object) -> Array | None:
+    def _read(self, argument: Argument, value: object) -> Array:
         """The value as float64 with the trailing axes of the argument."""
         if value is None:
             if argument.default is None and argument.size:
-                raise ArgumentError(f"{self.name} needs {argument.name}=")
-            return argument.default
+                raise ArgumentError(f"{self.name} needs {argument}=")
+            return np.zeros(argument.shape) if argument.default is None else argument.default
         if isinstance(value, Mapping) and argument.start is not None:
-            return by_name(f"{self.name}, {argument.name}", argument, value)
-        array = numbers(f"{self.name}: {argument.name}", value)
+            return by_name(f"{self.name}, {argument}", argument, value)
+        array = numbers(f"{self.name}: {argument}", value)
         n = len(argument.shape)
         if array.ndim < n or array.shape[array.ndim - n :] != argument.shape:
             raise ArgumentError(
-                f"{self.name}: {argument.name} has shape {array.shape}, expected "
+                f"{self.name}: {argument} has shape {array.shape}, expected "
                 f"{_shape_text(argument.shape)}{_listed(argument)}"
             )
         return array
 
-    def _lead(self, arrays: Sequence[Array | None], w: Array | None) -> tuple[int, ...]:
+    def _lead(self, arrays: Sequence[Array], w: Array | None) -> tuple[int, ...]:
         """Common leading axes of all values."""
         shapes = {
-            a.name: x.shape[: x.ndim - len(a.shape)]
+            str(a): x.shape[: x.ndim - len(a.shape)]
             for a, x in zip(self.arguments, arrays, strict=True)
-            if x is not None
         }
         if w is not None:
             shapes["parameters"] = w.shape[:-1]
@@ -208,8 +210,7 @@ class Caller:
         at = f" at state {state}" if flat.size > argument.size else ""
         named = f" of {argument.entries[entry]}" if argument.shape else ""
         raise SolveError(
-            f"{self.name}: {argument.name}{named} is {flat[bad]}{at}. "
-            "Every number given must be finite"
+            f"{self.name}: {argument}{named} is {flat[bad]}{at}. Every number given must be finite"
         )
 
     def check_result(self, result: Array, status: int, failed: int, single: bool) -> None:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,6 +22,17 @@ Values = Mapping[str, ArrayLike]
 State = ArrayLike | Values
 
 
+class Undetermined(Protocol):
+    """States at which the reaction of a joint is not determined."""
+
+    @property
+    def joints(self) -> Sequence[str]:
+        """Names of all joints of loops."""
+
+    def least(self, reactions: Mapping[str, Array]) -> Array:
+        """The reaction (..., 6) with least norm there, from those of all joints of loops."""
+
+
 class Evaluation(ABC):
     """Functions on states; ``...`` are leading axes that broadcast.
 
@@ -30,9 +41,6 @@ class Evaluation(ABC):
     """
 
     _calls: Mapping[Key, Any]
-    # joints whose reaction was looked at, and those of redundant loops: whether it is determined
-    _doubted: set[str]
-    _loop_joints: dict[str, bool]
 
     @abstractmethod
     def _evaluate(
@@ -62,19 +70,20 @@ class Evaluation(ABC):
             what = kind or "frame"
             raise ModelError(f"{name}: {what} '{of}' does not exist.{near(of, names)}")
 
-    def _doubt(self, joint: str, q: State, t: ArrayLike, r: State | None) -> dict[str, bool]:
-        """Joints of loops, and whether their reactions are determined at states; a warning where
-        that of this joint is not.
+    def _undetermined(
+        self,
+        joint: str,
+        lead: tuple[int, ...],
+        q: State,
+        t: ArrayLike,
+        r: State | None,
+        parameters: Values | None,
+    ) -> Undetermined | None:
+        """The states at which the reaction of a joint is not determined, after a warning.
 
         What tells it is an analysis: models that know analyses do.
         """
-        return {}
-
-    def _least_reaction(
-        self, joint: str, reactions: Mapping[str, Array], q: State, t: ArrayLike, r: State | None
-    ) -> Array:
-        """The reaction of least norm of a joint; likewise."""
-        return reactions[joint]
+        return None
 
     @abstractmethod
     def _vector(self, block: str, value: object) -> Array:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from typing import final
 
@@ -10,6 +11,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...schema.blocks import ARGUMENTS, SLOT
+from ...schema.functions import FUNCTIONS
 from ...schema.manifest import Manifest
 from ...schema.mechanism import JointRow
 from ...schema.request import reads
@@ -135,4 +137,8 @@ class Layout:
 
     def reads(self, function: str, of: str | None = None) -> list[Argument]:
         """Arguments of a function in their order."""
-        return [self.arguments[name] for name in reads(function, of)]
+        renamed = FUNCTIONS[function].renamed if function in FUNCTIONS else {}
+        return [
+            replace(self.arguments[name], label=renamed.get(name, name))
+            for name in reads(function, of)
+        ]

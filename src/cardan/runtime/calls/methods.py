@@ -144,7 +144,7 @@ def _is_code(value: object) -> TypeGuard[CodeType]:
 
 def _body(row: ModelFunction, names: Sequence[str]) -> ast.expr:
     """Call the C where it knows all arguments that are used, else :func:`_general`."""
-    renamed = dict(zip(row.required, row.call.split(), strict=False)) | {"wrench": "wrenches"}
+    renamed = row.renamed
     blocks: list[ast.expr] = [_name(renamed.get(block, block)) for block in row.arguments]
     none = ast.Constant(None)
     key = ast.Tuple([ast.Constant(row.name), _name(row.of) if row.of else none], ast.Load())
@@ -244,6 +244,13 @@ def _pushed_rhs(model: Evaluation, key: Key, blocks: ByName, call: ByName) -> Ar
 def _pushed_reaction(model: Evaluation, key: Key, blocks: ByName, call: ByName) -> Array:
     outside.refuse_ground(model, call["wrenches"], call["joint"])
     place = {name: call[name] for name in ("r", "t", "parameters")}
+    if model.manifest.absolute:
+        # elements know nothing of outer wrenches: a body moves under them, and its joint bears them
+        direct = outside.outboard(model, call["wrenches"], call["joint"], call["q"], **place)
+        tau, more = call["tau"], _generalized(model, call)
+        tau = more if tau is None else model._vector("tau", tau) + more
+        values = tuple((blocks | {"tau": tau, "wrench": None}).values())
+        return model._evaluate(key, values, call["parameters"], None) - direct
     wrench = outside.by_part(model, call["wrenches"], call["q"], **place)
     values = tuple((blocks | {"wrench": wrench}).values())
     return model._evaluate(key, values, call["parameters"], None)
@@ -288,16 +295,14 @@ def _of_least_norm(
     if not (model.manifest.multipliers or model.manifest.cuts):
         return result
     r, z, s, t, parameters = more
-    if joint not in model._doubted:
-        model._doubted.add(joint)
-        model._loop_joints |= model._doubt(joint, q, t, r)
-    if model._loop_joints.get(joint, True):
+    undetermined = model._undetermined(joint, result.shape[:-1], q, t, r, parameters)
+    if undetermined is None:
         return result
     call = {"q": q, "u": u, "tau": tau, "wrenches": wrenches, "r": r, "z": z, "s": s, "t": t}
     blocks = {name: call.get(name) for name in FUNCTIONS["reaction"].arguments}
     reactions = {joint: result}
-    for name in model._loop_joints:
+    for name in undetermined.joints:
         if name != joint:
             every = call | {"parameters": parameters, "joint": name}
             reactions[name] = _general(model, ("reaction", name), blocks, every)
-    return into(model._least_reaction(joint, reactions, q, t, r), result)
+    return into(undetermined.least(reactions), result)

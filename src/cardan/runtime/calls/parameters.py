@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arrays import Array
 from ...errors import ModelError, named, near
+from ...schema.entries import LimitRow
 from ...schema.manifest import Manifest
 from .calling import common, numbers
 
@@ -24,7 +25,7 @@ class Parameters(Mapping[str, float]):
             [row.default for row in self._rows] if values is None else values, dtype=np.float64
         )
         self._values.flags.writeable = False
-        self._limits = manifest.limits
+        self._limits = ParameterLimits(manifest.limits, self._place)
         self.judge(self._values)
 
     @property
@@ -69,7 +70,7 @@ class Parameters(Mapping[str, float]):
         return result
 
     def judge(self, values: Array) -> None:
-        """Refuse numbers that force elements cannot have.
+        """Refuse numbers that elements cannot have.
 
         Args:
             values: (..., np), in the order of the manifest.
@@ -77,20 +78,8 @@ class Parameters(Mapping[str, float]):
         Raises:
             ModelError: what the element said where the scene was written.
         """
-        for limit in self._limits:
-            value, least = values[..., self._place[limit.parameter]], limit.least
-            low = values[..., self._place[least]] if isinstance(least, str) else least
-            low = np.full_like(value, -np.inf if low is None else low)
-            bad = (value < low) | (value > (np.inf if limit.most is None else limit.most))
-            if limit.open:
-                bad |= value == low
-            if bad.any():
-                one = tuple(np.argwhere(bad)[0])
-                message = limit.message.replace("{value}", f"{value[one]:g}")
-                message = message.replace("{other}", f"{low[one]:g}")
-                where = f" at {tuple(map(int, one))}" if one else ""
-                name = limit.parameter
-                raise ModelError(f"parameter '{name}'{where}: {limit.element}: {message}")
+        for k in np.flatnonzero(self._limits.exceeded(values)):
+            self._limits.refuse(int(k), values)
 
     def checked(self, name: str, value: ArrayLike, what: str = "value") -> Array:
         """Values (...) that a parameter may have; ``what`` one of several is, for messages.
@@ -120,3 +109,66 @@ class Parameters(Mapping[str, float]):
                 f"parameter '{name}' is a mass and cannot be {array[tuple(bad)]:g} kg{where}"
             )
         return array
+
+
+class ParameterLimits:
+    """Rows of limits as arrays.
+
+    Args:
+        rows: Of the manifest.
+        places: Name of a parameter -> its entry in the vector of all.
+    """
+
+    def __init__(self, rows: Sequence[LimitRow], places: Mapping[str, int]) -> None:
+        self._rows = rows
+        self._parameter = np.array([places[row.parameter] for row in rows], dtype=int)
+        self._scale = np.array([row.scale for row in rows])
+        # one row of values gives either the least number or the parameter that has it
+        named = [row.least if isinstance(row.least, str) else None for row in rows]
+        self._other = np.array([0 if name is None else places[name] for name in named], dtype=int)
+        pairs = zip(rows, named, strict=True)
+        self._times = np.array([0.0 if name is None else row.times for row, name in pairs])
+        self._least = np.array([_least(row) for row in rows])
+        self._most = np.array([np.inf if row.most is None else row.most for row in rows])
+        self._open = np.array([row.open for row in rows], dtype=bool)
+        self._below = np.array([row.below for row in rows], dtype=bool)
+        self._nonzero = np.array([row.nonzero for row in rows], dtype=bool)
+
+    def exceeded(self, values: Array) -> Array:
+        """Which limits are exceeded by any of the vectors (..., np)."""
+        if not self._rows:
+            return np.zeros(0, dtype=bool)
+        bad = self._bad(values)
+        return np.asarray(bad.any(axis=tuple(range(bad.ndim - 1))))
+
+    def refuse(self, k: int, values: Array) -> None:
+        """Refuse the first vector that exceeds a limit.
+
+        Raises:
+            ModelError: what the element said where the scene was written.
+        """
+        row = self._rows[k]
+        one = tuple(map(int, np.argwhere(self._bad(values)[..., k])[0]))
+        value, low = (x[(*one, k)] for x in self._numbers(values))
+        message = row.message.replace("{value}", f"{value:g}").replace("{other}", f"{low:g}")
+        where = f" at {one}" if one else ""
+        raise ModelError(f"parameter '{row.parameter}'{where}: {row.element}: {message}")
+
+    def _numbers(self, values: Array) -> tuple[Array, Array]:
+        """The quantities, and what they may be least (..., number of limits)."""
+        quantities = values[..., self._parameter] * self._scale
+        return quantities, self._least + values[..., self._other] * self._times
+
+    def _bad(self, values: Array) -> Array:
+        quantities, low = self._numbers(values)
+        bad = (quantities < low) | (quantities > self._most)
+        bad |= self._open & (quantities == low)
+        bad |= self._below & (quantities == self._most)
+        return np.asarray(bad | (self._nonzero & (quantities == 0)))
+
+
+def _least(row: LimitRow) -> float:
+    """The least number; 0 where a parameter has it, and -inf where there is none."""
+    if isinstance(row.least, str):
+        return 0.0
+    return -np.inf if row.least is None else row.least

@@ -78,8 +78,6 @@ class LoadedModel(Description):
         self._layout = layout or Layout(self._objects.manifest)
         self._parameters = parameters
         self._functions: dict[Key, LoadedFunction] = {}
-        self._doubted: set[str] = set()
-        self._loop_joints: dict[str, bool] = {}
         # of the mechanism with these parameters, once it is known
         self._size: float | None = None
         # what has been found out about it, by what it is

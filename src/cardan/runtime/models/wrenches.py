@@ -97,6 +97,47 @@ def by_part(model: Evaluation, wrenches: Mapping[str, ArrayLike], q: Any, **rest
     return result
 
 
+def outboard(
+    model: Evaluation,
+    wrenches: Mapping[str, ArrayLike],
+    joint: str,
+    q: State,
+    r: State | None,
+    t: ArrayLike,
+    parameters: Values | None,
+) -> Array:
+    """Sum (..., 6) of wrenches on bodies outboard of a joint of a rigid tree, at its child frame.
+
+    In absolute coordinates; reactions of other joints follow from multipliers alone.
+
+    Raises:
+        ModelError: the joint has no speeds that tell which bodies these are.
+    """
+    total: Array = np.zeros(6)
+    elements = model.manifest.elements
+    if joint not in elements.tree_joints:
+        return total
+    joints = model.manifest.joints
+    first, count = next((row.slot("u") for row in joints if row.name == joint), (0, 0))
+    if not count or any(row.solved for row in joints):
+        raise ModelError(
+            f"reaction('{joint}'): which bodies are outboard of it is not known beside beams, so "
+            "wrenches= would not be counted. Put them into the scene as a Force and a Torque"
+        )
+    pose = _at(model, "pose", elements.reaction_frames[joint], q, r, t, parameters)
+    for frame, wrench in read_wrenches(model, wrenches).items():
+        jacobian = _at(model, "frame_jacobian", frame, q, r, t, parameters)
+        moves = np.any(jacobian[..., first : first + count] != 0, axis=(-1, -2))
+        arm = _at(model, "pose", frame, q, r, t, parameters)[..., :3, 3] - pose[..., :3, 3]
+        force = np.broadcast_to(
+            wrench[..., 3:], np.broadcast_shapes(arm.shape, wrench[..., 3:].shape)
+        )
+        pair = np.stack([wrench[..., :3] + np.cross(arm, force), force], axis=-2)
+        there = np.einsum("...ji,...kj->...ki", pose[..., :3, :3], pair)
+        total = total + np.where(moves[..., None], there.reshape(*there.shape[:-2], 6), 0.0)
+    return total
+
+
 def force_part(name: str, rows: Sequence[ForceRow]) -> int | slice | None:
     """Entry or entries of ``element_forces`` that ``<element>.force`` or ``.moment`` names.
 

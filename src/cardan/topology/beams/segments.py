@@ -6,8 +6,9 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from ...elements import material as materials
 from ...elements.forces.line_load import LineLoad
+from ...elements.limits import NumberLimits, check
+from ...elements.material import LIMITS
 from ...elements.sections.section import Outline, SectionProperties
 from ...errors import ModelError, near
 from ...ir.arithmetic import Scalar
@@ -28,14 +29,21 @@ PAIRS = ("shear", "GA", "EI", "rhoI")
 LOADS = ("dead_force", "dead_moment", "follower_force", "follower_moment")
 
 
-def segments(scene: SceneRecord, assembly: Assembly) -> tuple[Segment, ...]:
+def segments(
+    scene: SceneRecord, assembly: Assembly
+) -> tuple[tuple[Segment, ...], tuple[NumberLimits, ...]]:
     """The segments of all beams without loads, in the order of the beams, from start to end.
+
+    Returns:
+        The segments, and the limits of the numbers of their sections and materials.
 
     Raises:
         ModelError: numbers that no beam has.
     """
     materials = [_properties(beam, assembly.convert) for beam in scene.beams.values()]
-    outlines = _checked(materials, assembly.convert)
+    limits = tuple(one for beam in materials for one in _limits(beam))
+    check(limits, assembly.graph, assembly.convert.defaults)
+    outlines = _outlines(materials, assembly.convert)
     segments_built: list[Segment] = []
     for one, outline in zip(materials, outlines, strict=True):
         beam, laid = one.beam, assembly.beams.laid(one.beam)
@@ -48,7 +56,7 @@ def segments(scene: SceneRecord, assembly: Assembly) -> tuple[Segment, ...]:
             )
             for k, line in enumerate(laid.lines)
         ]
-    return tuple(segments_built)
+    return tuple(segments_built), limits
 
 
 def settle(assembly: Assembly) -> None:
@@ -133,33 +141,39 @@ def _material(beam: Beam, convert: Converter) -> dict[str, Scalar]:
     return constants
 
 
-def _checked(properties: Sequence[BeamProperties], convert: Converter) -> list[Outline]:
-    """Outlines of the sections, whose numbers at the values of the parameters are possible ones.
+def _limits(properties: BeamProperties) -> tuple[NumberLimits, NumberLimits]:
+    """Limits of the numbers of a section and of a material, as they were written."""
+    beam, section = properties.beam, dict[str, tuple[int, ...]]()
+    for key, value in properties.section.items():
+        name = key.partition(".")[0]
+        section[name] = (*section.get(name, ()), value.node)
+    material = {name: (properties.material[name].node,) for name in beam.material.quantities()}
+    return (
+        NumberLimits(f"beam '{beam.name}': {beam.section.kind}", beam.section.limits(), section),
+        NumberLimits(f"beam '{beam.name}': material", LIMITS, material),
+    )
+
+
+def _outlines(properties: Sequence[BeamProperties], convert: Converter) -> list[Outline]:
+    """Outlines of the sections at the defaults of the parameters.
 
     Raises:
-        ModelError: those of a beam are not.
+        ModelError: a stiffness of a beam is not a positive number there.
     """
     # all at once: a walk through the graph for each of many beams would take long
-    named = [
-        each for one in properties for each in (one.section, one.material, vars(one.stiffness))
-    ]
+    named = [each for one in properties for each in (one.section, vars(one.stiffness))]
     values = iter(convert.defaults([x.node for each in named for x in each.values()]))
     values_of_beam = iter([{key: next(values) for key in each} for each in named])
     outlines = []
     for one in properties:
-        section, material, stiffness = (
-            next(values_of_beam),
-            next(values_of_beam),
-            next(values_of_beam),
-        )
-        material = {key: material[key] for key in one.beam.material.quantities()}
-        problem = one.beam.section.complaint(section) or materials.complaint(material)
+        section, stiffness = next(values_of_beam), next(values_of_beam)
         for name, value in stiffness.items():
             least = 0.0 if name.startswith("rho") else math.ulp(0.0)
-            if not problem and not (math.isfinite(value) and value >= least):
-                problem = f"{name} comes out as {value:g}; check the numbers of its section"
-        if problem:
-            raise ModelError(f"beam '{one.beam.name}': {problem}")
+            if not (math.isfinite(value) and value >= least):
+                raise ModelError(
+                    f"beam '{one.beam.name}': {name} comes out as {value:g}; check the numbers of "
+                    "its section"
+                )
         outline = one.beam.section.outline(section)
         outlines.append(outline)
     return outlines

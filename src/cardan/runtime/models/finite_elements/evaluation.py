@@ -94,8 +94,9 @@ class Results:
         blocks: dict[str, Any] = {n: inputs[n][:k] for n, k in sizes.items() if n in inputs and k}
         return State(t=float(inputs["t"][0]) if "t" in inputs else 0.0, **(blocks | more))
 
-    def _small(self, name: str) -> None:
-        if self.tables.nu > LARGEST:
+    def _small(self, name: str, rows: int) -> None:
+        """Refuse a full matrix (rows, nu) with more entries than one has of LARGEST speeds."""
+        if rows * self.tables.nu > LARGEST**2:
             raise ModelError(
                 f"{name}: model '{self.name}' has {self.tables.nu} speeds, too many for a full "
                 "matrix. model.equilibrium() and model.modes() take sparse ones"
@@ -130,7 +131,7 @@ class Results:
 
     def mass_matrix(self, inputs: Inputs) -> Array:
         """M (nu, nu) [kg m^2, kg m or kg]."""
-        self._small("mass_matrix")
+        self._small("mass_matrix", self.tables.nu)
         full: Array = self.mesh.tangent(self._at(inputs))["M"].toarray()
         return full
 
@@ -150,7 +151,7 @@ class Results:
 
     def constraint_jacobian(self, inputs: Inputs) -> Array:
         """G (m, nu) [1, m or 1/m]."""
-        self._small("constraint_jacobian")
+        self._small("constraint_jacobian", self.tables.m)
         full: Array = self.mesh.tangent(self._at(inputs))["G"].toarray()
         return full
 
