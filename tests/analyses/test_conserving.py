@@ -167,6 +167,20 @@ def test_what_does_not_conserve_is_named() -> None:
         cd.compile(damped).simulate(0.1, step=1e-3, method=METHOD)
 
 
+@pytest.mark.parametrize("along", [False, True])
+@pytest.mark.parametrize("by", ["time", "input"])
+def test_a_load_that_begins_at_zero_is_named(along: bool, by: str) -> None:
+    scene = cd.Scene("loaded", gravity=(0, 0, 0))
+    section = cd.section.general(EA=1e4, GA=1e4, GJ=3, EI=4, rhoA=0.3, rhoI=1e-6)
+    beam = scene.beam("beam", scene.ground, (1, 0, 0), section, elements=2, inertia="lumped")
+    size = scene.input("gust") if by == "input" else cd.t
+    load = (0, 0, size)
+    scene.force("wind", cd.LineLoad(beam, force=load) if along else cd.Force(beam.end, load))
+    name = r"beam\.\d" if along else "wind"
+    with pytest.raises(cd.ModelError, match=f"'{name}' is not conservative"):
+        cd.compile(scene).simulate(0.1, step=1e-3, method=METHOD)
+
+
 def test_outputs_and_events_that_are_noted_change_nothing() -> None:
     """A pendulum with and without them; the event is where a fine run has it."""
     runs = []

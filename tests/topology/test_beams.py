@@ -378,9 +378,6 @@ WRONG: dict[str, Any] = {
     "there is no beam 'c'": lambda s: s.force("f", cd.LineLoad("c", force=(0, 0, 1))),
     "'o' is a body, and there is no such beam": lambda s: (s.joint("j", cd.Free(), s.ground,
         s.body("o", mass=1)), s.force("f", cd.LineLoad("o", force=(0, 0, 1)))),
-    "may depend on parameters only.* is a cd.Force at nodes": lambda s: s.force(
-        "f", cd.LineLoad(s.beam("b", s.ground, (1, 0, 0), GENERAL), force=(0, 0, cd.t))
-    ),
 }  # fmt: skip
 
 

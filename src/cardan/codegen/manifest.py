@@ -35,13 +35,12 @@ from ..schema.entries import (
 from ..schema.manifest import Manifest
 from ..schema.tree import Treatment, Tree
 from ..topology.beams.segment_tables import Segment
+from ..topology.beams.segments import LOADS
 from ..topology.internal_states import slides
 from ..topology.loops.welds import passed
 from ..topology.system import Cut, Frame, Joint, System
 from ..version import ABI, MANIFEST, VERSION
 from . import flat_scene
-
-LOADS = ("dead_force", "dead_moment", "follower_force", "follower_moment")
 
 
 @dataclass(frozen=True)
@@ -167,7 +166,8 @@ def isolated(system: System) -> bool:
 
 def _loaded(system: System, segment: Segment) -> bool:
     """True when a segment of a beam carries a load from outside."""
-    nodes = [node for name in LOADS for node in segment.data.get(name, (0, 0, ()))[2]]
+    loads = [segment.data[name] for name in LOADS] + [*segment.variable_loads.values()]
+    nodes = [node for *_, entries in loads for node in entries]
     return any(system.graph.nodes[node] != ("const", 0.0) for node in nodes)
 
 

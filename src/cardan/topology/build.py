@@ -22,7 +22,7 @@ from . import internal_states, prescribed_motion, scene_warnings
 from .assembly import Assembly
 from .beams.nodal_scene import with_beams
 from .beams.segment_tables import GravityOnBeam
-from .beams.segments import segments, settle
+from .beams.segments import segments, settle, with_line_loads
 from .cables.cable_parts import with_cables
 from .conversion import Converter
 from .drawing import announcements
@@ -118,6 +118,7 @@ def _build(
     places = internal_states.numbered(scene, convert)
     atoms = _atoms(scene, assembly)
     forces, fields = _pointwise(model, assembly, places)
+    beams = with_line_loads(beams, scene, convert)
     joints = prescribed_motion.prescribed(
         scene, assembly.joints, assembly.joint_number, convert, inputs
     )

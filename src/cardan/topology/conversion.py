@@ -13,10 +13,11 @@ from typing import Any
 from ..elements.quantity import Quantity, Ready, Value, written_unit
 from ..elements.validation import TOO_DEEP
 from ..errors import ModelError, brief, near
-from ..ir.function import Function, Output, live
+from ..ir.function import Function, Output, live, operands
 from ..ir.graph import MINUS_ONE, ONE, ZERO, Graph
 from ..ir.interpreter import evaluate
 from ..ir.matrix import Matrix
+from ..ir.ops import LEAVES
 from ..ir.rewrite import rebuild
 from ..scene import dimensions
 from ..scene.checks import is_number
@@ -59,7 +60,6 @@ class Converter:
         self.used: set[str] = set()
         self.moving = False
         self.fixing = False
-        self.cure = "What moves a body is a joint, with prescribed= where it is prescribed"
         self.symbols: dict[str, int] = {}
         self.units: dict[str, str | None] = {}
         self.values = dict(model.values) | (built_in.values if built_in is not None else {})
@@ -182,7 +182,8 @@ class Converter:
         for symbol in nodes_of_symbols:
             if symbol.name not in self._fixed:
                 raise ModelError(
-                    f"'{name}' may depend on parameters only; it has '{symbol.name}'. {self.cure}"
+                    f"'{name}' may depend on parameters only; it has '{symbol.name}'. What moves a "
+                    "body is a joint, with prescribed= where it is prescribed"
                 )
 
     def vector(
@@ -356,3 +357,17 @@ def symmetric(entries: Nodes) -> Nodes:
     """Entries xx xy xz yy yz zz as a symmetric 3x3 (9)."""
     xx, xy, xz, yy, yz, zz = entries
     return xx, xy, xz, xy, yy, yz, xz, yz, zz
+
+
+def parameters_only(graph: Graph, order: Sequence[int]) -> set[int]:
+    """Nodes of a topological order that depend on parameters alone."""
+    nodes, constant = graph.nodes, set[int]()
+    for i in order:
+        node = nodes[i]
+        if (
+            node[0] == "const"
+            or node[:2] == ("var", "p")
+            or (node[0] not in LEAVES and all(k in constant for k in operands(node)))
+        ):
+            constant.add(i)
+    return constant

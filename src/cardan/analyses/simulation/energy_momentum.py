@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -31,7 +32,7 @@ def conservative(model: LoadedModel, method: Integrator) -> tuple[Integrator, st
         ModelError: something in it is not conservative.
     """
     mesh: Mesh = model._source.results(model).mesh  # type: ignore[attr-defined]
-    looked = _Looked(mesh, f"method '{method.name}'")
+    looked = _Looked(mesh, f"method '{method.name}'", len(model.manifest.inputs))
     looked.refuse()
     down, symmetry = looked.symmetries()
     return replace(method, options=(*down, *symmetry)), "energy and momenta kept"
@@ -40,12 +41,14 @@ def conservative(model: LoadedModel, method: Integrator) -> tuple[Integrator, st
 class _Looked:
     """The elements of a model at two states that nothing singles out."""
 
-    def __init__(self, mesh: Mesh, who: str) -> None:
+    def __init__(self, mesh: Mesh, who: str, inputs: int) -> None:
         from ...runtime.models.finite_elements.elements import State
 
         self.mesh, self.tables, self.who = mesh, mesh.tables, who
-        self.state = State
         random = np.random.default_rng(1)
+        # loads that begin at 0, or that inputs give, act here
+        r = random.uniform(-1, 1, inputs)
+        self.state = partial(State, t=0.3, r=r)
         tables = mesh.tables
         q0 = np.zeros(tables.nq)
         for kind, start in zip(tables.kind, tables.q[:-1], strict=True):
@@ -83,7 +86,7 @@ class _Looked:
         for group, lost in zip(self.acting, self._lost(), strict=True):
             if lost:
                 self._say(_named(group), "its force has no potential")
-        rates = self.mesh.balance(self.state(self.q[0], t=0.3))[2]
+        rates = self.mesh.balance(self.state(self.q[0]))[2]
         if np.abs(rates).max(initial=0.0) > SMALL:
             self._say("a joint", "it is driven along a given motion")
 

@@ -9,6 +9,7 @@ from .gravity_field import GravityField
 from .helicoidal import Helicoidal
 from .hellinger_reissner import HellingerReissner
 from .linked_inertia import LinkedInertia
+from .loading import LoadElement
 from .lumped_inertia import LumpedInertia
 
 FLEXIBLE: dict[str, type[FlexibleElement]] = {
@@ -37,12 +38,14 @@ BEAMS: dict[str, FlexibleElement] = {
         Classical(residual_flexibility=False),
     )
 }
+LOADS: tuple[type[LoadElement], ...] = (DeadLoad, FollowerLoad)
 INERTIAS: dict[str, FlexibleElement] = {"linked": LinkedInertia(), "lumped": LumpedInertia()}
 
 __all__ = [
     "BEAMS",
     "FLEXIBLE",
     "INERTIAS",
+    "LOADS",
     "FlexibleElement",
     *(element.__name__ for element in FLEXIBLE.values()),
 ]

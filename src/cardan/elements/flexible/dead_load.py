@@ -30,11 +30,8 @@ class DeadLoad(LoadElement):
     geometric: ClassVar[tuple[str, ...]] = ("length",)
     symbol_shapes: ClassVar[Shapes] = LOAD_SHAPES
     formulas: ClassVar[Lines] = DEAD_LOAD
+    quantities: ClassVar[tuple[str, ...]] = (*DEAD, *MOMENT)
     fixed: ClassVar[bool] = True
-
-    @property
-    def common(self) -> tuple[str, ...]:
-        return (*DEAD, *MOMENT)
 
     def densities(self, ends: Ends, pose: Pose) -> tuple[Matrix, Matrix]:
         return ends.vector(*DEAD), pose.rotation.T @ ends.vector(*MOMENT)

@@ -31,11 +31,8 @@ class FollowerLoad(LoadElement):
     geometric: ClassVar[tuple[str, ...]] = ("length",)
     symbol_shapes: ClassVar[Shapes] = LOAD_SHAPES
     formulas: ClassVar[Lines] = FOLLOWER_LOAD
+    quantities: ClassVar[tuple[str, ...]] = (*FOLLOWER, *MOMENT)
     fixed: ClassVar[bool] = False
-
-    @property
-    def common(self) -> tuple[str, ...]:
-        return (*FOLLOWER, *MOMENT)
 
     def densities(self, ends: Ends, pose: Pose) -> tuple[Matrix, Matrix]:
         return pose.rotation @ ends.vector(*FOLLOWER), ends.vector(*MOMENT)

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.function import Function, Output
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from .element import FlexibleElement, balance, energy, tangents
 from .element_ends import Ends
 from .node_set import Pose
 
 
+@dataclass(frozen=True)
 class LoadElement(FlexibleElement):
     """A force and a moment per length, the same all along the element.
 
@@ -20,10 +23,29 @@ class LoadElement(FlexibleElement):
     of the ends exact where they are small; the moment works on rotations that vary linearly.
 
     Attributes:
-        fixed: Whether the force keeps its direction: it has a potential then.
+        fixed: Whether the force keeps its direction: it has a potential then, unless it varies.
+        quantities: Names of force and moment.
+        variable: More than parameters change them: no data, the ends have their expressions, and
+            they have no potential.
     """
 
     fixed: ClassVar[bool]
+    quantities: ClassVar[tuple[str, ...]]
+    variable: bool = False
+
+    @property
+    def common(self) -> tuple[str, ...]:
+        return () if self.variable else self.quantities
+
+    @property
+    def variant(self) -> str:
+        return "variable" if self.variable else ""
+
+    @property
+    def formula_lines(self) -> Lines:
+        names = [definition.split(" = ")[0] for _, definition in self.formulas]
+        lines = zip(self.formulas, names, strict=True)
+        return tuple(line for line, name in lines if not (self.variable and name == "V"))
 
     @abstractmethod
     def densities(self, ends: Ends, pose: Pose) -> tuple[Matrix, Matrix]:
@@ -45,22 +67,26 @@ class LoadElement(FlexibleElement):
         self, ends: Ends, forces: Matrix, moments: Matrix, potential: Matrix
     ) -> dict[str, Function]:
         """The functions of loads on the nodes, from forces and from moments."""
-        loads, read = forces + moments, ends.blocks("q", "p")
+        loads, read, changes = forces + moments, ends.blocks("q", "p"), "q"
         moving = ends.blocks("q", "u", "p")
+        if self.variable:
+            read, changes = ends.blocks("t", "q", "u", "z", "s", "r", "p"), "qu"
+            moving = read
         speeds = Matrix(
             ends.graph, loads.rows, 1, [ends.graph.var("u", k) for k in range(loads.rows)]
         )
-        # forces of a fixed direction have a potential, and no power besides
-        driving = moments if self.fixed else loads
+        # forces of a fixed direction and size have a potential, and no power besides
+        conservative = self.fixed and not self.variable
+        driving = moments if conservative else loads
         power = Output("power", (1,), (-(driving.T @ speeds)).nodes, ("power",), ("W",))
         functions = {
             "balance": self.function(ends, "balance", read, balance(ends, loads)),
             "balance_tangent": self.function(
-                ends, "balance_tangent", read, *tangents(ends, loads, "q")
+                ends, "balance_tangent", read, *tangents(ends, loads, *changes)
             ),
             "power": self.function(ends, "power", moving, power),
         }
-        if self.fixed:
+        if conservative:
             functions["energy"] = self.function(ends, "energy", read, energy(None, potential))
         return functions
 

@@ -16,7 +16,7 @@ class LineLoad(ForceElement):
 
     Args:
         beam: The beam, or its name.
-        force: Three components [N/m]: numbers, parameters or expressions of parameters.
+        force: Three components [N/m]: numbers, parameters or expressions, the same all along.
         moment: Three components [N m/m].
         follower: The components are those along the section axes e1, e2, e3 and turn with the
             section; else along the axes of the ground.

@@ -21,7 +21,7 @@ from ...ir.graph import MINUS_ONE, NO_ORIGIN, ONE, ZERO, Graph
 from ...ir.matrix import Matrix
 from ...ir.ops import LEAVES
 from ...ir.rewrite import rebuild
-from ...topology.conversion import IDENTITY, ORIGIN
+from ...topology.conversion import IDENTITY, ORIGIN, parameters_only
 from ...topology.system import (
     GROUND,
     Atom,
@@ -306,7 +306,7 @@ class Cutting:
         """
         graph = self.system.graph
         order = live(graph, nodes)
-        fixed = of_parameters(self.system, order)
+        fixed = parameters_only(graph, order)
         replacements: dict[int, int] = {}
         for i in (n for n in nodes if n in fixed):
             replacements[i] = self._datum(i, name, len(nodes) > 1)
@@ -380,17 +380,3 @@ class Cutting:
         key = f"motion {len(self.atoms)}"
         self.atoms[key] = local
         return self.graph.atom(key)
-
-
-def of_parameters(system: System, order: Sequence[int]) -> set[int]:
-    """Nodes of a topological order that depend on parameters alone."""
-    nodes, parameter_nodes = system.graph.nodes, set[int]()
-    for i in order:
-        node = nodes[i]
-        if (
-            node[0] == "const"
-            or node[:2] == ("var", "p")
-            or (node[0] not in LEAVES and all(k in parameter_nodes for k in operands(node)))
-        ):
-            parameter_nodes.add(i)
-    return parameter_nodes

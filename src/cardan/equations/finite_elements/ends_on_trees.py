@@ -367,7 +367,7 @@ class TreeElement:
             variable=self.variable,
         )
         functions = dict(self.element.functions(ends))
-        if cutting.moved:
+        if cutting.moved and {TREE, TREE_OFFSET}.intersection(self.kinds):
             functions["reactions"] = self._reactions(ends)
         return {key: replace(f, name=f"{name}__{key}") for key, f in functions.items()}
 

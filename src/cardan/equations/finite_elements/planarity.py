@@ -20,7 +20,7 @@ from ..functions.blocks import defaults
 from .nodal_scene import JOINT, Scene
 from .planar_kinds import Flat
 from .record import BlockKind, Group, Kind, Numbers
-from .segment_poses import poses_of
+from .segment_elements import poses_of
 from .states import READ, states
 
 # of directions, and of positions and loads against their size

@@ -8,36 +8,26 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arrays import Integers
-from ...elements.flexible import BEAMS, FLEXIBLE, INERTIAS
 from ...elements.flexible.element import FlexibleElement
-from ...elements.flexible.element_ends import CENTER, OFFSET
 from ...elements.flexible.element_ends import GROUND as AT_GROUND
 from ...elements.flexible.element_ends import NODE as AT_NODE
-from ...elements.flexible.gravity_field import GravityField
-from ...elements.flexible.node_set import FRAME
-from ...ir.function import Function, Output, live
-from ...ir.graph import ZERO
+from ...elements.flexible.element_ends import OFFSET
+from ...ir.function import Function, Output
 from ...ir.interpreter import evaluate
 from ...schema.finite_elements import GROUND, ON_TREE
-from ...topology.beams.segment_tables import Segment, numbered
+from ...topology.beams.segment_tables import Segment
 from ...topology.conversion import IDENTITY, ORIGIN
 from ..functions.blocks import parameters
 from .blocks import Holds
-from .element_systems import Cutting, of_parameters
+from .element_systems import Cutting
 from .ends_on_trees import INSIDE, TREE, TREE_OFFSET, TreeElement
 from .nodal_scene import NODE, Key, Scene
 from .planar_kinds import flattened
 from .record import BlockKind, Group, Kind, Numbers, unique
-from .segment_poses import poses_of
+from .segment_elements import elements_of, poses_of
 
 # elements of a segment up to which they share a table with those of others
 FEW = 100
-# kind of element -> data of a segment without which it does nothing
-ASIDE = {
-    "damping": ("damping",),
-    "dead_load": ("dead_force", "dead_moment"),
-    "follower_load": ("follower_force", "follower_moment"),
-}
 
 
 @dataclass(frozen=True)
@@ -228,9 +218,11 @@ class _Builder:
                 s=_table(some, lambda cutting: cutting.s),
             )
 
-    def _common(self, name: str, parts: Sequence[_Part]) -> Function:
+    def _common(self, name: str, parts: Sequence[_Part]) -> Function | None:
         """Common data of a group as a function of the parameters of the scene."""
         first = parts[0].common
+        if not first:
+            return None
         if all(part.common == first for part in parts):
             return self._function(name, first)
         nodes = [node for part in parts for node in part.common * len(part.names)]
@@ -255,7 +247,8 @@ class _Builder:
             poses: Of both nodes of every element in the reference configuration (n, 14).
             inside: What its nodes inside hold.
         """
-        for element, values, variable, center in self._elements(segment):
+        for element, values, variable, frame in elements_of(self.scene, segment):
+            center = None if frame is None else self._center(frame)
             rows_of_elements = element.rows(segment.line.stations, poses)
             centers = () if center is None else (center,)
             separate = [
@@ -331,42 +324,6 @@ class _Builder:
                 self.space[planar_name] = space
             self._kinds[key] = kind
         return self._kinds[key]
-
-    def _elements(
-        self, segment: Segment
-    ) -> Iterator[tuple[FlexibleElement, dict[str, int], dict[str, int], _End | None]]:
-        """The elements of a segment, expressions of their common data and of those that vary, and a
-        center that moves."""
-        values, strained = self._values(segment), BEAMS[segment.element]
-        yield strained, values, {}, None
-        # what it carries for all acts once
-        values = values | dict.fromkeys(strained.carries, ZERO)
-        if values["rhoA"] != ZERO:
-            yield INERTIAS[segment.inertia], values, {}, None
-            for one in segment.fields:
-                frame = self.system.frames[self.scene.frame(one.center)]
-                at = zip(FRAME, (*frame.rotation, *frame.position), strict=True)
-                place = {f"{CENTER}_{entry}": node for entry, node in at}
-                variable_data = {
-                    n: entry for n, entry in one.data.items() if self._varies(entry[2])
-                }
-                lumped = segment.inertia == "lumped"
-                element = GravityField(one.element, lumped, tuple(variable_data))
-                data = values | numbered(one.data) | place
-                yield element, data, numbered(variable_data), self._center(one.center)
-        for kind, names in ASIDE.items():
-            entries = (x for name, x in values.items() if name.rstrip("_123") in names)
-            if any(node != ZERO for node in entries):
-                yield FLEXIBLE[kind](), values, {}, None
-
-    def _varies(self, nodes: Sequence[int]) -> bool:
-        """True when more than parameters change an expression."""
-        order = live(self.system.graph, nodes)
-        return not of_parameters(self.system, order).issuperset(nodes)
-
-    def _values(self, segment: Segment) -> dict[str, int]:
-        """Common data by name; entries of vectors are numbered."""
-        return numbered({**segment.data, "gravity": (3, 1, self.system.gravity)})
 
 
 def _table(parts: Sequence[_Part], entries: Callable[[Cutting], list[int]]) -> Integers | None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -108,6 +108,8 @@ class Segment:
         line: Its nodes in the reference configuration.
         outline: For pictures.
         fields: Gravity fields that pull it.
+        variable_loads: Loads per length that time, inputs, states or motion change, as in ``data``
+            and beside those; 0 where nothing changes an entry.
     """
 
     name: str
@@ -119,6 +121,7 @@ class Segment:
     line: Line
     outline: Outline = ROUND
     fields: tuple[GravityOnBeam, ...] = ()
+    variable_loads: Mapping[str, tuple[int, int, tuple[int, ...]]] = field(default_factory=dict)
 
 
 def numbered(data: Mapping[str, tuple[int, int, tuple[int, ...]]]) -> dict[str, int]:

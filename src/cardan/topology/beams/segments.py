@@ -12,12 +12,13 @@ from ...elements.material import LIMITS
 from ...elements.sections.section import Outline, SectionProperties
 from ...errors import ModelError, near
 from ...ir.arithmetic import Scalar
+from ...ir.function import live
 from ...ir.graph import ZERO
 from ...scene.beam import Beam
 from ...scene.beam_arguments import STRAINS
 from ...scene.scene import SceneRecord
 from ..assembly import Assembly
-from ..conversion import ORIGIN, Converter
+from ..conversion import ORIGIN, Converter, parameters_only
 from ..system import Nodes
 from .beams import Laid
 from .segment_tables import Segment
@@ -26,13 +27,12 @@ Data = dict[str, tuple[int, int, Nodes]]
 # of a shape with numbers of its own
 PAIRS = ("shear", "GA", "EI", "rhoI")
 LOADS = ("dead_force", "dead_moment", "follower_force", "follower_moment")
-CHANGING = "A load that changes is a cd.Force at nodes beam.at(s), or at the ends"
 
 
 def segments(
     scene: SceneRecord, assembly: Assembly
 ) -> tuple[tuple[Segment, ...], tuple[NumberLimits, ...]]:
-    """The segments of all beams, in the order of the beams, each from start to end.
+    """The segments of all beams without loads, in the order of the beams, from start to end.
 
     Returns:
         The segments, and the limits of the numbers of their sections and materials.
@@ -40,7 +40,6 @@ def segments(
     Raises:
         ModelError: numbers that no beam has.
     """
-    loads = _loads(scene, assembly.convert)
     materials = [_properties(beam, assembly.convert) for beam in scene.beams.values()]
     limits = tuple(one for beam in materials for one in _limits(beam))
     check(limits, assembly.graph, assembly.convert.defaults)
@@ -48,7 +47,7 @@ def segments(
     segments_built: list[Segment] = []
     for one, outline in zip(materials, outlines, strict=True):
         beam, laid = one.beam, assembly.beams.laid(one.beam)
-        data = _data(one, assembly.convert) | loads[beam.name]
+        data = _data(one, assembly.convert)
         frames = [_frame(beam, name, laid, assembly) for name in laid.names]
         segments_built += [
             Segment(
@@ -180,28 +179,50 @@ def _outlines(properties: Sequence[BeamProperties], convert: Converter) -> list[
     return outlines
 
 
-def _loads(scene: SceneRecord, convert: Converter) -> dict[str, Data]:
-    """Sums of what acts along every beam, per length."""
-    sums: dict[str, dict[str, Nodes]] = {name: dict.fromkeys(LOADS, ORIGIN) for name in scene.beams}
-    cure, convert.cure = convert.cure, CHANGING
+def with_line_loads(
+    segments: Sequence[Segment], scene: SceneRecord, convert: Converter
+) -> tuple[Segment, ...]:
+    """Segments with what acts along their beams, per length.
+
+    Raises:
+        ModelError: a load along what is not a beam, or with components that cannot be converted.
+    """
+    names = scene.beams
+    fixed, variable = ({beam: dict.fromkeys(LOADS, ORIGIN) for beam in names} for _ in range(2))
     for name, force in scene.forces.items():
         element = force.element
         if not isinstance(element, LineLoad):
             continue
-        if element.beam not in scene.beams:
-            listed = near(element.beam, scene.beams).replace(" Known:", " Beams:")
-            what = f"'{element.beam}' is a body, and there is no such beam"
-            if element.beam not in scene.bodies:
-                what = f"there is no beam '{element.beam}'"
-            raise ModelError(f"force '{name}' (line_load): {what}.{listed}")
+        _check_beam(scene, name, element)
+        axes = "follower" if element.follower else "dead"
         with convert.graph.made_by(name, "data"):
             for key, entry in element.quantities().items():
                 *_, nodes = convert.quantity(entry, f"{name}.{key}")
-                where = f"{'follower' if element.follower else 'dead'}_{key}"
-                before = sums[element.beam][where]
-                added = map(convert.graph.add, before, nodes)
-                sums[element.beam][where] = tuple(added)
-    convert.cure = cure
-    return {
-        beam: {key: (3, 1, nodes) for key, nodes in loads.items()} for beam, loads in sums.items()
-    }
+                constant = parameters_only(convert.graph, live(convert.graph, nodes))
+                for sums, chosen in ((fixed, True), (variable, False)):
+                    added = [n if (n in constant) == chosen else ZERO for n in nodes]
+                    before = sums[element.beam][f"{axes}_{key}"]
+                    total = tuple(map(convert.graph.add, before, added))
+                    sums[element.beam][f"{axes}_{key}"] = total
+    return tuple(
+        replace(
+            segment,
+            data={**segment.data, **_columns(fixed[segment.name])},
+            variable_loads=_columns(variable[segment.name]),
+        )
+        for segment in segments
+    )
+
+
+def _columns(loads: dict[str, Nodes]) -> dict[str, tuple[int, int, Nodes]]:
+    return {key: (3, 1, nodes) for key, nodes in loads.items()}
+
+
+def _check_beam(scene: SceneRecord, name: str, element: LineLoad) -> None:
+    if element.beam in scene.beams:
+        return
+    listed = near(element.beam, scene.beams).replace(" Known:", " Beams:")
+    what = f"'{element.beam}' is a body, and there is no such beam"
+    if element.beam not in scene.bodies:
+        what = f"there is no beam '{element.beam}'"
+    raise ModelError(f"force '{name}' (line_load): {what}.{listed}")
