@@ -169,7 +169,7 @@ def test_a_manifest_that_lacks_a_part(which: str, tmp_path: Path) -> None:
     # what is said only where there is something to say
     parts = set(whole) - {
         *("events", "ticks", "isolated", "projected"),
-        *("forces", "element_forces"),
+        *("forces", "element_forces", "limits"),
     }
     assert parts > {"method", "structural", "fixed", "shapes", "scene", "available"}
     for name in parts:

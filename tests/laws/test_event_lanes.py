@@ -55,12 +55,29 @@ def test_motions(both: tuple[cd.CompiledModel, cd.CompiledModel], method: object
     options = {"step": 1e-3} if method != "DOP853" else fine
     mine = model.simulate(SPAN, q=row()[1], method=method, **options)
     near = 1e-6 if method == "DOP853" else 2e-3
-    counts = [sorted(event.name for event in motion.events) for motion in (mine, theirs)]
+    # friction and the latch of a joint that stands share its load, which no law tells: whether
+    # friction lets go then changes nothing
+    caught = {
+        event.name[len("latch") :].partition(".")[0]: event.t
+        for event in theirs.events
+        if event.name.startswith("latch")
+    }
+    assert len(caught) > COUNT // 2
+    counts = [
+        sorted(
+            event.name
+            for event in motion.events
+            if not event.name.startswith("rub")
+            or event.t < caught.get(event.name[len("rub") :].partition(".")[0], np.inf)
+        )
+        for motion in (mine, theirs)
+    ]
     assert counts[0] == counts[1]
     assert len(counts[0]) > 3 * COUNT
     for name in other.coordinates:
         assert mine[name][-1] == pytest.approx(theirs[name][-1], abs=near)
-    assert mine.s[-1] == pytest.approx(theirs.s[-1])
+    rubs = [name.startswith("rub") for name in model.mode_names]
+    assert mine.s[-1][~np.array(rubs)] == pytest.approx(theirs.s[-1][~np.array(rubs)])
 
 
 def test_transitions_of_many_at_once(both: tuple[cd.CompiledModel, cd.CompiledModel]) -> None:

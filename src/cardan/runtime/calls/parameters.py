@@ -117,9 +117,20 @@ class ParameterLimits:
     Args:
         rows: Of the manifest.
         places: Name of a parameter -> its entry in the vector of all.
+
+    Raises:
+        ModelError: a row names no parameter.
     """
 
     def __init__(self, rows: Sequence[LimitRow], places: Mapping[str, int]) -> None:
+        names = {row.parameter for row in rows} | {
+            row.least for row in rows if isinstance(row.least, str)
+        }
+        if unknown := sorted(names - places.keys()):
+            raise ModelError(
+                f"manifest.json: limits name '{unknown[0]}', which is no parameter of the model. "
+                "Compile or export it again"
+            )
         self._rows = rows
         self._parameter = np.array([places[row.parameter] for row in rows], dtype=int)
         self._scale = np.array([row.scale for row in rows])

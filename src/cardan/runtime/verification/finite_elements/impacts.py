@@ -378,10 +378,16 @@ class _Events:
     def _changed(
         self, e: Array, behind: Array, responses: Mapping[int, Array], shift: float = 0.0
     ) -> Array:
-        """z and s behind the events, by the elements themselves, with shifted accelerations."""
-        tables, at = self.mesh.tables, self.solution
-        udot = np.asarray(at.udot)
-        at = replace(at, udot=udot + shift * (1.0 + np.abs(udot).max(initial=0.0)), du=behind)
+        """z and s behind the events, by the elements themselves, with accelerations and
+
+        multipliers that are shifted.
+        """
+        tables = self.mesh.tables
+        udot, lam = (
+            x + shift * (1.0 + np.abs(x).max(initial=0.0))
+            for x in (np.asarray(self.solution.udot), np.asarray(self.solution.lam))
+        )
+        at = replace(self.solution, udot=udot, lam=lam, du=behind)
         z = np.zeros(tables.nz) if self.at.z is None else np.array(self.at.z)
         s = np.zeros(tables.ns) if self.at.s is None else np.array(self.at.s)
         for number in self._having("change"):
