@@ -276,6 +276,8 @@ CASES = (
         **bounds(
             1e-4, 1e-2, 5e-3, True, GeneralizedAlpha=UNSOLVED, HHT=UNSOLVED, EnergyMidpoint=UNSOLVED
         ),
+        # it takes minutes
+        slow=("Radau",),
     ),
     Case(
         name="spinning blade",
