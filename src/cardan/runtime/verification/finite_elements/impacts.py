@@ -378,16 +378,11 @@ class _Events:
     def _changed(
         self, e: Array, behind: Array, responses: Mapping[int, Array], shift: float = 0.0
     ) -> Array:
-        """z and s behind the events, by the elements themselves, with accelerations and
-
-        multipliers that are shifted.
-        """
-        tables = self.mesh.tables
-        udot, lam = (
-            x + shift * (1.0 + np.abs(x).max(initial=0.0))
-            for x in (np.asarray(self.solution.udot), np.asarray(self.solution.lam))
-        )
-        at = replace(self.solution, udot=udot, lam=lam, du=behind)
+        """z and s behind the events by the elements; shifted accelerations and multipliers."""
+        tables, at = self.mesh.tables, self.solution
+        udot, lam = np.asarray(at.udot), np.asarray(at.lam)
+        udot, lam = (x + shift * (1.0 + np.abs(x).max(initial=0.0)) for x in (udot, lam))
+        at = replace(at, udot=udot, lam=lam, du=behind)
         z = np.zeros(tables.nz) if self.at.z is None else np.array(self.at.z)
         s = np.zeros(tables.ns) if self.at.s is None else np.array(self.at.s)
         for number in self._having("change"):
