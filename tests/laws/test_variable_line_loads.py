@@ -17,6 +17,7 @@ from codegen.test_export_mesh import Builder, builder
 from codegen.test_export_mesh_events import TIMES, exported_run, same_run
 from equations.finite_elements.reference import Reference
 from equations.finite_elements.test_tangents import tangents_agree
+from spread import some
 
 LENGTH, EI, MASS = 1.2, 4.0, 0.3
 __all__ = ["builder"]
@@ -141,7 +142,7 @@ def machine(load: Load, follower: bool = False) -> cd.Scene:
 
 
 @pytest.mark.parametrize("follower", [False, True])
-@pytest.mark.parametrize("name", LOADS)
+@pytest.mark.parametrize("name", some(LOADS, 2))
 def test_tangents_and_energy(name: str, follower: bool) -> None:
     """Complex steps; what the load does is what the energy gains."""
     scene = machine(LOADS[name], follower)
@@ -216,7 +217,7 @@ def test_files_and_ensembles(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif("gcc" not in compilers(), reason="needs a C compiler")
-@pytest.mark.parametrize("name", ["state", "own tip"])
+@pytest.mark.parametrize("name", some(["state", "own tip"], 2))
 def test_exported_runs(name: str, builder: Builder, tmp_path: Path) -> None:
     folder = cd.derive(machine(LOADS[name])).export(
         tmp_path / "c", language="c", integrators=["alpha"]
