@@ -19,6 +19,8 @@ REACH = np.arange(1.0, 5.0)
 # the one before. Halves would see the same slow wave in place of a fast one, and agree on it
 LONGEST, SHORTER = 0.1, 0.45
 STEPS = 9
+# states by which rounding is judged, and by how much of themselves their entries differ
+SHAKES, SHAKEN = 4, 4e-16
 
 Blocks = Mapping[str, Array]
 
@@ -63,14 +65,18 @@ def slope(
     n = len(size)
     steps = LONGEST / np.maximum(size, 1e-300) * SHORTER ** np.arange(STEPS)[:, None]
     away = np.concatenate([REACH, -REACH])[:, None, None] * steps  # (8, STEPS, n)
-    shifted: dict[str, Array] = {}
+    near = [shaken(at, k) for k in range(SHAKES)]
+    count, places = away.size + SHAKES * n, {}
     for name, value in at.items():
-        wide = np.broadcast_to(value, (*away.shape, *np.shape(value)[-1:]))
-        if name in rates:
-            wide = wide + away[..., None] * rates[name]
-        shifted[name] = wide.reshape(away.size, wide.shape[-1])
-    values = np.asarray(f(shifted))
-    values = values.reshape(*away.shape, values.size // away.size)
+        shape = (n, np.shape(value)[-1])
+        moved = value + away.reshape(-1, n, 1) * rates.get(name, np.zeros(shape))
+        rounded = np.stack([np.broadcast_to(x[name], shape) for x in near])
+        places[name] = np.concatenate([moved, rounded]).reshape(count, shape[-1])
+    values = np.asarray(f(places))
+    entries = values.size // count
+    values, rounded = np.split(values.reshape(count, entries), [away.size])
+    values = values.reshape(*away.shape, entries)
+    rounded = np.where(np.isfinite(rounded), rounded, 0.0).reshape(SHAKES, n, entries)
     with np.errstate(invalid="ignore"):
         quotients = central(*np.split(values, 2)) / steps[..., None]
         quotients = np.where(np.isfinite(quotients), quotients, np.inf)
@@ -79,9 +85,17 @@ def slope(
     best = np.argmin(disagreement, axis=0)
     every = np.arange(n)
     # rounding of the values over the step, which two steps may share by chance
+    spread = np.ptp(rounded, axis=0).max(axis=-1, initial=0.0)
     most = np.abs(np.where(np.isfinite(values), values, 0.0)).max(axis=(0, 1, 3), initial=0.0)
-    rounding = 4e-16 * most / steps[best + 1, every]
+    rounding = np.maximum(4e-16 * most, spread) / steps[best + 1, every]
     return quotients[best + 1, every], disagreement[best, every] + rounding
+
+
+def shaken(at: Blocks, seed: int) -> dict[str, Array]:
+    """Blocks of which every number is rounded once more, by chance; modes stay what they are."""
+    rng = np.random.default_rng(seed)
+    changes = {k: SHAKEN * rng.uniform(-1, 1, np.shape(x)) for k, x in at.items()}
+    return {k: x if k == "s" else x * (1 + changes[k]) for k, x in at.items()}
 
 
 def ways(n: int, size: int) -> list[Array]:

@@ -6,6 +6,7 @@ Elements with unknowns of their own are judged by the plain ones.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from itertools import takewhile
 
 import numpy as np
@@ -80,13 +81,22 @@ def _end_motion(
 
 def _energy(members: Members) -> float | str:
     """By quadrature of strain measures and of point masses, and by what it does."""
-    law, ends = balance(members), ends_of(members)
-    names = [name for name in ENERGIES if members.table.kind.name.startswith(name)]
-    energies = ENERGIES[max(names, key=len)](*ends) if ends and names else None
-    if energies is None:
+    law, here = balance(members), _quadrature(members)
+    if here is None:
         return law
-    error = relative(members.call("energy") - energies, energies)
-    return error if isinstance(law, str) else max(error, law)
+
+    def both(at: Members) -> tuple[Array, Array]:
+        return at.call("energy"), here if at is members else np.asarray(_quadrature(at))
+
+    error = members.disagreement(both)
+    return error if isinstance(law, str) else worst_of(error, law)
+
+
+def _quadrature(members: Members) -> Array | None:
+    """Kinetic and potential energy (n, 2) along the shape; None where it is not known."""
+    ends = ends_of(members)
+    names = [name for name in ENERGIES if members.table.kind.name.startswith(name)]
+    return ENERGIES[max(names, key=len)](*ends) if ends and names else None
 
 
 def _momentum(members: Members) -> float | str:
@@ -118,13 +128,16 @@ def _momentum(members: Members) -> float | str:
 
 def _mixed(members: Members) -> float | str:
     """With the stress that there is: the balance and its tangent."""
-    none = {"du": np.zeros_like(members.inputs["du"])}
-    z = members.call("mixed_step", none)
-    value = members.call("mixed", {"z": z})
-    expected = np.concatenate([members.call("balance"), members.call("balance_tangent")], axis=-1)
     nu = members.table.kind.nu
-    parts = (slice(0, nu), slice(nu, None))
-    return max(relative(value[:, part] - expected[:, part], expected[:, part]) for part in parts)
+
+    def both(at: Members, name: str, part: slice) -> tuple[Array, Array]:
+        z = at.call("mixed_step", {"du": np.zeros_like(at.inputs["du"])})
+        return at.call("mixed", {"z": z})[:, part], at.call(name)
+
+    return worst_of(
+        members.disagreement(partial(both, name="balance", part=slice(0, nu))),
+        members.disagreement(partial(both, name="balance_tangent", part=slice(nu, None))),
+    )
 
 
 def _mixed_step(members: Members) -> float | str:
@@ -132,8 +145,12 @@ def _mixed_step(members: Members) -> float | str:
     du = members.inputs["du"]
     none = {"du": np.zeros_like(du)}
     z = members.call("mixed_step", none)
-    again = members.call("mixed_step", {**none, "z": z})
-    worst = relative(again - z, z, members.inputs["z"])
+
+    def both(at: Members) -> tuple[Array, Array]:
+        once = at.call("mixed_step", none)
+        return at.call("mixed_step", {**none, "z": once}), once
+
+    worst = members.disagreement(both, members.inputs["z"])
 
     def settled(blocks: Mapping[str, Array]) -> Array:
         return members.call("mixed_step", {**blocks, "du": np.zeros_like(blocks["du"])})
@@ -145,13 +162,22 @@ def _mixed_step(members: Members) -> float | str:
 
 def _stress(members: Members) -> float | str:
     """By quadrature of strain measures."""
+    here = _stresses(members)
+    if here is None:
+        return NO_LAW
+
+    def both(at: Members, k: int) -> tuple[Array, Array]:
+        expected = here if at is members else np.asarray(_stresses(at))
+        return at.call("stress").reshape(at.count, 4, 6)[:, k], expected[:, k]
+
+    return worst_of(*(members.disagreement(partial(both, k=k)) for k in range(4)))
+
+
+def _stresses(members: Members) -> Array | None:
+    """Stress and strain (n, 4, 6) at both ends along the shape; None where it is not known."""
     ends = ends_of(members)
     names = [name for name in STRESSES if members.table.kind.name.startswith(name)]
-    expected = STRESSES[max(names, key=len)](ends[0], ends[2]) if ends and names else None
-    if expected is None:
-        return NO_LAW
-    value = members.call("stress").reshape(members.count, 4, 6)
-    return max(relative(value[:, k] - expected[:, k], expected[:, k]) for k in range(4))
+    return STRESSES[max(names, key=len)](ends[0], ends[2]) if ends and names else None
 
 
 LAWS: dict[str, Callable[[Members], float | str]] = {

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -18,7 +18,7 @@ from ...calls.objects import Code
 from ...models.finite_elements.elements import Elements, State
 from ...models.finite_elements.tables import Table, Tables
 from ...models.initial import start_of
-from ..differences import slope
+from ..differences import BOUND, SHAKES, missing, relative, shaken, slope
 from ..joint_motion import Array
 from ..source_expressions import results
 
@@ -77,6 +77,22 @@ class Members:
         with np.errstate(all="ignore"):
             run()
         return unpacked(out, code.lanes)[:n]
+
+    def disagreement(self, both: Callable[[Members], tuple[Array, Array]], *terms: Array) -> float:
+        """Of two results (n, ...) for the same, beyond what rounding makes of their difference.
+
+        Of the largest term; NaN where rounding hides everything.
+        """
+        value, expected = both(self)
+        plain = relative(value - expected, expected, *terms)
+        if plain < BOUND:
+            return plain
+        near = [
+            np.subtract(*both(replace(self, inputs=shaken(self.inputs, k), cache={})))
+            for k in range(SHAKES)
+        ]
+        spread = np.ptp(near, axis=0).reshape(self.count, -1).max(axis=-1, initial=0.0)
+        return missing(value.reshape(self.count, -1), spread, expected, *terms)
 
     def expressions(self, form: str, overrides: Mapping[str, Array] | None = None) -> Array | None:
         """Results of the saved expressions, at other blocks if given; None where not saved."""
