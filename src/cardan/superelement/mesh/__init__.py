@@ -1,0 +1,32 @@
+"""Finite-element meshes of solids: reading, checks, matrices, loads and stresses.
+
+The mesh is a :class:`Mesh`, with its material it is a :class:`Solid`, whose sparse matrices are
+what reductions take. The loops over cells are C, in ``kernels/solids``.
+"""
+
+from __future__ import annotations
+
+from .loads import centrifugal, gravity, pressure, thermal
+from .materials import SolidMaterial, orthotropic
+from .files import read
+from .record import Mesh, from_arrays
+from .solid import Solid, assembled, solid
+from .stress import stress_operator, thermal_stresses, von_mises
+
+__all__ = [
+    "Mesh",
+    "Solid",
+    "SolidMaterial",
+    "assembled",
+    "centrifugal",
+    "from_arrays",
+    "gravity",
+    "orthotropic",
+    "pressure",
+    "read",
+    "solid",
+    "stress_operator",
+    "thermal",
+    "thermal_stresses",
+    "von_mises",
+]

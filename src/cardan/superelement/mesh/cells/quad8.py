@@ -1,0 +1,19 @@
+"""Quadrilateral with 8 nodes: a face of a hex20.
+
+Source: T. J. R. Hughes, The Finite Element Method, chapter 3.
+"""
+
+from .cell import Cell, gauss, products, serendipity
+
+CELL = Cell(
+    kind="quad8",
+    meshio="quad8",
+    nodes=((-1, -1), (1, -1), (1, 1), (-1, 1), (0, -1), (1, 0), (0, 1), (-1, 0)),
+    powers=serendipity(2),
+    linear=products(2),
+    edges=((0, 1), (1, 2), (2, 3), (3, 0)),
+    faces=(),
+    stiffness=gauss(3, 2),
+    mass=gauss(3, 2),
+    stress=gauss(3, 2),
+)
