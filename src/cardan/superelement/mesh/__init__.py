@@ -6,9 +6,9 @@ what reductions take. The loops over cells are C, in ``kernels/solids``.
 
 from __future__ import annotations
 
+from .files import read
 from .loads import centrifugal, gravity, pressure, thermal
 from .materials import SolidMaterial, orthotropic
-from .files import read
 from .record import Mesh, from_arrays
 from .solid import Solid, assembled, solid
 from .stress import stress_operator, thermal_stresses, von_mises

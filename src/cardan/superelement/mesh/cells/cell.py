@@ -34,17 +34,20 @@ class Cell:
     Attributes:
         kind: Name, such as ``"tet10"``.
         meshio: Name in meshio; nodes have the order of meshio, which is that of VTK.
+        abaqus: Names in Abaqus and CalculiX; variants with fewer points are integrated fully here.
         nodes: Reference coordinates of the nodes, corners first.
         powers: Exponents of the monomials that the shape functions are made of, one per node.
         linear: Exponents of those that interpolate between corners; stresses are extrapolated to
             the nodes by them.
         edges: Corners at the ends of the edge of each node between corners, in the order of nodes.
-        faces: Nodes of each face, ordered as the cell of the face orders them, positive outside.
+        faces: Nodes of each face, ordered as the cell of the face orders them, positive outside;
+            in the order of their numbers in Abaqus.
         stiffness, mass, stress: Rules for stiffness, for mass, and for points of good stresses.
     """
 
     kind: str
     meshio: str
+    abaqus: tuple[str, ...]
     nodes: tuple[tuple[float, ...], ...]
     powers: tuple[tuple[int, ...], ...]
     linear: tuple[tuple[int, ...], ...]

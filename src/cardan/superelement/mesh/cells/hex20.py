@@ -13,6 +13,7 @@ MIDDLES = ((0, -1), (1, 0), (0, 1), (-1, 0))
 CELL = Cell(
     kind="hex20",
     meshio="hexahedron20",
+    abaqus=("C3D20", "C3D20H", "C3D20R", "C3D20RH"),
     nodes=(
         *((x, y, -1) for x, y in CORNERS),
         *((x, y, 1) for x, y in CORNERS),

@@ -11,6 +11,7 @@ CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))
 CELL = Cell(
     kind="hex8",
     meshio="hexahedron",
+    abaqus=("C3D8", "C3D8H", "C3D8I", "C3D8IH", "C3D8R", "C3D8RH"),
     nodes=(*((x, y, -1) for x, y in CORNERS), *((x, y, 1) for x, y in CORNERS)),
     powers=products(3),
     linear=products(3),

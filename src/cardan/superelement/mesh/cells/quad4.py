@@ -8,6 +8,7 @@ from .cell import Cell, gauss, products
 CELL = Cell(
     kind="quad4",
     meshio="quad",
+    abaqus=("CPS4", "CPE4", "CAX4", "S4", "S4R", "M3D4", "R3D4", "SFM3D4"),
     nodes=((-1, -1), (1, -1), (1, 1), (-1, 1)),
     powers=products(2),
     linear=products(2),

@@ -8,6 +8,7 @@ from .cell import Cell, gauss, products, serendipity
 CELL = Cell(
     kind="quad8",
     meshio="quad8",
+    abaqus=("CPS8", "CPE8", "CAX8", "S8", "S8R", "M3D8", "SFM3D8"),
     nodes=((-1, -1), (1, -1), (1, 1), (-1, 1), (0, -1), (1, 0), (0, 1), (-1, 0)),
     powers=serendipity(2),
     linear=products(2),

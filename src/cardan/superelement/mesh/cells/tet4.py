@@ -11,6 +11,7 @@ A = (5 - 5**0.5) / 20
 CELL = Cell(
     kind="tet4",
     meshio="tetra",
+    abaqus=("C3D4", "C3D4H"),
     nodes=((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)),
     powers=complete(3, 1),
     linear=complete(3, 1),

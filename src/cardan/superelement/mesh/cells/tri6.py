@@ -18,6 +18,7 @@ RULE = simplex(
 CELL = Cell(
     kind="tri6",
     meshio="triangle6",
+    abaqus=("CPS6", "CPE6", "CAX6", "S6", "STRI65", "M3D6", "SFM3D6"),
     nodes=((0, 0), (1, 0), (0, 1), (0.5, 0), (0.5, 0.5), (0, 0.5)),
     powers=complete(2, 2),
     linear=complete(2, 1),
