@@ -26,6 +26,7 @@ TEXT = {
     "spatial": "rotations, moments of mass",
     "schema": "data that compiler and runtime share",
     "elements": "joints, forces, beams",
+    "superelement": "reduced matrices",
     "scene": "what the user wrote; file readers",
     "topology": "numbered system, loops",
     "equations": "M, h, f, constraints, derivatives",

@@ -6,6 +6,7 @@ from __future__ import annotations
 ORDER = (
     *("version", "errors", "literature", "arrays", "processes", "regular_file", "atomic_file"),
     *(
+        "number_file",
         "build_progress",
         "arguments",
         "notebooks",
@@ -15,6 +16,7 @@ ORDER = (
         "spatial",
         "schema",
         "elements",
+        "superelement",
     ),
     *("scene", "topology", "equations", "codegen", "runtime", "view", "analyses", "explain"),
     *("api", "pipeline", "peers", "cli", "__init__", "__main__"),
@@ -29,6 +31,7 @@ RUNNING_MAY_IMPORT = RUNNING | {
     "processes",
     "regular_file",
     "atomic_file",
+    "number_file",
     "build_progress",
     "arguments",
     "notebooks",
@@ -86,6 +89,8 @@ FAMILIES: dict[str, frozenset[str]] = {
     "elements.joints": frozenset({"joint", "hinge", "guided", "rolling"}),
     "elements.forces": frozenset({"force", "line", "relative_springs"}),
     "elements.forces.gravity": frozenset({"gravitation", "fields"}),
+    "superelement.methods": frozenset({"method", "free_interface"}),
+    "superelement.readers": frozenset({"matrix_files", "records", "labeled"}),
     "elements.sections": frozenset({"section"}),
     "elements.centerlines": frozenset({"centerline"}),
     "spatial.rotations": frozenset({"rotation"}),
@@ -100,7 +105,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     ),
     "explain.writers": frozenset(),
     "codegen.languages": frozenset({"expressions"}),
-    "runtime.formats": frozenset({"contents", "number_file"}),
+    "runtime.formats": frozenset({"contents"}),
     "schema.integrators": frozenset({"integrator", "alpha_family"}),
     "scene.files": frozenset(
         {"angles", "document", "expression", "meshes", "options", "pose", "robot", "unread"}
