@@ -267,7 +267,7 @@ CASES = (
         name="slender rod",
         hard="a mass on a rod of slenderness 1e6 in bending, EA L^2 / EI = 1e12, 8 elements",
         oracle="closed form of a mass on a spring of 3 EI / L^3; error over the amplitude",
-        advice="use `Radau` and give the rod its damping: vibrations that nothing damps are followed",
+        advice="use `Radau`, and damping in the rod: it follows vibrations that nothing damps",
         build=slender,
         t=at(5.0),
         start={"u": {"tip.u.pz": 1e-4}},

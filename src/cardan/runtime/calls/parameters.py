@@ -128,8 +128,8 @@ class ParameterLimits:
         }
         if unknown := sorted(names - places.keys()):
             raise ModelError(
-                f"manifest.json: limits name '{unknown[0]}', which is no parameter of the model. "
-                "Compile or export it again"
+                f"manifest.json: limits name '{unknown[0]}', which the model does not have as a "
+                "parameter. Compile or export it again"
             )
         self._rows = rows
         self._parameter = np.array([places[row.parameter] for row in rows], dtype=int)

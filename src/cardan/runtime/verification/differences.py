@@ -85,9 +85,9 @@ def slope(
     best = np.argmin(disagreement, axis=0)
     every = np.arange(n)
     # rounding of the values over the step, which two steps may share by chance
-    spread = np.ptp(rounded, axis=0).max(axis=-1, initial=0.0)
+    blur = np.ptp(rounded, axis=0).max(axis=-1, initial=0.0)
     most = np.abs(np.where(np.isfinite(values), values, 0.0)).max(axis=(0, 1, 3), initial=0.0)
-    rounding = np.maximum(4e-16 * most, spread) / steps[best + 1, every]
+    rounding = np.maximum(4e-16 * most, blur) / steps[best + 1, every]
     return quotients[best + 1, every], disagreement[best, every] + rounding
 
 

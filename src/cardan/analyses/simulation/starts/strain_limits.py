@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ....arrays import Array
-from ....errors import SolveWarning, warn
+from ....errors import SolveError, SolveWarning, warn
 from ....runtime.models.finite_elements import table_loading
 from ....runtime.models.finite_elements.joint_driven_nodes import Carrier
 from ....runtime.models.loaded_model import LoadedModel
@@ -60,7 +60,11 @@ def folded(model: LoadedModel, states: Array) -> str:
     worst, name = 0.0, ""
     for q in (model.split(states[row])[0] for row in rows):
         for k, beam in enumerate(model.manifest.beams):
-            bent = np.linalg.norm(_relative(*_poses(model, k, q))[0], axis=1).max(initial=0.0)
+            try:
+                bent = np.linalg.norm(_relative(*_poses(model, k, q))[0], axis=1).max(initial=0.0)
+            except (SolveError, ValueError):
+                # a state of numbers that are no pose, as a file may have them
+                continue
             worst, name = max((worst, name), (float(bent), beam.name))
     if worst < FOLDED:
         return ""

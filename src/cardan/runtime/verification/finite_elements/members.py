@@ -91,8 +91,8 @@ class Members:
             np.subtract(*both(replace(self, inputs=shaken(self.inputs, k), cache={})))
             for k in range(SHAKES)
         ]
-        spread = np.ptp(near, axis=0).reshape(self.count, -1).max(axis=-1, initial=0.0)
-        return missing(value.reshape(self.count, -1), spread, expected, *terms)
+        blur = np.ptp(near, axis=0).reshape(self.count, -1).max(axis=-1, initial=0.0)
+        return missing(value.reshape(self.count, -1), blur, expected, *terms)
 
     def expressions(self, form: str, overrides: Mapping[str, Array] | None = None) -> Array | None:
         """Results of the saved expressions, at other blocks if given; None where not saved."""

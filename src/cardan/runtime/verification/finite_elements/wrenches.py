@@ -44,8 +44,10 @@ def _element_forces(members: Members) -> float | str:
         for part in ((slice(b, b + 3), slice(b + 3, b + 6)) if in_space(block) else ())
     ]
     if "reactions" not in kind.functions:
-        # on a joint itself, not on bodies that it carries; nodes that a law reads feel nothing
-        parts = [*(force[:, b : b + 1] for block, b in blocks if block.nu == 1), *parts]
+        # on a joint itself, not on bodies that it carries; nodes that a law reads feel nothing; of
+        # several joints the first one has the force
+        joints = [force[:, b : b + 1] for block, b in blocks if block.nu == 1]
+        parts = [*reversed(joints), *parts]
     # along a line or a slider the node feels the force itself, on an axle the moment alone
     norms = [np.linalg.norm(part, axis=-1, keepdims=True) for part in reversed(parts)]
     pushed = [norm for norm in norms if norm.any()]
