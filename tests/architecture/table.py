@@ -6,6 +6,7 @@ from __future__ import annotations
 ORDER = (
     *("version", "errors", "literature", "arrays", "processes", "regular_file", "atomic_file"),
     *(
+        "number_file",
         "build_progress",
         "arguments",
         "notebooks",
@@ -30,6 +31,7 @@ RUNNING_MAY_IMPORT = RUNNING | {
     "processes",
     "regular_file",
     "atomic_file",
+    "number_file",
     "build_progress",
     "arguments",
     "notebooks",
@@ -87,6 +89,8 @@ FAMILIES: dict[str, frozenset[str]] = {
     "elements.joints": frozenset({"joint", "hinge", "guided", "rolling"}),
     "elements.forces": frozenset({"force", "line", "relative_springs"}),
     "elements.forces.gravity": frozenset({"gravitation", "fields"}),
+    "superelement.methods": frozenset({"method", "free_interface"}),
+    "superelement.readers": frozenset({"matrix_files", "records", "labeled"}),
     "elements.sections": frozenset({"section"}),
     "elements.centerlines": frozenset({"centerline"}),
     "spatial.rotations": frozenset({"rotation"}),
@@ -102,7 +106,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     ),
     "explain.writers": frozenset(),
     "codegen.languages": frozenset({"expressions"}),
-    "runtime.formats": frozenset({"contents", "number_file"}),
+    "runtime.formats": frozenset({"contents"}),
     "schema.integrators": frozenset({"integrator", "alpha_family"}),
     "scene.files": frozenset(
         {"angles", "document", "expression", "meshes", "options", "pose", "robot", "unread"}

@@ -69,12 +69,15 @@ def motion(name: str, folder: Path) -> Kind:
 
     def use(again: cd.Trajectory) -> bytes:
         found = hashlib.sha256((repr(again) + again._repr_html_()).encode())
-        names = [row["name"] for row in again.manifest["frames"]]
+        frames = again.manifest["frames"]
+        names = [row["name"] for row in frames]
+        # those of rigid trees beside nodes are known at the saved times only
+        anywhere = [row["name"] for row in frames if row.get("tree") is None]
         for frame in names[:8]:
             found.update(again.pose(frame).tobytes())
         if again.dense is not None:
             middle = again.resample(np.linspace(again.t[0], again.t[-1], 5))
-            found.update(middle.x.tobytes() + middle.pose(names[-1]).tobytes())
+            found.update(middle.x.tobytes() + middle.pose(anywhere[-1]).tobytes())
         forces = again.multipliers if "multipliers" in again.stored else None
         told = (again.events, again.ticks, again.constraints, forces, again.ledger)
         found.update(repr(told).encode() + repr(again.manifest).encode())

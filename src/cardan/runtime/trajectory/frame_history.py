@@ -51,7 +51,8 @@ def pose(motion: TrajectoryRecord, frame: str) -> Array:
         if row.body == body and history is not None:
             history_of_frame: Array = history @ inverse(frame_on_body(motion, row.name)) @ place
             return history_of_frame
-    if not is_recorded(motion):
+    on_node = motion.manifest.absolute and "frame_rotation" in motion.scene
+    if not (on_node and frame_row.tree is None) and not is_recorded(motion):
         motion._model(f"the pose of '{frame}'")
     if motion.manifest.absolute:
         parts = (motion.scene[name] for name in ("frame_rotation", "frame_position"))

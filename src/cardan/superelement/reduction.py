@@ -1,0 +1,287 @@
+"""Reduction of the matrices of a component to its interfaces."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arguments import checked
+from ..arrays import Array
+from ..errors import ModelError, ModelWarning, brief, near, warn
+from .checks import RIGID, check_free, mass_properties, node_notes, rigid_check, unit_notes
+from .component import Component
+from .error_bounds import residuals
+from .inertia import project
+from .interfaces import Connection, connect
+from .matrices import check_diagonals, square_size, symmetric
+from .methods import METHODS, STATIC
+from .node_dofs import NodeDofs, number_rows
+from .record import Superelement
+from .response import modal_damping, reduced_modes
+
+if TYPE_CHECKING:
+    from scipy.sparse import csc_matrix as Sparse
+
+MODES = 10  # by default
+INDEPENDENT = 1e-8  # of singular values: rigid motions of nodes on a line or in a plane
+
+
+@checked
+def reduce(
+    M: object,
+    K: object,
+    nodes: ArrayLike,
+    interface: Mapping[str, object],
+    *,
+    method: str = "craig_bampton",
+    modes: int | None = None,
+    rigid: str | Mapping[str, str] = "rbe2",
+    at: Mapping[str, object] | None = None,
+    frame_dofs: str | Sequence[str] | None = None,
+    node_dofs: str | Sequence[str] | None = None,
+    order: str = "node",
+    dofs: Sequence[tuple[int, str]] | None = None,
+    node_ids: Sequence[int] | None = None,
+    supported: bool = False,
+    damping: object = None,
+    rayleigh: tuple[float, float] | None = None,
+    loads: Mapping[str, object] | None = None,
+    stress: object = None,
+    stress_names: Sequence[str] | None = None,
+    geometric: Mapping[str, object] | None = None,
+    make_free: bool = False,
+) -> Superelement:
+    """A component, reduced to motions of its interfaces and some modes.
+
+    Args:
+        M, K: Mass and stiffness (rows, rows) [kg, N/m; rotations in rad], dense or sparse.
+        nodes: Positions (n_nodes, 3) [m] in the axes of the component.
+        interface: A node, or nodes, for each interface by name: ``{"hinge": 17}``.
+        method: ``"craig_bampton"``, ``"rubin"``, ``"macneal"`` or ``"guyan"``.
+        modes: How many, lowest first; 10 by default, none for ``"guyan"``.
+        rigid: How several nodes make a frame: ``"rbe2"`` rigidly, ``"rbe3"`` by their mean motion;
+            for all interfaces or by name.
+        at: Origins of frames by name (3,) [m]; the mean position of their nodes by default.
+        frame_dofs: Motions of the frames, such as ``"x y rz"``; by default all six in space, those
+            of the nodes in a plane.
+        node_dofs: Motions of each node, in their order: ``"x y z"`` by default for three rows per
+            node, ``"x y z rx ry rz"`` for six.
+        order: Of the rows: ``"node"`` (all of node 0 first) or ``"component"`` (x of all first).
+        dofs: Node and motion of each row instead, ``[(17, "x"), ...]``.
+        node_ids: Numbers of the nodes; 0, 1, 2, ... by default.
+        supported: True where K includes supports, so that it resists rigid motions.
+        damping: Ratio of the modes of the free component, or one for each, lowest first; the last
+            is for those above too. Rigid motions are not damped.
+        rayleigh: a [1/s] and b [s] of C = a M + b K, instead or in addition.
+        loads: Forces in the rows (rows,) by name, such as those by a unit rise of temperature.
+        stress: Rows of stress by the rows of K (components, rows), dense or sparse.
+        stress_names: Of the rows of stress.
+        geometric: Geometric stiffness (rows, rows) by name, for loads of unit size.
+        make_free: Take out of K what resists rigid motions of the interfaces, as rounded texts do.
+
+    Returns:
+        A record to print, save and use in scenes.
+
+    Raises:
+        ModelError: matrices or nodes that do not make a component; it names a row or a node.
+        SolveError: entries that are not finite.
+    """
+    numbered = number_rows(
+        nodes, square_size("K", K), node_ids=node_ids, node_dofs=node_dofs, order=order, dofs=dofs
+    )
+    K, M = symmetric("K", K, numbered), symmetric("M", M, numbered)
+    return _reduced(
+        numbered,
+        M,
+        K,
+        connection=connect(numbered, interface, rigid, at, frame_dofs),
+        method=method,
+        modes=modes,
+        supported=supported,
+        damping=_damping(damping, rayleigh),
+        loads=loads or {},
+        stress=(stress, stress_names),
+        geometric=geometric or {},
+        make_free=make_free,
+    )
+
+
+def _reduced(
+    dofs: NodeDofs,
+    M: Sparse,
+    K: Sparse,
+    *,
+    connection: Connection,
+    method: str,
+    modes: int | None,
+    supported: bool,
+    damping: tuple[Array, float, float],
+    loads: Mapping[str, object],
+    stress: tuple[object, Sequence[str] | None],
+    geometric: Mapping[str, object],
+    make_free: bool,
+) -> Superelement:
+    """The reduced component by checked matrices."""
+    check_diagonals(M, K, dofs)
+    count = _mode_count(method, modes)
+    properties, check = mass_properties(M, dofs), rigid_check(K, dofs)
+    if not supported:
+        check_free(check)
+    sound, density, notes = unit_notes(M, K, dofs, properties.mass)
+    notes = [*node_notes(properties, dofs), *notes]
+    component = _component(dofs, M, K, connection, supported)
+    basis = METHODS[method](component, count)
+    shapes = connection.matrix @ basis.shapes
+    n, n_boundary = basis.shapes.shape[1], connection.n_boundary
+    # rigid motions move interfaces alone: constraint modes carry what is behind them
+    moved = np.vstack(
+        [component.rigid[:n_boundary], np.zeros((n - n_boundary, component.rigid.shape[1]))]
+    )
+    stiffness = _freed(basis.K, moved, component.boundary_scale) if make_free else basis.K
+    none = np.zeros(0, np.intp)
+    ratios, alpha, beta = damping
+    C = alpha * basis.M + beta * stiffness
+    if len(ratios):
+        free = reduced_modes(basis.M, stiffness, moved, none, basis.massless)
+        C = C + modal_damping(free, basis.M, ratios)
+    rows, names = _stress(stress, dofs)
+    for note in notes:
+        warn(note, ModelWarning)
+    return Superelement(
+        method=method,
+        M=basis.M,
+        C=C,
+        K=stiffness,
+        basis=shapes,
+        dofs=dofs,
+        interfaces=connection.frames,
+        frequencies=basis.frequencies,
+        dropped=basis.dropped,
+        modes_of=basis.modes_of,
+        massless=basis.massless,
+        rigid=moved,
+        residuals=residuals(component, basis),
+        properties=properties,
+        check=check,
+        sound=sound,
+        density=density,
+        inertia=project(M, shapes, dofs),
+        loads={name: shapes.T @ _load(name, one, dofs) for name, one in loads.items()},
+        stress=np.asarray(rows @ shapes) if rows is not None else np.zeros((0, n)),
+        stress_names=names,
+        geometric={
+            name: _square(shapes.T @ (symmetric(f"geometric '{name}'", one, dofs) @ shapes))
+            for name, one in geometric.items()
+        },
+        notes=tuple(notes),
+    )
+
+
+def _mode_count(method: str, modes: int | None) -> int:
+    """Number of modes that a method shall keep."""
+    if method not in METHODS:
+        raise ModelError(f"method={brief(method)}: there is no such method.{near(method, METHODS)}")
+    if method in STATIC:
+        if modes:
+            raise ModelError(
+                f"modes={modes}: '{method}' has none; take 'craig_bampton', which adds modes to it"
+            )
+        return 0
+    count = MODES if modes is None else modes
+    if count < 0:
+        raise ModelError(f"modes={count}: give 0 or more")
+    return count
+
+
+def _component(
+    dofs: NodeDofs, M: Sparse, K: Sparse, connection: Connection, supported: bool
+) -> Component:
+    """Matrices in the unknowns that the interfaces leave."""
+    followed = connection.matrix
+    center = dofs.positions.mean(axis=0)
+    length = float(np.linalg.norm(dofs.positions - center, axis=1).max()) or 1.0
+    K = (followed.T @ K @ followed).tocsc()
+    M = (followed.T @ M @ followed).tocsc()
+    K, M = ((K + K.T) / 2).tocsc(), ((M + M.T) / 2).tocsc()
+    motions = connection.rigid(dofs, center) / np.array([1.0] * 3 + [length] * 3)
+    _, values, directions = np.linalg.svd(motions, full_matrices=False)
+    independent = motions @ directions[values > INDEPENDENT * values[0]].T
+    if supported:
+        # those of them that no support resists
+        force, size = K @ independent, abs(K) @ abs(independent)
+        weighted = force / np.maximum(size.max(axis=1, keepdims=True), 1e-300)
+        _, values, directions = np.linalg.svd(weighted, full_matrices=False)
+        independent = independent @ directions[values <= RIGID].T
+    return Component(M, K, connection, dofs, center, length, independent)
+
+
+def _freed(K: Array, rigid: Array, boundary_scale: Array) -> Array:
+    """Stiffness without forces by rigid motions of the interfaces."""
+    n = len(boundary_scale)
+    orthonormal, _ = np.linalg.qr(boundary_scale[:, None] * rigid[:n])
+    # in lengths, so that rotations and displacements weigh alike
+    project = np.eye(n) - orthonormal @ orthonormal.T
+    project = project * boundary_scale / boundary_scale[:, None]
+    freed = K.copy()
+    freed[:n, :n] = _square(project.T @ K[:n, :n] @ project)
+    return freed
+
+
+def _square(matrix: Array) -> Array:
+    """The symmetric part."""
+    return (matrix + matrix.T) / 2
+
+
+def _damping(damping: object, rayleigh: tuple[float, float] | None) -> tuple[Array, float, float]:
+    """Damping ratios, and the factors of mass and stiffness.
+
+    Raises:
+        ModelError: a negative number, or one that is not finite.
+    """
+    ratios = np.zeros(0) if damping is None else np.atleast_1d(np.asarray(damping, dtype=float))
+    if ratios.ndim != 1 or not np.isfinite(ratios).all() or (ratios < 0).any():
+        raise ModelError(
+            f"damping={brief(damping)}: give a ratio, or one for each mode, 0 or more, such as 0.01"
+        )
+    alpha, beta = rayleigh or (0.0, 0.0)
+    if alpha < 0 or beta < 0:
+        raise ModelError(f"rayleigh={brief(rayleigh)}: give two numbers that are 0 or more")
+    return ratios, alpha, beta
+
+
+def _load(name: str, values: object, dofs: NodeDofs) -> Array:
+    """Forces in the rows of the nodes."""
+    force = np.asarray(values, dtype=float)
+    if force.shape != (len(dofs),):
+        raise ModelError(
+            f"loads: '{name}' has shape {force.shape}, expected ({len(dofs)},): a force in each row"
+        )
+    bad = np.flatnonzero(~np.isfinite(force))
+    if len(bad):
+        raise ModelError(f"loads: '{name}' is {force[bad[0]]} at {dofs.label(bad[0])}")
+    return force
+
+
+def _stress(
+    argument: tuple[object, Sequence[str] | None], dofs: NodeDofs
+) -> tuple[Sparse | None, tuple[str, ...]]:
+    """Operator of stress by the rows of the nodes, and names of its rows."""
+    from scipy.sparse import csr_matrix, issparse
+
+    operator, names = argument
+    if operator is None:
+        if names is not None:
+            raise ModelError("stress_names: give stress= too, the rows that they name")
+        return None, ()
+    rows = csr_matrix(operator if issparse(operator) else np.atleast_2d(np.asarray(operator)))
+    if rows.shape[1] != len(dofs):
+        raise ModelError(f"stress: shape {rows.shape}, expected (components, {len(dofs)})")
+    if not np.isfinite(rows.data).all():
+        raise ModelError("stress: an entry is not finite; write the operator again")
+    labels = tuple(names) if names is not None else tuple(f"{k}" for k in range(rows.shape[0]))
+    if len(labels) != rows.shape[0]:
+        raise ModelError(f"stress_names: {len(labels)} names for {rows.shape[0]} rows")
+    return rows, labels
