@@ -93,11 +93,11 @@ def node_positions(content: bytes, file: str) -> Positions | Array:
     if any(line.lstrip().startswith(MARK) for line in lines):
         return _of_input(lines, file)
     plain = ["" if line.lstrip().startswith("#") else line for line in lines]
-    first = next((line for line in plain if line.strip()), "")
+    start, first = next(((k, x) for k, x in enumerate(plain, 1) if x.strip()), (1, ""))
     comma = "," in first
     columns = len(first.split(",") if comma else first.split())
     if columns not in (3, 4):
-        raise ModelError(f"{file}: {columns} numbers in a line, expected x, y, z or node, x, y, z")
+        raise ModelError(f"{file}:{start}: {columns} numbers, expected x, y, z or node, x, y, z")
     values = table(plain, 1, columns, file, comma)
     if columns == 3:
         return values
