@@ -135,6 +135,10 @@ class Component:
         where = "K on a statically determinate support" if r else "K"
         return free, Factor(K, lambda row: self.label(int(free[row])), where, UNSUPPORTED), normed
 
+    def free_memory(self) -> None:
+        """Drop the factor of the free component, as large as that behind the interfaces."""
+        self.__dict__.pop("_support", None)
+
     @property
     def rigid_of_unit_mass(self) -> Array:
         """Rigid motions with R^T M R = 1 (n_b + n_i, r)."""

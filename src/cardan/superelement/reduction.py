@@ -134,6 +134,7 @@ def _reduced(
     notes = [*node_notes(properties, dofs), *notes]
     component = _component(dofs, M, K, connection, supported)
     basis = METHODS[method](component, count)
+    component.free_memory()
     shapes = connection.matrix @ basis.shapes
     n, n_boundary = basis.shapes.shape[1], connection.n_boundary
     # rigid motions move interfaces alone: constraint modes carry what is behind them
