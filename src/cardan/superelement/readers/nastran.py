@@ -131,7 +131,7 @@ def _grid(cards: Sequence[Card], file: str) -> Positions | None:
         if node in rows:
             raise ModelError(f"{file}:{k}: node {node} is there twice")
         rows[node] = [number(word or "0", file, k) for word in parts[2:5]]
-    return (tuple(rows), np.array([*rows.values()])) if rows else None
+    return Positions(tuple(rows), np.array([*rows.values()]), file) if rows else None
 
 
 NASTRAN = MatrixReader("Nastran DMIG", (".pch", ".dat", ".bdf"), _read, {}, untested=True)
