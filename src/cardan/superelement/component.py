@@ -101,12 +101,13 @@ class Component:
             frequencies.
         """
         n, size = self.n_boundary, self.n_interior
-        M = self.M[n:, n:].tocsc()
+        # first of all, it says where the stiffness is singular
+        factor, M = self.inner_factor, self.M[n:, n:].tocsc()
         if size <= DENSE or 3 * (count + EXTRA) > size:
             omega, inner = dense_modes(self.K[n:, n:].toarray(), M.toarray())
         else:
             K = self.K[n:, n:].tocsc()
-            omega, inner = sparse_modes(self.inner_factor.solve, K, M, count + EXTRA)
+            omega, inner = sparse_modes(factor.solve, K, M, count + EXTRA)
         self._enough(count, len(omega), "with all interfaces fixed")
         shapes = np.vstack([np.zeros((n, count)), inner[:, :count]])
         return omega[:count], shapes, omega[count : count + EXTRA]
@@ -133,6 +134,10 @@ class Component:
         K = self.K[free][:, free].tocsc()
         where = "K on a statically determinate support" if r else "K"
         return free, Factor(K, lambda row: self.label(int(free[row])), where, UNSUPPORTED), normed
+
+    def free_memory(self) -> None:
+        """Drop the factor of the free component, as large as that behind the interfaces."""
+        self.__dict__.pop("_support", None)
 
     @property
     def rigid_of_unit_mass(self) -> Array:

@@ -79,7 +79,9 @@ class Factor:
         stiffness = float(shape @ (scaled @ shape)) if np.isfinite(softness) else 0.0
         row = int(np.argmax(abs(np.nan_to_num(shape * self._scale))))
         if softness * SINGULAR > 1 or not np.isfinite(softness):
-            raise ModelError(f"{where} is singular: {label(row)} moves without a force: {cure}")
+            raise ModelError(
+                f"{where} is singular: {label(row)} moves without a force, to 14 digits: {cure}"
+            )
         if stiffness < 0:
             raise ModelError(
                 f"{where} is indefinite: a shape with most motion at {label(row)} has negative "

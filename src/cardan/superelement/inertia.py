@@ -100,6 +100,38 @@ def project(M: Sparse, shapes: Array, dofs: NodeDofs) -> ProjectedInertia:
     )
 
 
+def anisotropy(M: Sparse, dofs: NodeDofs, length: float) -> float:
+    """Largest entry of a mass matrix that depends on directions, over its largest one.
+
+    0 where displacements along all axes have the same masses and none with rotations: then turned
+    displacements have the same energy, and the inertia of a turning frame is exact.
+
+    Args:
+        M: Mass in the rows of the nodes.
+        dofs: Of the rows.
+        length: By which rotations compare with displacements [m].
+    """
+    from scipy.sparse import csr_matrix
+
+    rows, shape = np.arange(len(dofs)), (len(dofs.positions), len(dofs))
+    present = np.unique(dofs.component)
+    # the rows of each motion, by nodes
+    pick = {
+        int(a): csr_matrix(
+            (np.ones(int(chosen.sum())), (dofs.node[chosen], rows[chosen])), shape=shape
+        )
+        for a, chosen in ((a, dofs.component == a) for a in present)
+    }
+    blocks = {(a, b): pick[a] @ M @ pick[b].T for a in pick for b in pick if a < 3 and a <= b}
+    straight = [block for (a, b), block in blocks.items() if a == b]
+    largest = max((abs(one).max() for one in straight), default=0.0)
+    unequal = [abs(one - straight[0]).max() for one in straight[1:]]
+    coupled = [
+        abs(block).max() / (1.0 if b < 3 else length) for (a, b), block in blocks.items() if a != b
+    ]
+    return float(max([*unequal, *coupled], default=0.0) / largest) if largest else 0.0
+
+
 def _crossed(axis: int, shapes: Array, dofs: NodeDofs) -> Array:
     """S_k Psi: a unit vector times the displacements of the nodes, rotations left out."""
     first, second = (axis + 1) % 3, (axis + 2) % 3

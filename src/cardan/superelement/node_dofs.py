@@ -63,15 +63,14 @@ class NodeDofs:
         numbers = [*ids]
         result = []
         for one in numbers:
-            number = isinstance(one, int | np.integer) and not isinstance(one, bool)
-            if number and one in place:
-                result.append(place[one])
-            else:
+            number = int(one) if isinstance(one, int | np.integer) else one
+            if not isinstance(number, int) or isinstance(one, bool) or number not in place:
                 first, last = min(place), max(place)
                 raise ModelError(
-                    f"{who}: there is no node {brief(one)}. Its {counted(len(place), 'node')} have "
-                    f"numbers from {first} to {last}"
+                    f"{who}: there is no node {brief(number)}. Its {counted(len(place), 'node')} "
+                    f"have numbers from {first} to {last}"
                 )
+            result.append(place[number])
         return np.array(result, dtype=np.intp)
 
     def rows_of(self, nodes: Integers) -> Integers:

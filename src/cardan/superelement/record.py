@@ -20,6 +20,7 @@ from .node_dofs import NodeDofs
 from .response import admittance, frequencies_of, impedance, reduced_modes
 
 MAX_PRINTED = 12
+ISOTROPIC = 1e-8  # of the largest mass: what rounded texts leave
 
 
 @dataclass(frozen=True)
@@ -82,6 +83,8 @@ class Superelement:
         sound: Speed of sound in the mesh, roughly [m/s].
         density: Mass over the volume of the box around the nodes [kg/m^3].
         inertia: Constants of the inertia in a frame that moves far.
+        anisotropy: Largest entry of the mass matrix that depends on directions, over its largest
+            one; the constants are exact where it is 0.
         loads: Forces in the coordinates by the names of loads (n,).
         stress: Rows of stress by the coordinates (components, n).
         stress_names: Of these rows.
@@ -107,6 +110,7 @@ class Superelement:
     sound: float
     density: float
     inertia: ProjectedInertia
+    anisotropy: float
     loads: Mapping[str, Array]
     stress: Array
     stress_names: tuple[str, ...]
@@ -308,6 +312,11 @@ class Superelement:
             f"{max(self.check.self_stress[3:]):.2e} for 1 rad",
             f"  material     sound at about {self.sound:.3g} m/s{density}",
         ]
+        if self.anisotropy > ISOTROPIC:
+            lines.append(
+                f"  inertia in a turning frame is approximate: M depends on directions by "
+                f"{self.anisotropy:.1e}, as consistent masses of beams and shells do"
+            )
         if self.massless:
             lines.append(f"  massless     {self.massless} coordinates: M has no inverse")
         free = self.modes()

@@ -14,7 +14,7 @@ from ..errors import ModelError, ModelWarning, brief, near, warn
 from .checks import RIGID, check_free, mass_properties, node_notes, rigid_check, unit_notes
 from .component import Component
 from .error_bounds import residuals
-from .inertia import project
+from .inertia import anisotropy, project
 from .interfaces import Connection, connect
 from .matrices import check_diagonals, square_size, symmetric
 from .methods import METHODS, STATIC
@@ -134,6 +134,7 @@ def _reduced(
     notes = [*node_notes(properties, dofs), *notes]
     component = _component(dofs, M, K, connection, supported)
     basis = METHODS[method](component, count)
+    component.free_memory()
     shapes = connection.matrix @ basis.shapes
     n, n_boundary = basis.shapes.shape[1], connection.n_boundary
     # rigid motions move interfaces alone: constraint modes carry what is behind them
@@ -169,6 +170,7 @@ def _reduced(
         sound=sound,
         density=density,
         inertia=project(M, shapes, dofs),
+        anisotropy=anisotropy(M, dofs, component.length),
         loads={name: shapes.T @ _load(name, one, dofs) for name, one in loads.items()},
         stress=np.asarray(rows @ shapes) if rows is not None else np.zeros((0, n)),
         stress_names=names,

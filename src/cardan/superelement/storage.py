@@ -101,6 +101,7 @@ def save(record: Superelement, path: Path) -> Path:
         "check": asdict(record.check),
         "sound": record.sound,
         "density": record.density,
+        "anisotropy": record.anisotropy,
         "loads": [*record.loads],
         "stress_names": [*record.stress_names],
         "geometric": [*record.geometric],
@@ -202,6 +203,7 @@ def _record(about: Mapping[str, object], arrays: Mapping[str, Array]) -> Superel
         inertia=ProjectedInertia(
             **{one.name: numbers[f"inertia_{one.name}"] for one in fields(ProjectedInertia)}
         ),
+        anisotropy=_floats([about["anisotropy"]], 1)[0],
         loads=dict(zip(texts["loads"], numbers["loads"], strict=True)),
         stress=numbers["stress"],
         stress_names=texts["stress_names"],

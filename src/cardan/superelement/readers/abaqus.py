@@ -45,13 +45,13 @@ def _entries(content: bytes, file: str) -> Array:
         ModelError: lines of another kind.
     """
     lines = ["" if x.lstrip().startswith(MARK) else x for x in text_lines(content, file)]
-    first = next((line for line in lines if line.strip()), "")
+    number, first = next(((k, x) for k, x in enumerate(lines, 1) if x.strip()), (1, ""))
     comma = "," in first
     columns = len(first.split(",") if comma else first.split())
     if columns not in (3, 5):
         raise ModelError(
-            f"{file}: {columns} numbers in a line, expected row, column, value or node, "
-            "direction, node, direction, value"
+            f"{file}:{number}: {columns} numbers, expected row, column, value or node, direction, "
+            "node, direction, value"
         )
     return table(lines, 1, columns, file, comma)
 

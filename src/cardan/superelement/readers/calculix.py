@@ -28,7 +28,7 @@ def _read(contents: Mapping[str, bytes], names: Mapping[str, str]) -> ComponentM
     numbered, plain = with_positions(contents.get("nodes"), names.get("nodes", ""))
     if plain is not None:
         raise ModelError(f"{names['nodes']}: give the number of each node before x, y, z")
-    return component(M, K, dofs, numbered, names["stiffness"])
+    return component(M, K, dofs, numbered, names["stiffness"], names["dofs"])
 
 
 def _dofs(content: bytes, file: str) -> tuple[tuple[int, str], ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -17,7 +17,20 @@ if TYPE_CHECKING:
     from scipy.sparse import csc_matrix as Sparse
 
 MARK = "*"  # of a keyword in the input of Abaqus and CalculiX
-Positions = tuple[tuple[int, ...], Array]  # numbers of nodes, and (n_nodes, 3) [m]
+
+
+class Positions(NamedTuple):
+    """Positions of numbered nodes.
+
+    Attributes:
+        ids: Their numbers.
+        rows: (n_nodes, 3) [m].
+        file: That they are from.
+    """
+
+    ids: tuple[int, ...]
+    rows: Array
+    file: str
 
 
 def labeled_matrices(
@@ -49,7 +62,7 @@ def labeled_matrices(
         half = len(values)
         matrices.append(assembled(place[:half], place[half:], values[:, 4], len(rows), file))
     dofs = tuple((int(key) // 8, COMPONENTS[int(key) % 8]) for key in rows)
-    return component(matrices[1], matrices[0], dofs, positions, files[0])
+    return component(matrices[1], matrices[0], dofs, positions, files[0], files[0])
 
 
 def component(
@@ -58,6 +71,7 @@ def component(
     dofs: tuple[tuple[int, str], ...],
     positions: Positions | None,
     source: str,
+    rows_file: str,
 ) -> ComponentMatrices:
     """Matrices with named rows, and the positions of the nodes that have rows.
 
@@ -67,11 +81,13 @@ def component(
     nodes = sorted({node for node, _ in dofs})
     if positions is None:
         return ComponentMatrices(M, K, None, tuple(nodes), dofs, source)
-    place = {node: k for k, node in enumerate(positions[0])}
+    place = {node: k for k, node in enumerate(positions.ids)}
     missing = [node for node in nodes if node not in place]
     if missing:
-        raise ModelError(f"{source}: node {missing[0]} has rows, but no position")
-    chosen = positions[1][[place[node] for node in nodes]]
+        raise ModelError(
+            f"{rows_file}: node {missing[0]} has rows, but no position in {positions.file}"
+        )
+    chosen = positions.rows[[place[node] for node in nodes]]
     return ComponentMatrices(M, K, chosen, tuple(nodes), dofs, source)
 
 
@@ -93,11 +109,11 @@ def node_positions(content: bytes, file: str) -> Positions | Array:
     if any(line.lstrip().startswith(MARK) for line in lines):
         return _of_input(lines, file)
     plain = ["" if line.lstrip().startswith("#") else line for line in lines]
-    first = next((line for line in plain if line.strip()), "")
+    start, first = next(((k, x) for k, x in enumerate(plain, 1) if x.strip()), (1, ""))
     comma = "," in first
     columns = len(first.split(",") if comma else first.split())
     if columns not in (3, 4):
-        raise ModelError(f"{file}: {columns} numbers in a line, expected x, y, z or node, x, y, z")
+        raise ModelError(f"{file}:{start}: {columns} numbers, expected x, y, z or node, x, y, z")
     values = table(plain, 1, columns, file, comma)
     if columns == 3:
         return values
@@ -135,7 +151,7 @@ def _numbered(numbers: Integers, rows: Array, file: str) -> Positions:
     unique, count = np.unique(numbers, return_counts=True)
     if (count > 1).any():
         raise ModelError(f"{file}: node {unique[count > 1][0]} is there twice")
-    return tuple(int(one) for one in numbers), rows
+    return Positions(tuple(int(one) for one in numbers), rows, file)
 
 
 def with_positions(content: bytes | None, file: str) -> tuple[Positions | None, Array | None]:
@@ -143,7 +159,7 @@ def with_positions(content: bytes | None, file: str) -> tuple[Positions | None, 
     if content is None:
         return None, None
     positions = node_positions(content, file)
-    return (positions, None) if isinstance(positions, tuple) else (None, positions)
+    return (positions, None) if isinstance(positions, Positions) else (None, positions)
 
 
 def in_order(
@@ -153,6 +169,6 @@ def in_order(
     numbered, plain = with_positions(content, file)
     if numbered is None:
         return ComponentMatrices(M, K, plain, None, None, source)
-    order = np.argsort(numbered[0])
-    ids = tuple(int(one) for one in np.array(numbered[0])[order])
-    return ComponentMatrices(M, K, numbered[1][order], ids, None, source)
+    order = np.argsort(numbered.ids)
+    ids = tuple(int(one) for one in np.array(numbered.ids)[order])
+    return ComponentMatrices(M, K, numbered.rows[order], ids, None, source)

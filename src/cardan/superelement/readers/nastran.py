@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ...arrays import Array
-from ...errors import ModelError
+from ...errors import ModelError, brief
 from .labeled import Positions, labeled_matrices, with_positions
 from .matrix_files import MOST_ENTRIES, ComponentMatrices, MatrixReader
 from .records import integer, number, text_lines
@@ -97,7 +97,12 @@ def _entries(cards: Sequence[Card], letter: str, file: str) -> Array:
         column = integer(fields[1], file, k), integer(fields[2], file, k)
         # behind name, node, direction and an empty field
         for start in range(4, len(fields), 4):
-            entry = [*fields[start : start + 3], "", ""][:3]
+            entry = [*fields[start : start + 4], "", "", ""][:4]
+            if entry[3]:
+                raise ModelError(
+                    f"{file}:{k}: {brief(entry[3])} behind a value, which is real: it has an "
+                    "imaginary part, or does not fit its field"
+                )
             if any(entry):
                 row = integer(entry[0], file, k), integer(entry[1], file, k)
                 if 0 in (row[1], column[1]):
@@ -126,7 +131,7 @@ def _grid(cards: Sequence[Card], file: str) -> Positions | None:
         if node in rows:
             raise ModelError(f"{file}:{k}: node {node} is there twice")
         rows[node] = [number(word or "0", file, k) for word in parts[2:5]]
-    return (tuple(rows), np.array([*rows.values()])) if rows else None
+    return Positions(tuple(rows), np.array([*rows.values()]), file) if rows else None
 
 
 NASTRAN = MatrixReader("Nastran DMIG", (".pch", ".dat", ".bdf"), _read, {}, untested=True)

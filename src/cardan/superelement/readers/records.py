@@ -160,7 +160,9 @@ def assembled(
             f"{file}: the entry of row {row + 1} and column {column + 1} is there twice"
             + ("; only one triangle may be there" if triangle else "")
         )
-    return coo_matrix((values, (rows, columns)), shape=(size, size)).tocsc()
+    matrix = coo_matrix((values, (rows, columns)), shape=(size, size)).tocsc()
+    matrix.eliminate_zeros()
+    return matrix
 
 
 def numbered_lines(lines: Sequence[str]) -> Iterator[tuple[int, str]]:
