@@ -10,6 +10,7 @@ from .files import read
 from .loads import centrifugal, gravity, pressure, thermal
 from .materials import SolidMaterial, orthotropic
 from .record import Mesh, from_arrays
+from .reduced import from_mesh
 from .solid import Solid, assembled, solid
 from .stress import stress_operator, thermal_stresses, von_mises
 
@@ -20,6 +21,7 @@ __all__ = [
     "assembled",
     "centrifugal",
     "from_arrays",
+    "from_mesh",
     "gravity",
     "orthotropic",
     "pressure",
