@@ -98,6 +98,7 @@ REFUSED: list[tuple[Callable[[], dict[str, Any]], Callable[..., None], str]] = [
     (solid, lambda d: d.update(K=np.tril(d["K"])), r"only one triangle is there: give A \+ A\.T"),
     (solid, put("K", (5, 5), np.nan), r"K: the entry of node 12 z and node 12 z is nan"),
     (planar, put("M", (50, 50), np.inf), r"M: the entry of node 16 rz and node 16 rz is inf"),
+    (solid, put("K", (5, 5), 1e200), r"K: the entry of node 12 z and node 12 z is 1e\+200"),
     (solid, put("M", (7, 7), -1.0), r"M has -1 on the diagonal at node 13 y.*check the sign"),
     (solid, lambda d: d.update(M=d["M"] * 0), "M is zero"),
     (solid, lambda d: d.update(M=d["M"].astype(complex)), "M: entries of complex128"),

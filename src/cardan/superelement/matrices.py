@@ -12,6 +12,7 @@ from .node_dofs import NodeDofs
 if TYPE_CHECKING:
     from scipy.sparse import csc_matrix as Sparse
 
+LARGEST = 1e100  # of an entry, far beyond any unit
 SYMMETRY = 1e-8  # beside the diagonal: what rounded texts lose, and nothing that matters
 
 
@@ -57,7 +58,7 @@ def symmetric(name: str, matrix: Sparse, dofs: NodeDofs) -> Sparse:
     sparse = as_sparse(name, matrix, len(dofs))
     sparse.sum_duplicates()
     entries = sparse.tocoo()
-    bad = np.flatnonzero(~np.isfinite(entries.data))
+    bad = np.flatnonzero(~(abs(entries.data) < LARGEST))
     if len(bad):
         row, column = entries.row[bad[0]], entries.col[bad[0]]
         raise SolveError(

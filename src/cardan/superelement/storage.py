@@ -21,6 +21,7 @@ from .checks import MassProperties, RigidCheck
 from .error_bounds import Residuals
 from .inertia import ProjectedInertia
 from .interfaces import SPIDERS, InterfaceFrame
+from .matrices import LARGEST
 from .methods import METHODS
 from .node_dofs import COMPONENTS, NodeDofs
 from .record import Superelement
@@ -228,8 +229,8 @@ def _check_arrays(arrays: Mapping[str, Array], n_boundary: int) -> None:
         for size, word in zip(array.shape, shape, strict=True):
             if sizes.setdefault(word, size) != size:
                 raise ValueError(f"'{name}' has shape {array.shape}")
-        if name not in INTEGERS and not np.isfinite(array).all():
-            raise ValueError(f"'{name}' has entries that are not finite")
+        if name not in INTEGERS and not (abs(array) < LARGEST).all():
+            raise ValueError(f"'{name}' has entries that no component has")
     if not 0 < n_boundary <= sizes["n"] or not sizes["rows"] or sizes["rigid motions"] > 6:
         raise ValueError("its sizes are not those of a component")
     for name in SYMMETRIC:
@@ -260,6 +261,8 @@ def _rows(value: object, count: int | None = None) -> list[object]:
 def _text(value: object) -> str:
     if not isinstance(value, str):
         raise ValueError("its text lacks a name")
+    # what cannot be printed raises here
+    value.encode("utf-8")
     return value
 
 

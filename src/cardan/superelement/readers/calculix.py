@@ -24,7 +24,10 @@ if TYPE_CHECKING:
 def _read(contents: Mapping[str, bytes], names: Mapping[str, str]) -> ComponentMatrices:
     """Stiffness, mass, directions of the rows and, where it is there, the input."""
     dofs = _dofs(contents["dofs"], names["dofs"])
-    K, M = (_matrix(contents[role], names[role], len(dofs)) for role in ("stiffness", "mass"))
+    K, M = (
+        _matrix(contents[role], names[role], len(dofs), names["dofs"])
+        for role in ("stiffness", "mass")
+    )
     numbered, plain = with_positions(contents.get("nodes"), names.get("nodes", ""))
     if plain is not None:
         raise ModelError(f"{names['nodes']}: give the number of each node before x, y, z")
@@ -47,10 +50,17 @@ def _dofs(content: bytes, file: str) -> tuple[tuple[int, str], ...]:
     return tuple(rows)
 
 
-def _matrix(content: bytes, file: str, size: int) -> Sparse:
-    """One triangle: row, column, value."""
+def _matrix(content: bytes, file: str, size: int, dofs_file: str) -> Sparse:
+    """One triangle: row, column, value.
+
+    Raises:
+        ModelError: rows that have no direction.
+    """
     values = table(text_lines(content, file), 1, 3, file)
     rows, columns = (integers(values[:, k], file, "row or column") - 1 for k in (0, 1))
+    last = int(max(rows.max(initial=-1), columns.max(initial=-1)))
+    if last >= size:
+        raise ModelError(f"{dofs_file}: it names {size} rows, {file} has one of number {last + 1}")
     return assembled(rows, columns, values[:, 2], size, file)
 
 
