@@ -66,6 +66,13 @@ class Component:
         """Lengths by which motions of the interfaces compare (n_b,)."""
         return np.array([self.length if ".r" in one else 1.0 for one in self.boundary_labels])
 
+    @property
+    def places(self) -> Array:
+        """Positions of the unknowns (n_b + n_i, 3) [m]."""
+        frames = [[frame.position] * len(frame.components) for frame in self.connection.frames]
+        rows = self.dofs.positions[self.dofs.node[self.connection.interior]]
+        return np.vstack([*frames, rows])
+
     def label(self, row: int) -> str:
         """An unknown in messages."""
         if row < self.n_boundary:
@@ -81,7 +88,8 @@ class Component:
         """Of the stiffness with all interfaces fixed."""
         n = self.n_boundary
         where = "K with all interfaces fixed"
-        return Factor(self.K[n:, n:].tocsc(), self.inner_label, where, UNSUPPORTED)
+        inner = self.K[n:, n:].tocsc()
+        return Factor(inner, self.places[n:], self.inner_label, where, UNSUPPORTED)
 
     @cached_property
     def constraint_modes(self) -> Array:
@@ -133,7 +141,11 @@ class Component:
         free = np.setdiff1d(np.arange(size), pivots[:r])
         K = self.K[free][:, free].tocsc()
         where = "K on a statically determinate support" if r else "K"
-        return free, Factor(K, lambda row: self.label(int(free[row])), where, UNSUPPORTED), normed
+
+        def label(row: int) -> str:
+            return self.label(int(free[row]))
+
+        return free, Factor(K, self.places[free], label, where, UNSUPPORTED), normed
 
     def free_memory(self) -> None:
         """Drop the factor of the free component, as large as that behind the interfaces."""

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..errors import ModelError
+from .elimination_order import nested_dissection
 
 if TYPE_CHECKING:
     from scipy.sparse import csc_matrix as Sparse
@@ -22,6 +23,7 @@ class Factor:
 
     Args:
         K: Stiffness, by columns.
+        places: Position of each row [m] (n, 3), by which the order of elimination is chosen.
         label: Name of a row in messages.
         where: What K is, in messages.
         cure: What to do where it is singular.
@@ -32,7 +34,9 @@ class Factor:
     Source: X. S. Li, An overview of SuperLU, ACM TOMS 31 (2005).
     """
 
-    def __init__(self, K: Sparse, label: Callable[[int], str], where: str, cure: str) -> None:
+    def __init__(
+        self, K: Sparse, places: Array, label: Callable[[int], str], where: str, cure: str
+    ) -> None:
         from scipy.sparse import diags
         from scipy.sparse.linalg import splu
 
@@ -45,16 +49,18 @@ class Factor:
         self._scale = 1 / np.sqrt(diagonal)
         scaling = diags(self._scale)
         scaled = (scaling @ K @ scaling).tocsc()
+        self._order = nested_dissection(scaled, places)
+        ordered = scaled[self._order][:, self._order]
         options = {"SymmetricMode": True}
         try:
             self._factors = splu(
-                scaled, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options
+                ordered.tocsc(), permc_spec="NATURAL", diag_pivot_thresh=0.0, options=options
             )
         except RuntimeError:
             # exactly singular: a little more stiffness shows the shape
             self._factors = splu(
-                (scaled + diags(np.full(self.size, SINGULAR))).tocsc(),
-                permc_spec="MMD_AT_PLUS_A",
+                (ordered + diags(np.full(self.size, SINGULAR))).tocsc(),
+                permc_spec="NATURAL",
                 options=options,
             )
         self._check(scaled, label, where, cure)
@@ -62,7 +68,13 @@ class Factor:
     def solve(self, force: Array) -> Array:
         """Displacements (n,) or (n, k) by forces."""
         scale = self._scale if force.ndim == 1 else self._scale[:, None]
-        solution: Array = scale * self._factors.solve(np.ascontiguousarray(scale * force))
+        solution: Array = scale * self._solve(scale * force)
+        return solution
+
+    def _solve(self, force: Array) -> Array:
+        """Of the scaled stiffness."""
+        solution: Array = np.empty_like(force)
+        solution[self._order] = self._factors.solve(np.ascontiguousarray(force[self._order]))
         return solution
 
     def _check(self, scaled: Sparse, label: Callable[[int], str], where: str, cure: str) -> None:
@@ -71,7 +83,7 @@ class Factor:
         shape /= np.linalg.norm(shape)
         softness = 0.0
         for _ in range(SWEEPS):
-            shape = self._factors.solve(shape)
+            shape = self._solve(shape)
             softness = float(np.linalg.norm(shape))
             if not np.isfinite(softness):
                 break
