@@ -111,3 +111,51 @@ def test_faults_are_named() -> None:
             fem.from_mesh(mesh, ALUMINIUM, interfaces, library=kernels.library())
     with pytest.raises(cd.ModelError, match=r"scale=0.001: the mesh is one already"):
         fem.from_mesh(mesh, ALUMINIUM, {"a": [0]}, library=kernels.library(), scale=1e-3)
+
+
+# first flap frequency of a rotating blade by w (rho A l^4 / E I)^(1/2), both over the same unit:
+# A. D. Wright, C. E. Smith, R. W. Thresher, J. L. C. Wang, J. Appl. Mech. 49 (1982), 197-202
+BLADE = {0: 3.5160, 3: 4.7973, 6: 7.3604}
+
+
+def test_a_spinning_blade_by_its_geometric_stiffness() -> None:
+    """One superelement with K_G against the exact table, flapping along the axis of rotation."""
+    length, h, E, rho = 1.0, 0.02, 70e9, 2700.0
+    mesh = block("hex20", (16, 1, 1), (length, h, h))
+    metal = cd.material(E=E, nu=0.0, rho=rho)
+    ends = {
+        name: np.flatnonzero(abs(mesh.points[:, 0] - x) < 1e-9)
+        for name, x in (("root", 0), ("tip", length))
+    }
+    blade = fem.from_mesh(mesh, metal, ends, library=kernels.library(), modes=8, stiffening="root")
+    assert set(blade.geometric) == {"xx", "yy", "zz", "yz", "zx", "xy"}
+    unit = np.sqrt(E * h * h / 12 / rho) / length**2
+    moving = slice(6, None)
+    M, K = blade.M[moving, moving], blade.K[moving, moving]
+    for ratio, exact in BLADE.items():
+        stiff = K + (ratio * unit) ** 2 * blade.geometric["zz"][moving, moving]
+        # spin takes from the plane of rotation what it gives across: the flap is the softest with z
+        omega, shapes = eigh(stiff, M)
+        motion = blade.basis[:, moving] @ shapes
+        flapping = np.abs(motion[2::3]).max(axis=0) > 0.5 * np.abs(motion).max(axis=0)
+        first = np.sqrt(omega[np.flatnonzero(flapping)[0]])
+        assert first / unit == pytest.approx(exact, rel=2e-3)
+
+
+def test_products_of_angular_velocities() -> None:
+    mesh = block("tet10", (1, 1, 1), (0.3, 0.2, 0.1))
+    body = fem.solid(mesh, ALUMINIUM, kernels.library())
+    w, center = np.array([3.0, -2.0, 5.0]), (0.1, 0.2, 0.3)
+    products = fem.centrifugal_products(body, center)
+    total = sum(w["xyz".index(a)] * w["xyz".index(b)] * load for (a, b), load in products.items())
+    assert total == pytest.approx(fem.centrifugal(body, w, center), rel=1e-12, abs=1e-12)
+
+
+def test_nodes_on_a_line_hold_nothing() -> None:
+    mesh = block("hex8", (1, 1, 1))
+    body = fem.solid(mesh, ALUMINIUM, kernels.library())
+    edge = np.flatnonzero((mesh.points[:, :2] == 0).all(axis=1))
+    with pytest.raises(cd.ModelError, match=r"body that spins is singular.*do not lie on a line"):
+        fem.spin_stiffness(body, edge)
+    with pytest.raises(cd.ModelError, match=r"stiffening='rot': .*Did you mean 'root'"):
+        fem.from_mesh(mesh, ALUMINIUM, {"root": edge}, library=kernels.library(), stiffening="rot")

@@ -7,10 +7,10 @@ what reductions take. The loops over cells are C, in ``kernels/solids``.
 from __future__ import annotations
 
 from .files import read
-from .loads import centrifugal, gravity, pressure, thermal
+from .loads import centrifugal, centrifugal_products, gravity, pressure, thermal
 from .materials import SolidMaterial, orthotropic
 from .record import Mesh, from_arrays
-from .reduced import from_mesh
+from .reduced import from_mesh, spin_stiffness
 from .solid import Solid, assembled, solid
 from .stress import stress_operator, thermal_stresses, von_mises
 
@@ -20,6 +20,7 @@ __all__ = [
     "SolidMaterial",
     "assembled",
     "centrifugal",
+    "centrifugal_products",
     "from_arrays",
     "from_mesh",
     "gravity",
@@ -27,6 +28,7 @@ __all__ = [
     "pressure",
     "read",
     "solid",
+    "spin_stiffness",
     "stress_operator",
     "thermal",
     "thermal_stresses",

@@ -50,6 +50,26 @@ def centrifugal(solid: Solid, speed: ArrayLike, center: ArrayLike = (0.0, 0.0, 0
     return forces
 
 
+def centrifugal_products(solid: Solid, center: ArrayLike = (0.0, 0.0, 0.0)) -> dict[str, Array]:
+    """The loads of unit products of angular velocities, by which any rotation is described.
+
+    Args:
+        solid: The body.
+        center: A point of the axis (3,) [m].
+
+    Returns:
+        Forces (dofs,) [N s^2/rad^2] by ``"xx"``, ``"yy"``, ``"zz"``, ``"yz"``, ``"zx"``, ``"xy"``:
+        the load of w is the sum of w_i w_j times load ij.
+    """
+    unit = np.eye(3)
+    square = [centrifugal(solid, axis, center) for axis in unit]
+    loads = {2 * letter: load for letter, load in zip("xyz", square, strict=True)}
+    for i, j in ((1, 2), (2, 0), (0, 1)):
+        both = centrifugal(solid, unit[i] + unit[j], center)
+        loads["xyz"[i] + "xyz"[j]] = both - square[i] - square[j]
+    return loads
+
+
 def thermal(solid: Solid, temperature: ArrayLike) -> Array:
     """The load that would give the thermal strains if nothing resisted.
 
