@@ -10,7 +10,7 @@ import pytest
 import cardan as cd
 from cardan.superelement import mesh as fem
 from cardan.superelement.mesh.cells import SOLIDS
-from superelement.mesh.meshes import block, grid
+from superelement.mesh.meshes import KINDS, block, grid
 
 TET = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
 ONE = {"tet4": [[0, 1, 2, 3]]}
@@ -213,6 +213,19 @@ def test_faces_are_outer_ones_and_point_outward() -> None:
     wrong = {"inside": {"tri6": cell[inner[:1]]}}
     with pytest.raises(cd.ModelError, match=r"'inside': its tri6 face .* is not an outer face"):
         fem.from_arrays(mesh.points, dict(mesh.cells), surfaces=wrong).faces("inside")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_triangles_close_the_surface(kind: str) -> None:
+    """Every edge belongs to two of them, in opposite directions; their volume is that of a cube."""
+    mesh = block(kind, (2, 1, 1))
+    triangles = mesh.triangles
+    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    there, back = {tuple(x) for x in edges.tolist()}, {tuple(x[::-1]) for x in edges.tolist()}
+    assert there == back
+    assert len(there) == len(edges)
+    a, b, c = mesh.points[triangles].transpose(1, 0, 2)
+    assert np.einsum("ij,ij->", a, np.cross(b, c)) / 6 == pytest.approx(1.0)
 
 
 @pytest.mark.parametrize(

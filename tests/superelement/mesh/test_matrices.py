@@ -195,6 +195,7 @@ def test_two_materials_by_region() -> None:
     mesh = fem.from_arrays(plain.points, dict(plain.cells), regions=regions, scale=1.0)
     soft = cd.material(E=1e9, nu=0.2, rho=1000)
     body = solid(mesh, {"left": STEEL, "right": soft})
+    assert repr(body) == "Solid(36 degrees of freedom, 1 hex8, 1 hex8)"
     assert body.mass().sum() / 3 == pytest.approx((RHO + 1000) / 2)
     K = np.zeros((mesh.dofs, mesh.dofs))
     for nodes, (modulus, ratio) in zip(mesh.cells["hex8"], ((E, NU), (1e9, 0.2)), strict=True):

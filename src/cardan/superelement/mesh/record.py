@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from ...arrays import Array, Integers
 from ...errors import ModelError, brief, counted, near
+from .cells import FACES
 from .checks import checked_cells, checked_points, checked_shapes
 from .topology import Boundary, boundary
 from .units import judge_size
@@ -59,6 +60,15 @@ class Mesh:
     def dofs(self) -> int:
         """Degrees of freedom: 3 for each node, those of node k are 3 k, 3 k + 1, 3 k + 2."""
         return 3 * len(self.points)
+
+    @property
+    def triangles(self) -> Integers:
+        """The outside as flat triangles between nodes (triangles, 3), positive outside."""
+        lists = [
+            rows[:, FACES[kind].triangles].reshape(-1, 3)
+            for kind, rows in self.boundary.faces.items()
+        ]
+        return np.concatenate(lists)
 
     def nodes(self, place: Place) -> Integers:
         """Node numbers of a surface, a node set or a region, ascending; numbers stay what they are.

@@ -92,6 +92,10 @@ class Solid:
         self.groups = _groups(mesh, material)
         self.pattern = _pattern(mesh)
 
+    def __repr__(self) -> str:
+        kinds = ", ".join(f"{len(group.nodes)} {group.cell.kind}" for group in self.groups)
+        return f"Solid({self.mesh.dofs} degrees of freedom, {kinds})"
+
     def stiffness(self) -> csr_matrix:
         """The stiffness matrix K (dofs, dofs) [N/m], a ``scipy.sparse.csr_matrix``."""
         values = np.zeros((len(self.pattern.column), 3, 3))

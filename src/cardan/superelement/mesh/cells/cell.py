@@ -43,6 +43,7 @@ class Cell:
         faces: Nodes of each face, ordered as the cell of the face orders them, positive outside;
             in the order of their numbers in Abaqus.
         stiffness, mass, stress: Rules for stiffness, for mass, and for points of good stresses.
+        triangles: Of a face: flat triangles between its nodes, for pictures.
     """
 
     kind: str
@@ -56,6 +57,7 @@ class Cell:
     stiffness: Rule
     mass: Rule
     stress: Rule
+    triangles: tuple[tuple[int, int, int], ...] = ()
 
     @property
     def dimension(self) -> int:

@@ -17,4 +17,5 @@ CELL = Cell(
     stiffness=gauss(2, 2),
     mass=gauss(2, 2),
     stress=gauss(2, 2),
+    triangles=((0, 1, 2), (0, 2, 3)),
 )

@@ -17,4 +17,5 @@ CELL = Cell(
     stiffness=gauss(3, 2),
     mass=gauss(3, 2),
     stress=gauss(3, 2),
+    triangles=((0, 4, 7), (4, 1, 5), (5, 2, 6), (6, 3, 7), (4, 5, 7), (5, 6, 7)),
 )

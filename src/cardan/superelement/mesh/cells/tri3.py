@@ -20,4 +20,5 @@ CELL = Cell(
     stiffness=RULE,
     mass=RULE,
     stress=RULE,
+    triangles=((0, 1, 2),),
 )

@@ -27,4 +27,5 @@ CELL = Cell(
     stiffness=RULE,
     mass=RULE,
     stress=RULE,
+    triangles=((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)),
 )
