@@ -70,15 +70,13 @@ def reduce(
         frame_dofs: Motions of the frames; by default six in space, those of the nodes in a plane.
         node_dofs: Motions of a node; ``"x y z"`` for three rows each, ``"x y z rx ry rz"`` for six.
         order: Of the rows: ``"node"`` (all of node 0 first) or ``"component"`` (x of all first).
-        dofs: Node and motion of each row instead, ``[(17, "x"), ...]``.
-        node_ids: Numbers of the nodes; 0, 1, 2, ... by default.
+        dofs, node_ids: Node and motion of each row, ``[(17, "x"), ...]``; numbers of the nodes.
         supported: True where K includes supports, so that it resists rigid motions.
-        damping: Ratio of the modes of the free component, or one for each; the last is for all above.
+        damping: Ratio of all modes of the free component, or one for each, lowest first.
         rayleigh: a [1/s] and b [s] of C = a M + b K, instead or in addition.
         loads: Forces in the rows (rows,) by name, such as those by a unit rise of temperature.
         static_shapes: Loads and ``"gravity"`` whose static response is among the shapes.
-        stress: Rows of stress by the rows of K (components, rows), dense or sparse.
-        stress_names: Of the rows of stress.
+        stress, stress_names: Rows of stress by the rows of K (components, rows), and their names.
         geometric: Geometric stiffness (rows, rows) by name, for loads of unit size.
         make_free: Take out of K what resists rigid motions of the interfaces, as rounded texts do.
 
