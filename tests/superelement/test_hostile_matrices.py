@@ -142,6 +142,11 @@ REFUSED: list[tuple[Callable[[], dict[str, Any]], Callable[..., None], str]] = [
     (solid, say(method="guyan"), "modes=2: 'guyan' has none"),
     (solid, say(modes=1000), r"modes=1000: the component has 36 modes"),
     (solid, say(modes=-1), "modes=-1: give 0 or more"),
+    (solid, say(damping="much"), "damping='much': give real numbers"),
+    (solid, say(loads={"heat": "hot"}), "loads: 'heat'='hot': give real numbers"),
+    (solid, say(stress="x"), "stress='x': give real numbers"),
+    (solid, say(stress=[[1.0], [2.0, 3.0]]), "stress: rows of different lengths"),
+    (solid, say(at={"root": "left"}), "at: 'root'='left': give real numbers"),
     (solid, say(damping=-0.1), "damping=-0.1: give a ratio"),
     (solid, say(rayleigh=(-1, 0)), "rayleigh=.*give two numbers that are 0 or more"),
     (solid, say(loads={"heat": np.ones(3)}), r"'heat' has shape \(3,\), expected \(60,\)"),
@@ -217,6 +222,20 @@ def test_masses_and_places_that_do_not_fit_are_noted() -> None:
     far["nodes"][0, 0] = 500.0
     with pytest.raises(cd.ModelError, match="K resists a rigid rotation"):
         cd.superelement.reduce(**far)
+
+
+@each("inertia, message", [(0.0, "center of mass .* lies outside"), (1e6, "radius of gyration")])
+def test_a_mass_far_from_all_nodes_is_noted(inertia: float, message: str) -> None:
+    data = planar()
+    # a rotor on the tip, or an arm of 40 m with a mass at its end
+    offset = 0.0 if inertia else 40.0
+    data["M"][48:51, 48:51] += [
+        [5, 0, 0],
+        [0, 5, 5 * offset],
+        [0, 5 * offset, 5 * offset**2 + inertia],
+    ]
+    with pytest.warns(cd.ModelWarning, match=message):
+        cd.superelement.reduce(**data)
 
 
 def test_shapes_that_do_not_move_all_interfaces_are_refused() -> None:

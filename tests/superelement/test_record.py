@@ -182,6 +182,40 @@ def test_static_loads_move_interfaces_as_they_do_all_rows() -> None:
         np.testing.assert_allclose(moved[:3], exact[-3:], rtol=1e-10, atol=1e-15)
 
 
+@each("method", ["craig_bampton", "rubin", "guyan"])
+def test_static_shapes_make_all_displacements_exact(method: str) -> None:
+    """Heat and weight in a beam on one clamp: every row moves as without a reduction."""
+    M, K, nodes = planar_beam(2.0, 8, 3e6, 500.0, 4.0)
+    heat = np.zeros(27)
+    heat[9], heat[14], heat[24] = -60.0, 5.0, 60.0
+    options = {"node_dofs": "x y rz", "loads": {"heat": heat}, "method": method}
+    options["modes"] = None if method == "guyan" else 2
+    ends = {"root": 0, "tip": 8}
+    weight = M @ np.tile([0.0, -9.81, 0.0], 9)
+    for shapes, is_exact in (((), False), (("heat", "gravity"), True)):
+        record = cd.superelement.reduce(M, K, nodes, ends, static_shapes=shapes, **options)
+        for force, reduced in (
+            (heat, record.loads["heat"]),
+            (weight, record.gravity @ [0, -9.81, 0]),
+        ):
+            z = np.zeros(record.n)
+            z[3:] = np.linalg.solve(record.K[3:, 3:], reduced[3:])
+            moved = record.displacements(z)
+            exact = np.linalg.solve(K[3:, 3:], force[3:])
+            error = abs(moved[3:] - exact).max() / abs(exact).max()
+            # attachment modes of a free body span its response to weight
+            spanned = is_exact or (method == "rubin" and force is weight)
+            assert error < 1e-10 if spanned else error > 1e-5
+    # frequencies can only become better
+    plain = cd.superelement.reduce(M, K, nodes, ends, **options).modes(["root"]).frequencies
+    assert (record.modes(["root"]).frequencies[: len(plain)] <= plain * (1 + 1e-10)).all()
+    with pytest.raises(cd.ModelError, match=r"there is no load 'heet'.*Did you mean 'heat'"):
+        cd.superelement.reduce(M, K, nodes, ends, static_shapes=["heet"], **options)
+    options |= {"method": "macneal", "modes": 1}
+    with pytest.raises(cd.ModelError, match="take method='rubin'"):
+        cd.superelement.reduce(M, K, nodes, ends, static_shapes=["heat"], **options)
+
+
 def test_damping_ratios_are_those_of_the_free_modes() -> None:
     record = beam(modes=4, damping=[0.01, 0.02, 0.03], method="rubin")
     values = eig(

@@ -19,7 +19,7 @@ from .component import Component
 from .methods.method import ReducedBasis
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Residuals:
     """Norms of residuals of all reduced modes, by products of their shapes.
 

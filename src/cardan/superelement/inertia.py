@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from scipy.sparse import csc_matrix as Sparse
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ProjectedInertia:
     """Blocks of B^T M B for a component with n coordinates; k and l are axes of its frame.
 

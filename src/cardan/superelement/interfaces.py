@@ -17,6 +17,7 @@ import numpy as np
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, brief, near
+from .matrices import numbers
 from .node_dofs import COMPONENTS, NodeDofs, component_names, rigid_rows
 
 if TYPE_CHECKING:
@@ -180,7 +181,7 @@ def _origin(name: str, positions: Array, selection: object) -> tuple[float, floa
     """Origin of a frame; that of a single node is the node."""
     if selection is None:
         return tuple(float(x) for x in positions.mean(axis=0))  # type: ignore[return-value]
-    origin = np.asarray(selection, dtype=float)
+    origin = numbers(f"at: '{name}'", selection)
     if origin.shape != (3,) or not np.isfinite(origin).all():
         raise ModelError(f"at: '{name}' is {brief(selection)}; give three finite numbers [m]")
     return tuple(float(x) for x in origin)  # type: ignore[return-value]

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import ModelError, SolveError
+from ..arrays import Array
+from ..errors import ModelError, SolveError, brief
 from .node_dofs import NodeDofs
 
 if TYPE_CHECKING:
@@ -14,6 +15,26 @@ if TYPE_CHECKING:
 
 LARGEST = 1e100  # of an entry, far beyond any unit
 SYMMETRY = 1e-8  # beside the diagonal: what rounded texts lose, and nothing that matters
+
+
+def numbers(who: str, values: object) -> Array:
+    """Real numbers as an array.
+
+    Raises:
+        ModelError: something else.
+    """
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        raise ModelError(f"{who}: rows of different lengths; give an array of numbers") from None
+    if array.dtype.kind not in "fiu":
+        raise ModelError(f"{who}={brief(values)}: give real numbers")
+    return array.astype(np.float64)
+
+
+def symmetric_part(matrix: Array) -> Array:
+    """(A + A^T)/2, without what rounding left of asymmetry."""
+    return (matrix + matrix.T) / 2
 
 
 def square_size(name: str, matrix: Sparse) -> int:

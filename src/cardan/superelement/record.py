@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
@@ -23,7 +23,7 @@ MAX_PRINTED = 12
 ISOTROPIC = 1e-8  # of the largest mass: what rounded texts leave
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ReducedModes:
     """Modes of a reduced component, rigid motions left out.
 
@@ -60,7 +60,7 @@ class ReducedModes:
         return "\n".join([*lines, *([f"  ... {more} more"] if more > 0 else [])])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Superelement:
     """A component with n coordinates: n_b motions of its interfaces, then modal coordinates.
 
@@ -116,6 +116,12 @@ class Superelement:
     stress_names: tuple[str, ...]
     geometric: Mapping[str, Array]
     notes: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if isinstance(value, np.ndarray):
+                value.setflags(write=False)
 
     @property
     def n(self) -> int:

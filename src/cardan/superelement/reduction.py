@@ -11,16 +11,17 @@ from numpy.typing import ArrayLike
 from ..arguments import checked
 from ..arrays import Array
 from ..errors import ModelError, ModelWarning, brief, near, warn
+from .additions import Additions, additions_of
 from .checks import RIGID, check_free, mass_properties, node_notes, rigid_check, unit_notes
 from .component import Component
 from .error_bounds import residuals
 from .inertia import anisotropy, project
 from .interfaces import Connection, connect
-from .matrices import check_diagonals, square_size, symmetric
+from .matrices import check_diagonals, square_size, symmetric, symmetric_part
 from .methods import METHODS, STATIC
 from .node_dofs import NodeDofs, number_rows
 from .record import Superelement
-from .response import modal_damping, reduced_modes
+from .static_shapes import with_static_shapes
 
 if TYPE_CHECKING:
     from scipy.sparse import csc_matrix as Sparse
@@ -49,6 +50,7 @@ def reduce(
     damping: object = None,
     rayleigh: tuple[float, float] | None = None,
     loads: Mapping[str, object] | None = None,
+    static_shapes: Sequence[str] = (),
     stress: object = None,
     stress_names: Sequence[str] | None = None,
     geometric: Mapping[str, object] | None = None,
@@ -62,23 +64,19 @@ def reduce(
         interface: A node, or nodes, for each interface by name: ``{"hinge": 17}``.
         method: ``"craig_bampton"``, ``"rubin"``, ``"macneal"`` or ``"guyan"``.
         modes: How many, lowest first; 10 by default, none for ``"guyan"``.
-        rigid: How several nodes make a frame: ``"rbe2"`` rigidly, ``"rbe3"`` by their mean motion;
-            for all interfaces or by name.
+        rigid: How several nodes make a frame, for all or by name: ``"rbe2"`` rigidly, ``"rbe3"`` by
+            their mean motion.
         at: Origins of frames by name (3,) [m]; the mean position of their nodes by default.
-        frame_dofs: Motions of the frames, such as ``"x y rz"``; by default all six in space, those
-            of the nodes in a plane.
-        node_dofs: Motions of each node, in their order: ``"x y z"`` by default for three rows per
-            node, ``"x y z rx ry rz"`` for six.
+        frame_dofs: Motions of the frames; by default six in space, those of the nodes in a plane.
+        node_dofs: Motions of a node; ``"x y z"`` for three rows each, ``"x y z rx ry rz"`` for six.
         order: Of the rows: ``"node"`` (all of node 0 first) or ``"component"`` (x of all first).
-        dofs: Node and motion of each row instead, ``[(17, "x"), ...]``.
-        node_ids: Numbers of the nodes; 0, 1, 2, ... by default.
+        dofs, node_ids: Node and motion of each row, ``[(17, "x"), ...]``; numbers of the nodes.
         supported: True where K includes supports, so that it resists rigid motions.
-        damping: Ratio of the modes of the free component, or one for each, lowest first; the last
-            is for those above too. Rigid motions are not damped.
+        damping: Ratio of all modes of the free component, or one for each, lowest first.
         rayleigh: a [1/s] and b [s] of C = a M + b K, instead or in addition.
         loads: Forces in the rows (rows,) by name, such as those by a unit rise of temperature.
-        stress: Rows of stress by the rows of K (components, rows), dense or sparse.
-        stress_names: Of the rows of stress.
+        static_shapes: Loads and ``"gravity"`` whose static response is among the shapes.
+        stress, stress_names: Rows of stress by the rows of K (components, rows), and their names.
         geometric: Geometric stiffness (rows, rows) by name, for loads of unit size.
         make_free: Take out of K what resists rigid motions of the interfaces, as rounded texts do.
 
@@ -97,15 +95,21 @@ def reduce(
         numbered,
         M,
         K,
-        connection=connect(numbered, interface, rigid, at, frame_dofs),
+        connect(numbered, interface, rigid, at, frame_dofs),
         method=method,
         modes=modes,
         supported=supported,
-        damping=_damping(damping, rayleigh),
-        loads=loads or {},
-        stress=(stress, stress_names),
-        geometric=geometric or {},
         make_free=make_free,
+        additions=additions_of(
+            numbered,
+            damping=damping,
+            rayleigh=rayleigh,
+            loads=loads or {},
+            static_shapes=static_shapes,
+            stress=stress,
+            stress_names=stress_names,
+            geometric=geometric or {},
+        ),
     )
 
 
@@ -113,16 +117,13 @@ def _reduced(
     dofs: NodeDofs,
     M: Sparse,
     K: Sparse,
-    *,
     connection: Connection,
+    *,
     method: str,
     modes: int | None,
     supported: bool,
-    damping: tuple[Array, float, float],
-    loads: Mapping[str, object],
-    stress: tuple[object, Sequence[str] | None],
-    geometric: Mapping[str, object],
     make_free: bool,
+    additions: Additions,
 ) -> Superelement:
     """The reduced component by checked matrices."""
     check_diagonals(M, K, dofs)
@@ -135,26 +136,20 @@ def _reduced(
     component = _component(dofs, M, K, connection, supported)
     basis = METHODS[method](component, count)
     component.free_memory()
+    if additions.static_shapes:
+        forces = connection.matrix.T @ additions.static_loads(M, dofs)
+        basis = with_static_shapes(component, basis, forces, additions.static_shapes)
     shapes = connection.matrix @ basis.shapes
-    n, n_boundary = basis.shapes.shape[1], connection.n_boundary
     # rigid motions move interfaces alone: constraint modes carry what is behind them
-    moved = np.vstack(
-        [component.rigid[:n_boundary], np.zeros((n - n_boundary, component.rigid.shape[1]))]
-    )
+    modal = np.zeros((basis.shapes.shape[1] - component.n_boundary, component.rigid.shape[1]))
+    moved = np.vstack([component.rigid[: component.n_boundary], modal])
     stiffness = _freed(basis.K, moved, component.boundary_scale) if make_free else basis.K
-    none = np.zeros(0, np.intp)
-    ratios, alpha, beta = damping
-    C = alpha * basis.M + beta * stiffness
-    if len(ratios):
-        free = reduced_modes(basis.M, stiffness, moved, none, basis.massless)
-        C = C + modal_damping(free, basis.M, ratios)
-    rows, names = _stress(stress, dofs)
     for note in notes:
         warn(note, ModelWarning)
     return Superelement(
         method=method,
         M=basis.M,
-        C=C,
+        C=additions.damping(basis.M, stiffness, moved, basis.massless),
         K=stiffness,
         basis=shapes,
         dofs=dofs,
@@ -171,12 +166,12 @@ def _reduced(
         density=density,
         inertia=project(M, shapes, dofs),
         anisotropy=anisotropy(M, dofs, component.length),
-        loads={name: shapes.T @ _load(name, one, dofs) for name, one in loads.items()},
-        stress=np.asarray(rows @ shapes) if rows is not None else np.zeros((0, n)),
-        stress_names=names,
+        loads={name: shapes.T @ force for name, force in additions.loads.items()},
+        stress=additions.stress @ shapes,
+        stress_names=additions.stress_names,
         geometric={
-            name: _square(shapes.T @ (symmetric(f"geometric '{name}'", one, dofs) @ shapes))
-            for name, one in geometric.items()
+            name: symmetric_part(shapes.T @ (one @ shapes))
+            for name, one in additions.geometric.items()
         },
         notes=tuple(notes),
     )
@@ -228,62 +223,5 @@ def _freed(K: Array, rigid: Array, boundary_scale: Array) -> Array:
     project = np.eye(n) - orthonormal @ orthonormal.T
     project = project * boundary_scale / boundary_scale[:, None]
     freed = K.copy()
-    freed[:n, :n] = _square(project.T @ K[:n, :n] @ project)
+    freed[:n, :n] = symmetric_part(project.T @ K[:n, :n] @ project)
     return freed
-
-
-def _square(matrix: Array) -> Array:
-    """The symmetric part."""
-    return (matrix + matrix.T) / 2
-
-
-def _damping(damping: object, rayleigh: tuple[float, float] | None) -> tuple[Array, float, float]:
-    """Damping ratios, and the factors of mass and stiffness.
-
-    Raises:
-        ModelError: a negative number, or one that is not finite.
-    """
-    ratios = np.zeros(0) if damping is None else np.atleast_1d(np.asarray(damping, dtype=float))
-    if ratios.ndim != 1 or not np.isfinite(ratios).all() or (ratios < 0).any():
-        raise ModelError(
-            f"damping={brief(damping)}: give a ratio, or one for each mode, 0 or more, such as 0.01"
-        )
-    alpha, beta = rayleigh or (0.0, 0.0)
-    if alpha < 0 or beta < 0:
-        raise ModelError(f"rayleigh={brief(rayleigh)}: give two numbers that are 0 or more")
-    return ratios, alpha, beta
-
-
-def _load(name: str, values: object, dofs: NodeDofs) -> Array:
-    """Forces in the rows of the nodes."""
-    force = np.asarray(values, dtype=float)
-    if force.shape != (len(dofs),):
-        raise ModelError(
-            f"loads: '{name}' has shape {force.shape}, expected ({len(dofs)},): a force in each row"
-        )
-    bad = np.flatnonzero(~np.isfinite(force))
-    if len(bad):
-        raise ModelError(f"loads: '{name}' is {force[bad[0]]} at {dofs.label(bad[0])}")
-    return force
-
-
-def _stress(
-    argument: tuple[object, Sequence[str] | None], dofs: NodeDofs
-) -> tuple[Sparse | None, tuple[str, ...]]:
-    """Operator of stress by the rows of the nodes, and names of its rows."""
-    from scipy.sparse import csr_matrix, issparse
-
-    operator, names = argument
-    if operator is None:
-        if names is not None:
-            raise ModelError("stress_names: give stress= too, the rows that they name")
-        return None, ()
-    rows = csr_matrix(operator if issparse(operator) else np.atleast_2d(np.asarray(operator)))
-    if rows.shape[1] != len(dofs):
-        raise ModelError(f"stress: shape {rows.shape}, expected (components, {len(dofs)})")
-    if not np.isfinite(rows.data).all():
-        raise ModelError("stress: an entry is not finite; write the operator again")
-    labels = tuple(names) if names is not None else tuple(f"{k}" for k in range(rows.shape[0]))
-    if len(labels) != rows.shape[0]:
-        raise ModelError(f"stress_names: {len(labels)} names for {rows.shape[0]} rows")
-    return rows, labels

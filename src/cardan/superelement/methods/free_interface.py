@@ -46,7 +46,7 @@ def free_interface_basis(component: Component, count: int, residual_mass: bool) 
         massless = basis.shape[1] - free
     coordinates = _boundary_coordinates(component, basis[:n], (M + M.T) / 2, (K + K.T) / 2)
     M, K = coordinates.T @ M @ coordinates, coordinates.T @ K @ coordinates
-    # the turn made these so
+    # exact by the choice of the coordinates
     K[:n, n:], K[n:, :n] = 0.0, 0.0
     inner = K.diagonal()[n:].copy()
     K[n:, n:] = np.diag(inner)
@@ -56,7 +56,7 @@ def free_interface_basis(component: Component, count: int, residual_mass: bool) 
 
 
 def _orthogonal(component: Component, shapes: Array, basis: Array) -> Array:
-    """Shapes with unit modal mass, orthogonal to basis and to each other."""
+    """Shapes with unit modal mass, orthogonal to a basis and to each other."""
     for _ in range(2):
         shapes = shapes - basis @ (basis.T @ (component.M @ shapes))
     size = np.sqrt(np.maximum(np.einsum("ij,ij->j", shapes, component.K @ shapes), 1e-300))
@@ -76,7 +76,7 @@ def _orthogonal(component: Component, shapes: Array, basis: Array) -> Array:
 
 
 def _boundary_coordinates(component: Component, rows: Array, M: Array, K: Array) -> Array:
-    """Coordinates whose first ones are motions of the interfaces, and whose basis are modal.
+    """Coordinates that are motions of the interfaces first, modal ones behind them.
 
     Raises:
         ModelError: the shapes do not move all interfaces; it names their motions.

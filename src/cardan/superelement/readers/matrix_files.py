@@ -23,7 +23,7 @@ MOST_ENTRIES = 200_000_000
 MOST_BYTES = 1 << 33
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ComponentMatrices:
     """Mass and stiffness of a component, read from files.
 
@@ -58,6 +58,7 @@ class ComponentMatrices:
         damping: object = None,
         rayleigh: tuple[float, float] | None = None,
         loads: Mapping[str, object] | None = None,
+        static_shapes: Sequence[str] = (),
         stress: object = None,
         stress_names: Sequence[str] | None = None,
         geometric: Mapping[str, object] | None = None,
@@ -69,8 +70,8 @@ class ComponentMatrices:
             interface: Nodes by the names of interfaces, by the numbers that the files give them.
             nodes: Positions (n_nodes, 3) [m] where the files have none, nodes in rising numbers.
             method, modes, rigid, at, frame_dofs, node_dofs, order: As there.
-            supported, damping, rayleigh, loads, stress, stress_names, geometric: As there.
-            make_free: As there.
+            supported, damping, rayleigh, loads, static_shapes, stress, stress_names: As there.
+            geometric, make_free: As there.
 
         Raises:
             ModelError: no positions of nodes, or as there.
@@ -96,6 +97,7 @@ class ComponentMatrices:
             damping=damping,
             rayleigh=rayleigh,
             loads=loads,
+            static_shapes=static_shapes,
             stress=stress,
             stress_names=stress_names,
             geometric=geometric,

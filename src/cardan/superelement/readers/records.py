@@ -80,12 +80,13 @@ def table(lines: Sequence[str], first: int, columns: int, file: str, comma: bool
     rows = [(k, line) for k, line in enumerate(lines, first) if line.strip()]
     if len(rows) > MOST_ENTRIES:
         raise ModelError(f"{file}: more than {MOST_ENTRIES} entries; split the component")
-    texts = [word for _, line in rows for word in (line.split(",") if comma else line.split())]
+    if not rows:
+        return np.zeros((0, columns))
     try:
-        if len(texts) == columns * len(rows):
-            values = np.array(texts, dtype=np.float64).reshape(len(rows), columns)
-            if np.isfinite(values).all():
-                return values
+        texts, delimiter = [line for _, line in rows], "," if comma else None
+        values = np.loadtxt(texts, comments=None, delimiter=delimiter, ndmin=2)
+        if values.shape == (len(rows), columns) and np.isfinite(values).all():
+            return values
     except ValueError:
         pass
     # slowly, to say which line it is
