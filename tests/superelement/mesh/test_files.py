@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ import pytest
 import cardan as cd
 from cardan.runtime.build import kernels
 from cardan.superelement import mesh as fem
+from cardan.superelement.mesh.cells import SOLIDS
 
 FILES = Path(__file__).with_name("files")
 GMSH = ("lug.msh", "lug22.msh")
@@ -207,3 +209,10 @@ def test_mutants_end_in_messages(name: str, seed: int, tmp_path: Path) -> None:
         fem.read(path, scale=1e-3)
     except cd.ModelError:
         return
+
+
+def test_the_page_lists_all_kinds_of_cells() -> None:
+    page = (Path(__file__).parents[3] / "docs" / "superelements.md").read_text("utf-8")
+    rows = re.findall(r'^\| `"(\w+)"` \| (\d+) \| (\w+) \|', page, re.M)
+    cells = {cell.kind: (str(len(cell.nodes)), cell.abaqus[0]) for cell in SOLIDS.values()}
+    assert {kind: (nodes, name) for kind, nodes, name in rows} == cells
