@@ -171,6 +171,16 @@ def test_files_that_are_not_there(tmp_path: Path) -> None:
             fem.read(written(tmp_path, text, name))
 
 
+def test_a_count_beyond_the_file_is_refused_at_once(tmp_path: Path) -> None:
+    pytest.importorskip("meshio")
+    text = (FILES / "lug.msh").read_text()
+    count = re.search(r"\$Nodes\n(\d+ 396 1 396)", text)
+    assert count
+    text = text.replace(count[1], count[1].replace("396", "39999999"))
+    with pytest.raises(cd.ModelError, match="says that it has 39999999 nodes, in"):
+        fem.read(written(tmp_path, text, "many.msh"))
+
+
 def test_wedges_are_refused_by_name(tmp_path: Path) -> None:
     meshio = pytest.importorskip("meshio")
     points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]], float)
