@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scipy.linalg import block_diag, eigh
+from scipy.sparse import csc_matrix
 
 import cardan as cd
 from cardan.superelement import component
@@ -257,6 +258,32 @@ def test_bounds_hold_and_estimates_are_near(n: int) -> None:
             for error, estimate in zip(distance[: n // 2], modes.estimates, strict=False):
                 if 1e-9 < error < 1e-2 and method != "macneal":
                     assert error / 30 < estimate < 30 * error
+
+
+@each("method", ["craig_bampton", "rubin"])
+def test_rows_may_have_no_mass(method: str) -> None:
+    """Lumped masses without inertia of rotation: those rows follow the others in statics."""
+    _, K, nodes = planar_beam(2.0, 10, 3e6, 500.0, 4.0)
+    lumped = np.diag(np.where(np.arange(33) % 3 < 2, 0.8, 0.0))
+    lumped[[0, 1, 30, 31], [0, 1, 30, 31]] = 0.4
+    ends = {"root": 0, "tip": 10}
+    record = cd.superelement.reduce(
+        lumped, K, nodes, ends, node_dofs="x y rz", method=method, modes=8
+    )
+    exact = frequencies(lumped[3:, 3:], K[3:, 3:])[:3]
+    np.testing.assert_allclose(record.modes(["root"]).frequencies[:3], exact, rtol=2e-4)
+    assert record.modes().n_rigid == 3
+    assert record.properties.mass == pytest.approx(8.0)
+
+
+def test_a_long_beam_is_not_taken_for_singular() -> None:
+    """1000 elements: its softest shape has 5e-13 of the stiffness of its rows."""
+    M, K, nodes = planar_beam(1.0, 1000, 1e6, 100.0, 2.0)
+    record = cd.superelement.reduce(
+        csc_matrix(M), csc_matrix(K), nodes, {"root": 0}, node_dofs="x y rz", modes=2
+    )
+    expected = 1.8751040687119611**2 * np.sqrt(100.0 / 2.0)
+    assert record.frequencies[0] == pytest.approx(expected, rel=1e-3)
 
 
 def test_faces_share_no_node() -> None:
