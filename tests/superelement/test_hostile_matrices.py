@@ -114,6 +114,10 @@ REFUSED: list[tuple[Callable[[], dict[str, Any]], Callable[..., None], str]] = [
     (solid, put("nodes", (4, 1), np.nan), r"the position of node 21 is \[.*nan"),
     (solid, lambda d: d["node_ids"].__setitem__(3, 11), "node 11 is there twice"),
     (planar, _listed, "dofs: node 16 y is there twice"),
+    (planar, say(dofs=5), r"dofs=5: give a list such as"),
+    (planar, say(dofs=[(0, "x")]), "dofs: 1 row named, M and K have 51"),
+    (planar, say(dofs=["x"] * 51), "dofs: 'x' is not a row"),
+    (solid, say(M=None), r"M: shape \(\), expected a square matrix"),
     (planar, say(order="nodes"), "order='nodes': give 'node' or 'component'"),
     # parts that nothing holds
     (solid, _empty, "node 33 x has neither mass nor stiffness.*take its row and column out"),

@@ -76,6 +76,14 @@ def test_errors_fall_with_the_modes_as_in_the_table(key: tuple[int, str]) -> Non
     np.testing.assert_allclose(np.log10(errors), ERRORS[key], atol=0.16)
 
 
+def test_modes_that_are_chosen_and_left_out_are_those_of_all_rows() -> None:
+    rubin, fixed = beam(method="rubin", modes=5), beam(modes=4)
+    for record, name in ((rubin, "full_free_free_omega"), (fixed, "full_clamped_clamped_omega")):
+        omega = np.concatenate([record.frequencies, record.dropped])
+        count = min(len(omega), len(BEAM[name]))
+        np.testing.assert_allclose(omega[:count], BEAM[name][:count], rtol=1e-11)
+
+
 def test_guyan_is_craig_bampton_without_modes() -> None:
     guyan, none = beam(method="guyan"), beam(modes=0)
     np.testing.assert_array_equal(guyan.K, none.K)
@@ -154,6 +162,19 @@ def test_a_brick_between_spiders(n: int) -> None:
         np.testing.assert_allclose(omega, expected, rtol=1e-11)
 
 
+def test_a_soft_brick_on_one_face() -> None:
+    """The local frequencies of the component of a pendulum, and those of all rows."""
+    data = reference("se_spherical_joint_A")
+    M, K, nodes = brick_matrices()
+    soft = K * data["parameters"]["K_scale"]
+    n = data["parameters"]["cb_modes"]
+    record = cd.superelement.reduce(M, soft, nodes, faces(), modes=n)
+    expected = data["reference"]["local_omega_node0_clamped"]
+    np.testing.assert_allclose(record.modes(["root"]).frequencies, expected, rtol=1e-11)
+    many = brick(method="rubin", modes=100).modes(["root"]).frequencies
+    np.testing.assert_allclose(many[:6], BRICK["spider_full_clamped_free_omega"], rtol=1e-8)
+
+
 def test_free_modes_of_the_brick_are_those_of_all_rows() -> None:
     record = brick(method="rubin", modes=8)
     expected = BRICK["spider_full_free_free_omega"]
@@ -223,6 +244,7 @@ def test_a_satellite_of_hub_and_two_beams() -> None:
     record = cd.superelement.reduce(
         M, K, nodes, {"root": 0}, node_dofs="x y rz", modes=12, frame_dofs="x y rz"
     )
+    np.testing.assert_allclose(record.frequencies[:3], exact["clamped_beam"], rtol=1e-6)
     # one beam with half of the hub: it turns (root moves by a theta), or moves across
     for kind, row, hub in (
         ("still_antisymmetric", [0, p["a"], 1], p["J_hub"] / 2),
