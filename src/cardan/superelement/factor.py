@@ -55,7 +55,7 @@ class Factor:
         except RuntimeError:
             # exactly singular: a little more stiffness shows the shape
             self._factors = splu(
-                (scaled + diags(np.full(self.size, SINGULAR / 4))).tocsc(),
+                (scaled + diags(np.full(self.size, SINGULAR))).tocsc(),
                 permc_spec="MMD_AT_PLUS_A",
                 options=options,
             )
@@ -80,7 +80,7 @@ class Factor:
             shape /= softness
         stiffness = float(shape @ (scaled @ shape)) if np.isfinite(softness) else 0.0
         row = int(np.argmax(abs(np.nan_to_num(shape * self._scale))))
-        if softness * SINGULAR > 1 or not np.isfinite(softness):
+        if softness * SINGULAR > 0.5 or not np.isfinite(softness):
             raise ModelError(f"{where} is singular: {label(row)} moves without a force: {cure}")
         if stiffness < 0:
             raise ModelError(
