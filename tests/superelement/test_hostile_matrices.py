@@ -131,6 +131,8 @@ REFUSED: list[tuple[Callable[[], dict[str, Any]], Callable[..., None], str]] = [
     (solid, say(interface={"root": 11}), r"a single node do not determine rx, ry, rz .*'x y z'"),
     (solid, say(interface={"root": [11, 12]}), r"'root': the motions of 2 nodes do not determine"),
     (planar, say(interface={"root": 0}, frame_dofs="x y z"), "do not determine z of its frame"),
+    (solid, say(interface={"root": 11}, frame_dofs="x y z"), "still has 3 rigid motions, of node"),
+    (planar, say(interface={"root": 0}, frame_dofs="x y"), "still has 1 rigid motion"),
     (solid, say(frame_dofs="x y z"), "which lacks rx ry rz; leave out frame_dofs"),
     (solid, say(interface={"root": [11, 12, 13, 99]}), "there is no node 99. Its 20 nodes have"),
     (solid, say(interface={"root": [11, 12, 13, 11]}), "a node is there twice"),

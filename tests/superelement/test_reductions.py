@@ -298,6 +298,18 @@ def test_rows_may_have_no_mass(method: str) -> None:
     assert record.properties.mass == pytest.approx(8.0)
 
 
+def test_pins_at_both_ends_are_interfaces() -> None:
+    """Frames without rotation: simply supported when fixed, in closed form."""
+    M, K, nodes = planar_beam(1.0, 32, 1e8, 100.0, 2.0)
+    ends = {"root": 0, "tip": 32}
+    record = cd.superelement.reduce(
+        M, K, nodes, ends, node_dofs="x y rz", frame_dofs="x y", modes=3
+    )
+    expected = (np.arange(1, 4) * np.pi) ** 2 * np.sqrt(100.0 / 2.0)
+    np.testing.assert_allclose(record.frequencies, expected, rtol=1e-5)
+    assert record.n == 7
+
+
 def test_a_long_beam_is_not_taken_for_singular() -> None:
     """1000 elements: its softest shape has 5e-13 of the stiffness of its rows."""
     M, K, nodes = planar_beam(1.0, 1000, 1e6, 100.0, 2.0)

@@ -194,6 +194,9 @@ def _tied(
     rows = dofs.rows_of(nodes)
     if frame.rigid == "rbe3":
         rows = rows[dofs.component[rows] < 3] if len(nodes) > 2 else rows
+    if frame.rigid == "node":
+        # a frame of fewer motions leaves the others of its node elastic, as a pin does
+        rows = rows[np.isin(dofs.component[rows], components)]
     about = np.asarray(frame.position)
     motions = dofs.rigid(about, rows)
     arms = np.linalg.norm(dofs.positions[nodes] - about, axis=1)

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ..arguments import checked
 from ..arrays import Array
-from ..errors import ModelError, ModelWarning, brief, near, warn
+from ..errors import ModelError, ModelWarning, brief, counted, near, warn
 from .additions import Additions, additions_of
 from .checks import RIGID, check_free, mass_properties, node_notes, rigid_check, unit_notes
 from .component import Component
@@ -212,7 +212,28 @@ def _component(
         weighted = force / np.maximum(size.max(axis=1, keepdims=True), 1e-300)
         _, values, directions = np.linalg.svd(weighted, full_matrices=False)
         independent = independent @ directions[values <= RIGID].T
-    return Component(M, K, connection, dofs, center, length, independent)
+    component = Component(M, K, connection, dofs, center, length, independent)
+    _check_fixed(component)
+    return component
+
+
+def _check_fixed(component: Component) -> None:
+    """Refuse interfaces that leave the component rigid motions when all of them are fixed.
+
+    Raises:
+        ModelError: it says how many, and at which point or about which line.
+    """
+    rows = component.boundary_scale[:, None] * component.rigid[: component.n_boundary]
+    _, values, directions = np.linalg.svd(rows, full_matrices=True)
+    rank = int((values > INDEPENDENT * values.max(initial=0.0)).sum())
+    mobile = component.rigid @ directions[rank:].T
+    if mobile.shape[1]:
+        row = int(np.argmax(abs(mobile[:, 0])))
+        raise ModelError(
+            f"interface: with all of them fixed the component still has "
+            f"{counted(mobile.shape[1], 'rigid motion')}, of {component.label(row)} among others. "
+            "Leave out frame_dofs, give several nodes to an interface, or more interfaces"
+        )
 
 
 def _freed(K: Array, rigid: Array, boundary_scale: Array) -> Array:
