@@ -310,6 +310,20 @@ def test_pins_at_both_ends_are_interfaces() -> None:
     assert record.n == 7
 
 
+@each("method", METHODS)
+def test_a_component_without_anything_behind_its_interfaces(method: str) -> None:
+    """One element: there is nothing to reduce."""
+    M, K, nodes = planar_beam(1.0, 1, 1e6, 100.0, 2.0)
+    ends = {"root": 0, "tip": 1}
+    record = cd.superelement.reduce(M, K, nodes, ends, node_dofs="x y rz", method=method)
+    np.testing.assert_allclose(record.K, K, rtol=1e-9, atol=1e-6)
+    if method != "macneal":
+        np.testing.assert_allclose(record.M, M, rtol=1e-9, atol=1e-12)
+    exact = frequencies(M, K, zeros=3)
+    if method != "macneal":
+        np.testing.assert_allclose(record.modes().frequencies, exact, rtol=1e-9)
+
+
 def test_a_long_beam_is_not_taken_for_singular() -> None:
     """1000 elements: its softest shape has 5e-13 of the stiffness of its rows."""
     M, K, nodes = planar_beam(1.0, 1000, 1e6, 100.0, 2.0)

@@ -39,6 +39,8 @@ class Factor:
         from scipy.sparse.linalg import splu
 
         self.size = K.shape[0]
+        if not self.size:
+            return
         diagonal = K.diagonal()
         unsupported = np.flatnonzero(diagonal <= 0)
         if len(unsupported):
@@ -63,6 +65,8 @@ class Factor:
 
     def solve(self, force: Array) -> Array:
         """Displacements (n,) or (n, k) by forces."""
+        if not self.size:
+            return force
         scale = self._scale if force.ndim == 1 else self._scale[:, None]
         solution: Array = scale * self._factors.solve(np.ascontiguousarray(scale * force))
         return solution

@@ -140,8 +140,6 @@ def connect(
         gone.append(rows)
         first += len(components)
     interior = np.setdiff1d(np.arange(len(dofs)), np.concatenate(gone))
-    if not len(interior):
-        raise ModelError("interface: it takes all nodes; leave some, whose motions are reduced")
     column = np.zeros(len(dofs), np.intp)
     column[interior] = first + np.arange(len(interior))
     # followers of averages refer to rows that are unknowns

@@ -127,7 +127,7 @@ def _reduced(
 ) -> Superelement:
     """The reduced component by checked matrices."""
     check_diagonals(M, K, dofs)
-    count = _mode_count(method, modes)
+    count = _mode_count(method, modes, len(connection.interior))
     properties, check = mass_properties(M, dofs), rigid_check(K, dofs)
     if not supported:
         check_free(check)
@@ -177,8 +177,8 @@ def _reduced(
     )
 
 
-def _mode_count(method: str, modes: int | None) -> int:
-    """Number of modes that a method shall keep."""
+def _mode_count(method: str, modes: int | None, most: int) -> int:
+    """Number of modes that a method shall keep, by default as many as there may be."""
     if method not in METHODS:
         raise ModelError(f"method={brief(method)}: there is no such method.{near(method, METHODS)}")
     if method in STATIC:
@@ -187,7 +187,7 @@ def _mode_count(method: str, modes: int | None) -> int:
                 f"modes={modes}: '{method}' has none; take 'craig_bampton', which adds modes to it"
             )
         return 0
-    count = MODES if modes is None else modes
+    count = min(MODES, most) if modes is None else modes
     if count < 0:
         raise ModelError(f"modes={count}: give 0 or more")
     return count
