@@ -274,6 +274,18 @@ def test_a_damaged_file_breaks_nothing(kind: str, tmp_path: Path) -> None:
     assert all(str(tmp_path) in message for message in messages)
 
 
+def test_comments_may_have_any_letters(tmp_path: Path) -> None:
+    paths = calculix(tmp_path)
+    text = (tmp_path / "bar.inp").read_bytes().replace(b"bar of four bricks", b"** K\xf6rper 1\xb0")
+    (tmp_path / "bar.inp").write_bytes(text)
+    dofs = (tmp_path / "bar.dof").read_bytes()
+    (tmp_path / "bar.dof").write_bytes(b"\xef\xbb\xbf" + dofs)
+    np.testing.assert_array_equal(cd.superelement.read(**paths).nodes, bar().nodes)
+    (tmp_path / "bar.dof").write_bytes(dofs + b"\0")
+    with pytest.raises(cd.ModelError, match=r"bar\.dof: byte 300 is 0: it is not a text"):
+        cd.superelement.read(**paths)
+
+
 def test_what_is_no_file_of_matrices_is_refused(tmp_path: Path) -> None:
     (tmp_path / "a.mtx").write_bytes(
         b"%%MatrixMarket matrix coordinate real general\n1 1 1\n1 1 1\n"
