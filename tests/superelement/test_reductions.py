@@ -94,6 +94,17 @@ def test_guyan_is_craig_bampton_without_modes() -> None:
     )
 
 
+def test_coordinates_of_interfaces_are_the_static_shapes_of_any_method() -> None:
+    guyan = beam(method="guyan")
+    for method in ("craig_bampton", "rubin"):
+        record = beam(method=method, modes=4)
+        np.testing.assert_allclose(record.M[:6, :6], guyan.M, rtol=1e-9, atol=1e-11)
+        np.testing.assert_allclose(record.K[:6, :6], guyan.K, rtol=1e-9, atol=1e-3)
+        np.testing.assert_allclose(record.basis[:, :6], guyan.basis, atol=1e-9)
+        assert not record.K[:6, 6:].any()
+        np.testing.assert_allclose(record.M[6:, 6:], np.eye(record.n - 6), atol=1e-12)
+
+
 def parts() -> tuple[np.ndarray, ...]:
     """M, K of the beam split at its six interface rows: bb, bi, ii of each."""
     data = beam_16()

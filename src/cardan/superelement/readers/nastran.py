@@ -55,7 +55,7 @@ def _cards(lines: Sequence[str], file: str) -> dict[str, list[Card]]:
         if name in cards:
             last = _fields(line)
             cards[name].append((k, last))
-        elif last is not None and (not head or head[0] in "*+"):
+        elif last is not None and (not head or head[0] in "*+,"):
             last += _fields(line)
         else:
             last = None

@@ -14,17 +14,19 @@ from .matrix_files import MOST_ENTRIES, MOST_ROWS
 if TYPE_CHECKING:
     from scipy.sparse import csc_matrix as Sparse
 
+UTF_8 = b"\xef\xbb\xbf"  # that some editors put first
+
 
 def text_lines(content: bytes, file: str) -> list[str]:
-    """Lines of a text.
+    """Lines of a text; comments may have letters of any alphabet.
 
     Raises:
         ModelError: it is not one.
     """
-    try:
-        return content.decode("ascii").splitlines()
-    except UnicodeDecodeError as error:
-        raise ModelError(f"{file}: byte {error.start} is not part of a plain text") from None
+    place = content.find(0)
+    if place >= 0:
+        raise ModelError(f"{file}: byte {place} is 0: it is not a text. Write the matrices as text")
+    return content.removeprefix(UTF_8).decode("latin-1").splitlines()
 
 
 def number(text: str, file: str, line: int) -> float:
