@@ -32,7 +32,7 @@ from .equations.formalism_choice import (
 )
 from .equations.record import EquationRecord
 from .errors import BuildError, CodegenError, DerivationError, SolveWarning, near, warn
-from .runtime.build import cache_folder as cache
+from .build import cache_folder as cache
 from .runtime.verification.closed_states import unjudged
 from .schema.functions import OF_ELEMENTS, STANDARD
 

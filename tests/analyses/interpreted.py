@@ -16,7 +16,7 @@ import cardan as cd
 from cardan.errors import CompilerMissing
 from cardan.ir import straight_line
 from cardan.ir.function import Function
-from cardan.runtime.build import cache
+from cardan.build import cache
 from cardan.runtime.calls import interpreted
 
 

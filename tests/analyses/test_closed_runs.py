@@ -12,7 +12,7 @@ import pytest
 import cardan as cd
 from analyses.test_assemble import driven_four_bar
 from analyses.test_sweep import input_four_bar
-from cardan.runtime.build import cache
+from cardan.build import cache
 from mechanisms.closed import CLOSED
 from mechanisms.closed_planar import four_bar, four_bar_angles, parallelogram
 

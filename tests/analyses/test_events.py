@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.runtime.build import toolchain
+from cardan.build import toolchain
 from cardan.runtime.trajectory.storage import load
 from cardan.runtime.trajectory.trajectory import TrajectoryRecord
 from cardan.schema.integrators import INTEGRATORS

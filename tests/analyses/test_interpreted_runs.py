@@ -16,7 +16,7 @@ import pytest
 import cardan as cd
 from analyses.conftest import double_scene
 from analyses.interpreted import beam, bouncing, four_bar, without_compiler
-from cardan.runtime.build import prebuilt
+from cardan.build import prebuilt
 from cardan.schema.integrators import INTEGRATORS
 
 RTOL = 1e-6
@@ -48,7 +48,7 @@ import numpy as np
 import cardan as cd
 from analyses.conftest import double_scene
 from analyses.interpreted import beam, bouncing, four_bar
-from cardan.runtime.build import toolchain
+from cardan.build import toolchain
 
 if "bare" in sys.argv:
     toolchain.ziglang = list

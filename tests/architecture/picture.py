@@ -25,6 +25,7 @@ TEXT = {
     "passes": "fewer operations",
     "spatial": "rotations, moments of mass",
     "schema": "data that compiler and runtime share",
+    "build": "C compiler, cache, kernels",
     "elements": "joints, forces, beams",
     "superelement": "reduced matrices",
     "scene": "what the user wrote; file readers",

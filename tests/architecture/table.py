@@ -15,6 +15,7 @@ ORDER = (
         "passes",
         "spatial",
         "schema",
+        "build",
         "elements",
         "superelement",
     ),
@@ -36,6 +37,7 @@ RUNNING_MAY_IMPORT = RUNNING | {
     "arguments",
     "notebooks",
     "schema",
+    "build",
     "ir",
 }
 

@@ -25,7 +25,7 @@ from rich.table import Table
 
 from cardan.codegen import generate
 from cardan.ir.function import Function
-from cardan.runtime.build import cache
+from cardan.build import cache
 from cardan.runtime.calls import lanes
 from cardan.schema import kernel_files
 from elements.flexible.states import ELEMENTS, State, state

@@ -13,7 +13,7 @@ from benchmarks.provenance import signed
 from cardan.peers import PEERS, peer
 from cardan.peers.comparison import LANES, OURS
 from cardan.peers.processor import name as processor
-from cardan.runtime.build import cache
+from cardan.build import cache
 
 CIRCUITS = {case.name for case in CASES if case.closed}
 Section = tuple[str, tuple[str, ...], list[tuple[str, ...]]]

@@ -23,7 +23,7 @@ from rich.table import Table
 from scipy.sparse import csr_array
 from scipy.sparse.linalg import splu
 
-from cardan.runtime.build import cache
+from cardan.build import cache
 from cardan.runtime.sparse.block_solver import FactorsRecord, Memory, plan_record
 from cardan.runtime.sparse.plan import Plan, plan
 from cardan.runtime.sparse.systems import assembled

@@ -15,7 +15,7 @@ import cardan as cd
 from cardan.analyses.simulation.settings import LARGEST_ATOL, RATIO
 from cardan.analyses.simulation.simulate import simulate
 from cardan.cli import COMMANDS, main
-from cardan.runtime.build import prebuilt, toolchain
+from cardan.build import prebuilt, toolchain
 
 ARM = Path(__file__).parents[2] / "examples" / "arm.urdf"
 

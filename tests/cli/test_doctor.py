@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from cardan.cli import health, main
-from cardan.runtime.build import cache, cache_folder, toolchain
+from cardan.build import cache, cache_folder, toolchain
 from cardan.runtime.calls import abi
 
 DAY = 86400

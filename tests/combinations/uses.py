@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 import cardan as cd
-from cardan.runtime.build import cache
+from cardan.build import cache
 
 from .mechanism import SPAN
 from .routes import FINE, OUTPUTS, Names, Route, other_route, places, route

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from cardan.runtime.build import cache_folder
+from cardan.build import cache_folder
 
 
 @pytest.fixture

@@ -14,7 +14,7 @@ import pytest
 
 import cardan as cd
 from cardan.analyses.simulation.files.saved_record import FROM_MODEL, OF_PROCESS, record_of
-from cardan.runtime.build import cache, cache_folder, file_trust, object_file
+from cardan.build import cache, cache_folder, file_trust, object_file
 from cardan.schema.records import POINTER, Run
 from cardan.schema.seal import sealed
 from hostile.harness import campaign

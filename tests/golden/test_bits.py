@@ -9,7 +9,7 @@ import pytest
 
 import cardan as cd
 from cardan.codegen.writing import generate
-from cardan.runtime.build import cache
+from cardan.build import cache
 from codegen.running import CONTRACT, EXACT, STRICT, call, compilers
 from golden.scenes import EXAMPLES, FUNCTIONS, scene_of
 from spread import some

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from cardan.runtime.build import toolchain
+from cardan.build import toolchain
 from cardan.schema import kernel_files
 from golden.scenes import EXAMPLES, FLEXIBLE, ROOT, scene_of, written
 from spread import some

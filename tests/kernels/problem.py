@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from cardan.analyses.simulation.simulate import simulate
-from cardan.runtime.build import cache, kernels
+from cardan.build import cache, kernels
 from cardan.runtime.calls import abi
 from cardan.runtime.calls.methods import Energy
 from cardan.runtime.trajectory.trajectory import TrajectoryRecord

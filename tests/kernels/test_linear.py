@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cardan.runtime.build import cache
+from cardan.build import cache
 from cardan.schema import kernel_files
 
 PROGRAM = """

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cardan.runtime.build import cache as objects
+from cardan.build import cache as objects
 from cardan.runtime.sparse.block_solver import FactorsRecord, Memory, plan_record
 from cardan.runtime.sparse.plan import plan
 from cardan.schema import kernel_files

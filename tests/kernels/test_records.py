@@ -10,7 +10,7 @@ import pytest
 
 from cardan.analyses.simulation import run_record
 from cardan.errors import BuildError
-from cardan.runtime.build import cache, kernels
+from cardan.build import cache, kernels
 from cardan.schema import kernel_files, records
 from table import each
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from cardan.errors import SolveError, SolveWarning
-from cardan.runtime.build import cache
+from cardan.build import cache
 from cardan.schema import kernel_files
 from kernels.problem import METHODS, OSCILLATOR, SWING, Problem, swing
 

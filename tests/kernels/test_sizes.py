@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cardan.analyses.simulation import run_record
-from cardan.runtime.build import kernels
+from cardan.build import kernels
 from cardan.runtime.calls import abi, abi_ctypes
 from cardan.schema.records import Run
 from table import each

@@ -7,7 +7,7 @@ import ctypes
 import numpy as np
 import pytest
 
-from cardan.runtime.build import kernels
+from cardan.build import kernels
 from cardan.runtime.sparse.block_solver import FactorsRecord, Memory, plan_record, solver
 from cardan.runtime.sparse.plan import plan
 

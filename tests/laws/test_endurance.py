@@ -66,7 +66,7 @@ def _ended(process: subprocess.Popen[str], limit: float = 500.0) -> str:
 @pytest.fixture
 def cache() -> Path:
     """The cache of this session."""
-    from cardan.runtime.build import cache_folder
+    from cardan.build import cache_folder
 
     return cache_folder.directory()
 

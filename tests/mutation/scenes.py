@@ -58,7 +58,7 @@ class Loaded:
 
 def without_compiler() -> None:
     """Have every function evaluated in NumPy from here on."""
-    from cardan.runtime.build import cache as objects
+    from cardan.build import cache as objects
 
     def none(*given: Any, **named: Any) -> Any:
         # kernels, which are compiled another way, call the expressions

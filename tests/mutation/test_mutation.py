@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from cardan.runtime.build import cache
+from cardan.build import cache
 from mutation.run import Run, summary
 from mutation.scenes import SCENES, without_compiler
 

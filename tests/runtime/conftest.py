@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from cardan.api.compiled_model import CompiledModel
-from cardan.runtime.build import cache_folder
+from cardan.build import cache_folder
 from cardan.runtime.calls import abi, abi_ctypes, interpreted
 from runtime import pendulum
 

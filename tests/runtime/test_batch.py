@@ -15,7 +15,7 @@ import pytest
 
 import cardan as cd
 from cardan.errors import BuildError, BuildWarning, SolveError, SolveWarning
-from cardan.runtime.build import cache, cpu_levels
+from cardan.build import cache, cpu_levels
 from cardan.runtime.calls import batch, lanes
 
 pytestmark = [pytest.mark.optimized, pytest.mark.usefixtures("cache_directory")]

@@ -19,11 +19,11 @@ from typing import Any
 import pytest
 
 from cardan.errors import BuildError, BuildWarning, CompilerMissing
-from cardan.runtime.build import cache, cache_folder, cpu_levels, object_file, toolchain
+from cardan.build import cache, cache_folder, cpu_levels, object_file, toolchain
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 BUILD = (
-    "import sys, pathlib; from cardan.runtime.build import cache; "
+    "import sys, pathlib; from cardan.build import cache; "
     "print(cache.build([pathlib.Path(sys.argv[1])]).path)"
 )
 
@@ -301,7 +301,7 @@ def test_no_space_left_wherever_something_is_written(source, cache_directory, po
 
 
 SMALL = (
-    "import resource, signal, sys, pathlib; from cardan.runtime.build import cache; "
+    "import resource, signal, sys, pathlib; from cardan.build import cache; "
     "cache.compiler(); signal.signal(signal.SIGXFSZ, signal.SIG_IGN); "
     "resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000)); "
     "cache.build([pathlib.Path(sys.argv[1])])"

@@ -17,7 +17,7 @@ from pathlib import Path
 
 import pytest
 
-from cardan.runtime.build import cpu_levels, prebuilt, toolchain
+from cardan.build import cpu_levels, prebuilt, toolchain
 
 pytestmark = pytest.mark.slow
 
@@ -167,7 +167,7 @@ def test_readme_and_demo_run_from_the_wheel_without_a_compiler(wheel: Path, tmp_
     readme = (ROOT / "README.md").read_text("utf-8")
     program = readme.split("```python\n")[1].split("```")[0]
     told = (
-        "\nfrom pathlib import Path; from cardan.runtime.build import kernels"
+        "\nfrom pathlib import Path; from cardan.build import kernels"
         "\nprint(Path(cd.__file__).parent, Path(kernels.library()._name).parent, sep='\\n')"
     )
     before = processor_time()

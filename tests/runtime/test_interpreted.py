@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.runtime.build import toolchain
+from cardan.build import toolchain
 from cardan.runtime.calls import interpreted
 from mechanisms import ZOO
 from spread import some

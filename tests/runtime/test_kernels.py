@@ -18,7 +18,7 @@ import cardan as cd
 from analyses.conftest import double_scene
 from cardan.api.compiled_model import CompiledModel
 from cardan.errors import BuildError
-from cardan.runtime.build import cache, cpu_levels, kernels, prebuilt, toolchain
+from cardan.build import cache, cpu_levels, kernels, prebuilt, toolchain
 from cardan.schema import kernel_files
 from cardan.schema.integrators import INTEGRATORS, KERNELS
 from laws.test_tunings import LEVELS, runs
@@ -144,7 +144,7 @@ def test_first_run_compiles_no_kernel(tmp_path: Path) -> None:
     if prebuilt.current() is None:
         pytest.skip("cardan was installed without kernels of these sources")
     code = (
-        "from cardan.runtime.build import toolchain, cache\n"
+        "from cardan.build import toolchain, cache\n"
         "whole = toolchain.compile_shared\n"
         "def told(by, sources, *more):\n"
         "    print(*sources, sep='\\n')\n"

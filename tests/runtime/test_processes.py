@@ -14,8 +14,8 @@ from typing import Any
 import pytest
 
 from cardan.errors import BuildError
-from cardan.runtime.build import limited_subprocess
-from cardan.runtime.build.parallel_build import in_parallel
+from cardan.build import limited_subprocess
+from cardan.build.parallel_build import in_parallel
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 
@@ -33,7 +33,7 @@ sys.modules["fcntl"] = None
 missing = "register_at_fork geteuid getuid O_NOFOLLOW O_NONBLOCK O_CLOEXEC O_NOCTTY"
 for name in missing.split():
     delattr(os, name)
-from cardan.runtime.build import limited_subprocess
+from cardan.build import limited_subprocess
 limited_subprocess.SHELL = "no such shell"
 """
 SYSTEMS = pytest.mark.parametrize(
@@ -64,7 +64,7 @@ COMPILE = """
 import os, subprocess, sys
 
 import cardan as cd
-from cardan.runtime.build import cache
+from cardan.build import cache
 
 real, swept = cache.compile_shared, []
 
@@ -84,7 +84,7 @@ print(motion.success, len(swept), sum(swept))
 SWEEP = """
 import sys
 from pathlib import Path
-from cardan.runtime.build import cache
+from cardan.build import cache
 cache.sweep(Path(sys.argv[1]))
 """
 

@@ -19,7 +19,7 @@ import pytest
 
 import cardan as cd
 from cardan.codegen import layout
-from cardan.runtime.build import cache, kernels, object_file, prune
+from cardan.build import cache, kernels, object_file, prune
 from cardan.runtime.trajectory import pickled
 from spread import some
 

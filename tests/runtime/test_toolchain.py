@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from cardan.errors import BuildError
-from cardan.runtime.build import cache, toolchain
+from cardan.build import cache, toolchain
 from codegen.running import CONTRACT
 
 pytestmark = pytest.mark.usefixtures("cache_directory")

@@ -9,7 +9,7 @@ from scipy.sparse import csr_matrix, diags
 from scipy.sparse.linalg import splu
 
 import cardan as cd
-from cardan.runtime.build import kernels
+from cardan.build import kernels
 from cardan.superelement import mesh as fem
 from cardan.superelement.elimination_order import _cover, nested_dissection
 from superelement.mesh.meshes import block

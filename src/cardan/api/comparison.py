@@ -10,8 +10,8 @@ from ..analyses.conversion.coordinates import SIZES, Convention, Coordinates, Pa
 from ..analyses.conversion.programs import MUJOCO, PINOCCHIO
 from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
-from ..runtime.build import toolchain
-from ..runtime.build.cache import build
+from ..build import toolchain
+from ..build.cache import build
 from ..runtime.calls import samples
 from ..runtime.calls.batch import one_by_one
 from ..runtime.calls.lanes import States

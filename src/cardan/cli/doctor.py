@@ -20,7 +20,7 @@ import math
 import sys
 from pathlib import Path
 
-from ..runtime.build import cache_folder, prune
+from ..build import cache_folder, prune
 from . import health
 from .health import Finding
 

@@ -16,8 +16,8 @@ from pathlib import Path
 
 from ..errors import BuildError, CompilerMissing
 from ..peers import processor
-from ..runtime.build import cache, cache_folder, limited_subprocess, prebuilt, prune, toolchain
-from ..runtime.build.object_file import Object
+from ..build import cache, cache_folder, limited_subprocess, prebuilt, prune, toolchain
+from ..build.object_file import Object
 from ..runtime.calls import abi, batch, lanes
 from ..version import VERSION
 

@@ -9,7 +9,7 @@ import pytest
 
 import cardan as cd
 from analyses.ensembles.test_bits import same
-from cardan.runtime.build import toolchain
+from cardan.build import toolchain
 from cardan.runtime.calls import interpreted
 
 pytestmark = pytest.mark.optimized

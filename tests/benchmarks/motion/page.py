@@ -15,7 +15,7 @@ from benchmarks.motion.programs import PEERS, PROGRAMS
 from benchmarks.page import markdown
 from benchmarks.provenance import signed
 from cardan.peers.processor import name as processor
-from cardan.runtime.build import cache
+from cardan.build import cache
 
 HEADINGS = ("program", "method", "setting", "least [ms]", "median [ms]", "error")
 PACKAGES = ("mujoco", "exudyn", "casadi", "scipy", "scikit-sundae")

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from cardan.codegen import generate
 from cardan.ir.function import Function
-from cardan.runtime.build import cache
+from cardan.build import cache
 from cardan.runtime.calls import abi_ctypes
 from cardan.schema import kernel_files
 from cardan.schema.blocks import ORDER

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 import cardan as cd
-from cardan.runtime.build import toolchain
+from cardan.build import toolchain
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 

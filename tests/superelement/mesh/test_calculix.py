@@ -11,7 +11,7 @@ import pytest
 from scipy.linalg import eigh
 
 import cardan as cd
-from cardan.runtime.build import kernels
+from cardan.build import kernels
 from cardan.superelement import mesh as fem
 from superelement.mesh import calculix
 from superelement.mesh.meshes import KINDS, bent, block

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.runtime.build import kernels
+from cardan.build import kernels
 from cardan.superelement import mesh as fem
 from cardan.superelement.mesh.cells import SOLIDS
 

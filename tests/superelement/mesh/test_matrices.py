@@ -7,7 +7,7 @@ import pytest
 import sympy
 
 import cardan as cd
-from cardan.runtime.build import kernels
+from cardan.build import kernels
 from cardan.superelement import mesh as fem
 from cardan.superelement.mesh.cells import SOLIDS
 from superelement.mesh import routes

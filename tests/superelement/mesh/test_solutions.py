@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 from scipy.sparse.linalg import spsolve
 
 import cardan as cd
-from cardan.runtime.build import kernels
+from cardan.build import kernels
 from cardan.superelement import mesh as fem
 from superelement.mesh.meshes import KINDS, bent, block
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Array
-from ...runtime.build import kernels
+from ...build import kernels
 from ...schema.records import Driver, Lane, LaneMethod, RunPointer, SimdSteps, check
 
 

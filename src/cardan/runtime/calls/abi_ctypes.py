@@ -16,7 +16,7 @@ import numpy as np
 from ...arrays import Array, on_lines
 from ...schema.blocks import ORDER
 from ...schema.c_functions import FunctionRow
-from ..build import kernels
+from ...build import kernels
 
 if TYPE_CHECKING:
     from .calling import Caller

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...errors import ArgumentError, SolveError
 from ...schema.records import FactorsRecord, PlanRecord
-from ..build import kernels
+from ...build import kernels
 from .plan import Plan
 from .systems import Reals, checked, guess, named, refused, scales, sides
 

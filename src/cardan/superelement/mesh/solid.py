@@ -274,7 +274,7 @@ def solid(
     Args:
         mesh: The mesh.
         material: A material of ``cd.material`` or :func:`orthotropic`; or materials by region.
-        library: The compiled kernels, ``runtime.build.kernels.library()``.
+        library: The compiled kernels, ``build.kernels.library()``.
 
     Raises:
         ModelError: as :class:`Solid`.

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from ....arguments import checked
 from ....errors import CompilerMissing, counted
-from ....runtime.build import cache
+from ....build import cache
 from ....runtime.calls import abi, function_costs
 from ....runtime.calls.measuring import Row
 from ....runtime.models.finite_elements import element_costs

@@ -21,9 +21,9 @@ from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 
-from ... import processes
-from ...errors import BuildError
-from ...schema import kernel_files
+from .. import processes
+from ..errors import BuildError
+from ..schema import kernel_files
 from . import cache_folder, prebuilt
 from .cpu_levels import LEVELS, Level, family
 from .object_file import LOCK, NEW, Object, begun, intact, linked, seal, unwritable

@@ -14,8 +14,8 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
-from ... import processes
-from ...schema import kernel_files
+from .. import processes
+from ..schema import kernel_files
 from . import cache, prebuilt
 from .cpu_levels import LEVELS, Level, family
 from .object_file import Object

@@ -17,8 +17,8 @@ from dataclasses import dataclass, replace
 from io import FileIO
 from pathlib import Path
 
-from ... import processes, regular_file
-from ...errors import BuildError
+from .. import processes, regular_file
+from ..errors import BuildError
 from . import cache_folder
 from .file_trust import exposed, is_mine
 

@@ -18,7 +18,7 @@ from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 
-from ...errors import BuildError, BuildWarning, warn
+from ..errors import BuildError, BuildWarning, warn
 from .file_trust import GROUP_OR_WORLD, OWNERS, exposed
 
 # others may not even list it: it shows what somebody works on

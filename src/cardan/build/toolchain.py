@@ -16,7 +16,7 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple, NoReturn
 
-from ...errors import BuildError, CompilerMissing
+from ..errors import BuildError, CompilerMissing
 from . import limited_subprocess
 from .cpu_levels import OTHER, X86, Level
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-from ...schema import kernel_files
+from ..schema import kernel_files
 from .cpu_levels import Level
 
 LEVEL = "level.c"  # chooses among the others, so that it is built for any processor
