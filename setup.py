@@ -33,8 +33,8 @@ from setuptools.command.build_ext import build_ext
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "src"))
 
-from cardan.errors import BuildError  # noqa: E402
 from cardan.build import cpu_levels, kernels, toolchain  # noqa: E402
+from cardan.errors import BuildError  # noqa: E402
 from cardan.schema import kernel_files  # noqa: E402
 
 GLIBC = os.environ.get("CARDAN_GLIBC", "") if sys.platform == "linux" else ""

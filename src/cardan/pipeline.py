@@ -12,6 +12,7 @@ from .api.compiled_model import CompiledModel
 from .api.equations import Equations, FiniteElementEquations
 from .api.faces import face
 from .arguments import checked
+from .build import cache_folder as cache
 from .build_progress import stage
 from .codegen import CFile, generate, layout, manifest
 from .codegen.fingerprint import fingerprint
@@ -32,7 +33,6 @@ from .equations.formalism_choice import (
 )
 from .equations.record import EquationRecord
 from .errors import BuildError, CodegenError, DerivationError, SolveWarning, near, warn
-from .build import cache_folder as cache
 from .runtime.verification.closed_states import unjudged
 from .schema.functions import OF_ELEMENTS, STANDARD
 

@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.build import cache
 from cardan.errors import CompilerMissing
 from cardan.ir import straight_line
 from cardan.ir.function import Function
-from cardan.build import cache
 from cardan.runtime.calls import interpreted
 
 

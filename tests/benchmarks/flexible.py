@@ -23,9 +23,9 @@ from numpy.typing import NDArray
 from rich.console import Console
 from rich.table import Table
 
+from cardan.build import cache
 from cardan.codegen import generate
 from cardan.ir.function import Function
-from cardan.build import cache
 from cardan.runtime.calls import lanes
 from cardan.schema import kernel_files
 from elements.flexible.states import ELEMENTS, State, state

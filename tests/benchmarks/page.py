@@ -10,10 +10,10 @@ from benchmarks.cases import CASES, FORWARD
 from benchmarks.figures import EPS, SINCOS, Figure
 from benchmarks.measure import Found
 from benchmarks.provenance import signed
+from cardan.build import cache
 from cardan.peers import PEERS, peer
 from cardan.peers.comparison import LANES, OURS
 from cardan.peers.processor import name as processor
-from cardan.build import cache
 
 CIRCUITS = {case.name for case in CASES if case.closed}
 Section = tuple[str, tuple[str, ...], list[tuple[str, ...]]]

@@ -14,8 +14,8 @@ import pytest
 import cardan as cd
 from cardan.analyses.simulation.settings import LARGEST_ATOL, RATIO
 from cardan.analyses.simulation.simulate import simulate
-from cardan.cli import COMMANDS, main
 from cardan.build import prebuilt, toolchain
+from cardan.cli import COMMANDS, main
 
 ARM = Path(__file__).parents[2] / "examples" / "arm.urdf"
 

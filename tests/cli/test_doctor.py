@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from cardan.cli import health, main
 from cardan.build import cache, cache_folder, toolchain
+from cardan.cli import health, main
 from cardan.runtime.calls import abi
 
 DAY = 86400

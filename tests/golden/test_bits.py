@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.codegen.writing import generate
 from cardan.build import cache
+from cardan.codegen.writing import generate
 from codegen.running import CONTRACT, EXACT, STRICT, call, compilers
 from golden.scenes import EXAMPLES, FUNCTIONS, scene_of
 from spread import some

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from cardan.analyses.simulation import run_record
-from cardan.errors import BuildError
 from cardan.build import cache, kernels
+from cardan.errors import BuildError
 from cardan.schema import kernel_files, records
 from table import each
 

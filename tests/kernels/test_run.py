@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cardan.errors import SolveError, SolveWarning
 from cardan.build import cache
+from cardan.errors import SolveError, SolveWarning
 from cardan.schema import kernel_files
 from kernels.problem import METHODS, OSCILLATOR, SWING, Problem, swing
 

@@ -14,8 +14,8 @@ import pytest
 
 import cardan as cd
 from cardan.analyses.simulation import run_record
-from cardan.codegen.export import companions
 from cardan.build import cache
+from cardan.codegen.export import companions
 from cardan.schema import kernel_files
 from combinations.features import mechanism
 from kernels.sanitized import program

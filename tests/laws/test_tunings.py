@@ -15,9 +15,9 @@ import pytest
 
 import cardan as cd
 from analyses.conftest import double_scene
-from cardan.codegen import generate
 from cardan.build import cache, prebuilt, toolchain
 from cardan.build.toolchain import ALL_CHAINS
+from cardan.codegen import generate
 from codegen.lanes import WIDTHS, call_lanes
 from codegen.running import CONTRACT, SPEED, STRICT, call, compilers
 from laws.cases import derived, states, values

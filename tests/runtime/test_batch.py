@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import BuildError, BuildWarning, SolveError, SolveWarning
 from cardan.build import cache, cpu_levels
+from cardan.errors import BuildError, BuildWarning, SolveError, SolveWarning
 from cardan.runtime.calls import batch, lanes
 
 pytestmark = [pytest.mark.optimized, pytest.mark.usefixtures("cache_directory")]

@@ -18,8 +18,8 @@ from typing import Any
 
 import pytest
 
-from cardan.errors import BuildError, BuildWarning, CompilerMissing
 from cardan.build import cache, cache_folder, cpu_levels, object_file, toolchain
+from cardan.errors import BuildError, BuildWarning, CompilerMissing
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 BUILD = (

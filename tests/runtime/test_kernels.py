@@ -17,8 +17,8 @@ import pytest
 import cardan as cd
 from analyses.conftest import double_scene
 from cardan.api.compiled_model import CompiledModel
-from cardan.errors import BuildError
 from cardan.build import cache, cpu_levels, kernels, prebuilt, toolchain
+from cardan.errors import BuildError
 from cardan.schema import kernel_files
 from cardan.schema.integrators import INTEGRATORS, KERNELS
 from laws.test_tunings import LEVELS, runs

@@ -13,9 +13,9 @@ from typing import Any
 
 import pytest
 
-from cardan.errors import BuildError
 from cardan.build import limited_subprocess
 from cardan.build.parallel_build import in_parallel
+from cardan.errors import BuildError
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 

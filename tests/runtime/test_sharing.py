@@ -18,8 +18,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.codegen import layout
 from cardan.build import cache, kernels, object_file, prune
+from cardan.codegen import layout
 from cardan.runtime.trajectory import pickled
 from spread import some
 

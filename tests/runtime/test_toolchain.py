@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from cardan.errors import BuildError
 from cardan.build import cache, toolchain
+from cardan.errors import BuildError
 from codegen.running import CONTRACT
 
 pytestmark = pytest.mark.usefixtures("cache_directory")

@@ -9,7 +9,6 @@ from scipy.sparse import csr_matrix, diags
 from scipy.sparse.linalg import splu
 
 import cardan as cd
-from cardan.build import kernels
 from cardan.superelement import mesh as fem
 from cardan.superelement.elimination_order import _cover, nested_dissection
 from superelement.mesh.meshes import block
@@ -19,7 +18,7 @@ OPTIONS = {"diag_pivot_thresh": 0.0, "options": {"SymmetricMode": True}}
 
 def test_a_block_has_less_fill_and_the_same_solution() -> None:
     mesh = block("hex20", (7, 6, 6))
-    K = fem.solid(mesh, cd.material(E=1e9, nu=0.3), kernels.library()).stiffness()
+    K = fem.Solid(mesh, cd.material(E=1e9, nu=0.3)).stiffness()
     free = np.flatnonzero(np.repeat(mesh.points[:, 0] > 1e-9, 3))
     K, places = K[free][:, free].tocsc(), np.repeat(mesh.points, 3, axis=0)[free]
     order = nested_dissection(K, places)

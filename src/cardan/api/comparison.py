@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from ..analyses.conversion.coordinates import SIZES, Convention, Coordinates, Pair, Sizes, paired
 from ..analyses.conversion.programs import MUJOCO, PINOCCHIO
-from ..ir.interpreter import evaluate
-from ..ir.serialize import from_dict
 from ..build import toolchain
 from ..build.cache import build
+from ..ir.interpreter import evaluate
+from ..ir.serialize import from_dict
 from ..runtime.calls import samples
 from ..runtime.calls.batch import one_by_one
 from ..runtime.calls.lanes import States

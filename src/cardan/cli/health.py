@@ -14,10 +14,10 @@ from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from ..errors import BuildError, CompilerMissing
-from ..peers import processor
 from ..build import cache, cache_folder, limited_subprocess, prebuilt, prune, toolchain
 from ..build.object_file import Object
+from ..errors import BuildError, CompilerMissing
+from ..peers import processor
 from ..runtime.calls import abi, batch, lanes
 from ..version import VERSION
 

@@ -9,10 +9,17 @@ its interfaces and some modes; :func:`read` takes the matrices out of files of o
     arm = matrices.reduce({"hinge": [11, 12, 13, 14], "tip": [51, 52, 53, 54]}, modes=8)
     print(arm)
     arm.save("arm.npz")
+
+:func:`from_mesh` computes them from a mesh of a solid, with what is in ``cd.superelement.mesh``::
+
+    steel = cd.material(E=210e9, nu=0.3, rho=7850)
+    link = cd.superelement.from_mesh("link.msh", steel, {"hinge": "hole", "tip": "end"})
 """
 
+from . import mesh
 from .inertia import ProjectedInertia
 from .interfaces import InterfaceFrame
+from .mesh import from_mesh
 from .methods import METHODS
 from .readers import READERS, read
 from .readers.matrix_files import ComponentMatrices
@@ -28,7 +35,9 @@ __all__ = [
     "ProjectedInertia",
     "ReducedModes",
     "Superelement",
+    "from_mesh",
     "load",
+    "mesh",
     "read",
     "reduce",
 ]

@@ -14,8 +14,8 @@ from benchmarks.motion.figures import Measured
 from benchmarks.motion.programs import PEERS, PROGRAMS
 from benchmarks.page import markdown
 from benchmarks.provenance import signed
-from cardan.peers.processor import name as processor
 from cardan.build import cache
+from cardan.peers.processor import name as processor
 
 HEADINGS = ("program", "method", "setting", "least [ms]", "median [ms]", "error")
 PACKAGES = ("mujoco", "exudyn", "casadi", "scipy", "scikit-sundae")

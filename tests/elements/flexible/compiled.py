@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from cardan.build import cache
 from cardan.codegen import generate
 from cardan.ir.function import Function
-from cardan.build import cache
 from cardan.runtime.calls import abi_ctypes
 from cardan.schema import kernel_files
 from cardan.schema.blocks import ORDER

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import BuildError
 from cardan.build import cache, object_file
 from cardan.build.toolchain import compile_shared
+from cardan.errors import BuildError
 from cardan.runtime.models.finite_elements.elements import State
 from cardan.runtime.models.finite_elements.mesh import Mesh
 from cardan.runtime.models.finite_elements.table_loading import LANE_THRESHOLD

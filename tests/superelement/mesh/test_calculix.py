@@ -11,7 +11,6 @@ import pytest
 from scipy.linalg import eigh
 
 import cardan as cd
-from cardan.build import kernels
 from cardan.superelement import mesh as fem
 from superelement.mesh import calculix
 from superelement.mesh.meshes import KINDS, bent, block
@@ -26,7 +25,7 @@ def eigenvalues(K, M):
 
 
 def solid(mesh) -> fem.Solid:
-    return fem.solid(mesh, cd.material(E=E, nu=NU, rho=RHO), kernels.library())
+    return fem.Solid(mesh, cd.material(E=E, nu=NU, rho=RHO))
 
 
 def lug():

@@ -7,7 +7,6 @@ import pytest
 import sympy
 
 import cardan as cd
-from cardan.build import kernels
 from cardan.superelement import mesh as fem
 from cardan.superelement.mesh.cells import SOLIDS
 from superelement.mesh import routes
@@ -19,7 +18,7 @@ EPS = np.finfo(float).eps
 
 
 def solid(mesh, material=STEEL) -> fem.Solid:
-    return fem.solid(mesh, material, kernels.library())
+    return fem.Solid(mesh, material)
 
 
 def wavy(x):

@@ -9,7 +9,6 @@ import pytest
 from scipy.linalg import eigh
 
 import cardan as cd
-from cardan.build import kernels
 from cardan.superelement import mesh as fem
 from superelement.mesh.meshes import block
 
@@ -19,18 +18,11 @@ ALUMINIUM = cd.material(E=70e9, nu=0.3, rho=2700, expansion=2.3e-5)
 
 def test_a_link_from_its_file() -> None:
     """Frequencies with the root fixed, static stiffness, stress under a load at the hole."""
-    library = kernels.library()
     link = fem.from_mesh(
-        LUG,
-        ALUMINIUM,
-        {"base": "root", "pin": "hole"},
-        library=library,
-        modes=12,
-        stress="root",
-        scale=1e-3,
+        LUG, ALUMINIUM, {"base": "root", "pin": "hole"}, modes=12, stress="root", scale=1e-3
     )
     mesh = fem.read(LUG, scale=1e-3)
-    body = fem.solid(mesh, ALUMINIUM, library)
+    body = fem.Solid(mesh, ALUMINIUM)
     K, M = body.stiffness(), body.mass()
     assert link.properties.mass == pytest.approx(M.sum() / 3, rel=1e-10)
     # the pin is rigid: displacements of its nodes are six motions about their mean position
@@ -73,7 +65,6 @@ def test_heat_of_a_free_body_is_free_of_stress() -> None:
         mesh,
         cd.material(E=70e9, nu=0.3, rho=2700, expansion=2e-5),
         {"a": ends[0], "b": ends[1]},
-        library=kernels.library(),
         rigid="rbe3",
         method="rubin",
         modes=6,
@@ -88,13 +79,11 @@ def test_heat_of_a_free_body_is_free_of_stress() -> None:
 def test_frequencies_of_a_beam_of_solids() -> None:
     """Free, and against the eigenvalues of the solid."""
     mesh = block("hex20", (8, 2, 2), (1.0, 0.1, 0.08))
-    body = fem.solid(mesh, ALUMINIUM, kernels.library())
+    body = fem.Solid(mesh, ALUMINIUM)
     ends = {
         name: np.flatnonzero(abs(mesh.points[:, 0] - x) < 1e-9) for name, x in (("a", 0), ("b", 1))
     }
-    link = fem.from_mesh(
-        mesh, ALUMINIUM, ends, library=kernels.library(), method="rubin", rigid="rbe3", modes=10
-    )
+    link = fem.from_mesh(mesh, ALUMINIUM, ends, method="rubin", rigid="rbe3", modes=10)
     K, M = body.stiffness().toarray(), body.mass().toarray()
     exact = np.sqrt(eigh(K, M, eigvals_only=True, subset_by_index=(6, 9)))
     assert link.frequencies[:4] == pytest.approx(exact, rel=1e-7)
@@ -108,9 +97,9 @@ def test_faults_are_named() -> None:
         ({"a": [99]}, r"there is no node 99"),
     ):
         with pytest.raises(cd.ModelError, match=says):
-            fem.from_mesh(mesh, ALUMINIUM, interfaces, library=kernels.library())
+            fem.from_mesh(mesh, ALUMINIUM, interfaces)
     with pytest.raises(cd.ModelError, match=r"scale=0.001: the mesh is one already"):
-        fem.from_mesh(mesh, ALUMINIUM, {"a": [0]}, library=kernels.library(), scale=1e-3)
+        fem.from_mesh(mesh, ALUMINIUM, {"a": [0]}, scale=1e-3)
 
 
 # first flap frequency of a rotating blade by w (rho A l^4 / E I)^(1/2), both over the same unit:
@@ -127,7 +116,7 @@ def test_a_spinning_blade_by_its_geometric_stiffness() -> None:
         name: np.flatnonzero(abs(mesh.points[:, 0] - x) < 1e-9)
         for name, x in (("root", 0), ("tip", length))
     }
-    blade = fem.from_mesh(mesh, metal, ends, library=kernels.library(), modes=8, stiffening="root")
+    blade = fem.from_mesh(mesh, metal, ends, modes=8, stiffening="root")
     assert set(blade.geometric) == {"xx", "yy", "zz", "yz", "zx", "xy"}
     unit = np.sqrt(E * h * h / 12 / rho) / length**2
     moving = slice(6, None)
@@ -144,7 +133,7 @@ def test_a_spinning_blade_by_its_geometric_stiffness() -> None:
 
 def test_products_of_angular_velocities() -> None:
     mesh = block("tet10", (1, 1, 1), (0.3, 0.2, 0.1))
-    body = fem.solid(mesh, ALUMINIUM, kernels.library())
+    body = fem.Solid(mesh, ALUMINIUM)
     w, center = np.array([3.0, -2.0, 5.0]), (0.1, 0.2, 0.3)
     products = fem.centrifugal_products(body, center)
     total = sum(w["xyz".index(a)] * w["xyz".index(b)] * load for (a, b), load in products.items())
@@ -153,9 +142,9 @@ def test_products_of_angular_velocities() -> None:
 
 def test_nodes_on_a_line_hold_nothing() -> None:
     mesh = block("hex8", (1, 1, 1))
-    body = fem.solid(mesh, ALUMINIUM, kernels.library())
+    body = fem.Solid(mesh, ALUMINIUM)
     edge = np.flatnonzero((mesh.points[:, :2] == 0).all(axis=1))
     with pytest.raises(cd.ModelError, match=r"body that spins is singular.*do not lie on a line"):
         fem.spin_stiffness(body, edge)
     with pytest.raises(cd.ModelError, match=r"stiffening='rot': .*Did you mean 'root'"):
-        fem.from_mesh(mesh, ALUMINIUM, {"root": edge}, library=kernels.library(), stiffening="rot")
+        fem.from_mesh(mesh, ALUMINIUM, {"root": edge}, stiffening="rot")

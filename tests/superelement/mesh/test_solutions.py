@@ -9,7 +9,6 @@ from scipy.optimize import brentq
 from scipy.sparse.linalg import spsolve
 
 import cardan as cd
-from cardan.build import kernels
 from cardan.superelement import mesh as fem
 from superelement.mesh.meshes import KINDS, bent, block
 
@@ -19,7 +18,7 @@ METAL = cd.material(E=E, nu=0.3, rho=RHO, expansion=2e-5)
 
 
 def solid(mesh, material=METAL) -> fem.Solid:
-    return fem.solid(mesh, material, kernels.library())
+    return fem.Solid(mesh, material)
 
 
 def free(mesh, *fixed):

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...arrays import Array, on_lines
+from ...build import kernels
 from ...schema.blocks import ORDER
 from ...schema.c_functions import FunctionRow
-from ...build import kernels
 
 if TYPE_CHECKING:
     from .calling import Caller

@@ -15,12 +15,12 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Array, on_lines
-from ...build_progress import stage
-from ...errors import BuildError, CompilerMissing
-from ...schema.blocks import ORDER
 from ...build import cache, kernels, prebuilt
 from ...build.object_file import Object
 from ...build.toolchain import Compiler
+from ...build_progress import stage
+from ...errors import BuildError, CompilerMissing
+from ...schema.blocks import ORDER
 
 Answer = tuple[int, int, bool]
 WIDTHS = (1, 2, 4, 8)

@@ -14,13 +14,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ... import processes, regular_file
+from ...build import cache, prebuilt
+from ...build.object_file import Object
+from ...build.toolchain import Compiler
 from ...build_progress import listed, stage
 from ...errors import BuildError, CompilerMissing, DerivationError, ModelError, near
 from ...schema.c_functions import FunctionRow
 from ...schema.manifest import Manifest, from_file
-from ...build import cache, prebuilt
-from ...build.object_file import Object
-from ...build.toolchain import Compiler
 from .abi_ctypes import LOADED, block_sizes
 from .interpreted import Interpreted, announce
 from .lanes import Recipe

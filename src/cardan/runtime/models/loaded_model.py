@@ -13,9 +13,9 @@ from numpy.typing import ArrayLike
 
 from ...arguments import Seed, checked, kinds_of, read
 from ...arrays import Array
+from ...build import kernels
 from ...errors import ArgumentError, ModelError, brief, counted
 from ...schema.functions import FUNCTIONS, STANDARD
-from ...build import kernels
 from ..calls.calling import by_name, numbers
 from ..calls.evaluation import Values
 from ..calls.generated import Generated, Source

@@ -10,11 +10,11 @@ from pathlib import Path
 from typing import TypeVar
 
 from ... import regular_file
+from ...build import cache, cache_folder
 from ...errors import BuildError, ModelError
 from ...schema.functions import FUNCTIONS
 from ...schema.manifest import Manifest, checked_manifest
 from ...schema.seal import sealed, unsealed
-from ...build import cache, cache_folder
 from ..calls.parameters import Parameters
 from .loaded_model import LoadedModel
 

@@ -9,9 +9,9 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...build import kernels
 from ...errors import ArgumentError, SolveError
 from ...schema.records import FactorsRecord, PlanRecord
-from ...build import kernels
 from .plan import Plan
 from .systems import Reals, checked, guess, named, refused, scales, sides
 

@@ -11,7 +11,7 @@ from .loads import centrifugal, centrifugal_products, gravity, pressure, thermal
 from .materials import SolidMaterial, orthotropic
 from .record import Mesh, from_arrays
 from .reduced import from_mesh, spin_stiffness
-from .solid import Solid, assembled, solid
+from .solid import Solid, assembled
 from .stress import stress_operator, thermal_stresses, von_mises
 
 __all__ = [
@@ -27,7 +27,6 @@ __all__ = [
     "orthotropic",
     "pressure",
     "read",
-    "solid",
     "spin_stiffness",
     "stress_operator",
     "thermal",

@@ -54,7 +54,7 @@ def orthotropic(
         axes: Directions 1, 2, 3 as columns (3, 3) in the axes of the mesh; these axes by default.
 
     Returns:
-        The material, for :func:`solid`.
+        The material, for :class:`Solid`.
 
     Raises:
         ModelError: moduli that are not positive, ratios with which strain energy would be

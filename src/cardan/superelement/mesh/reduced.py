@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -35,7 +34,6 @@ def from_mesh(
     material: AnyMaterial | Mapping[str, AnyMaterial],
     interfaces: Mapping[str, Place],
     *,
-    library: ctypes.CDLL,
     method: str = "craig_bampton",
     modes: int | None = None,
     rigid: str | Mapping[str, str] = "rbe2",
@@ -53,7 +51,6 @@ def from_mesh(
         material: A material of ``cd.material`` or :func:`orthotropic`; or materials by region.
         interfaces: Names of surfaces and sets of the mesh, or node numbers, by the name that the
             interface gets: ``{"hinge": "hole"}``.
-        library: The compiled kernels.
         method, modes, rigid, at, damping, rayleigh: As for ``cd.superelement.reduce``.
         stress: Nodes whose stresses are recovered: a surface, a set or numbers; none by default.
         stiffening: Name of the interface that holds the body while it spins: the record gets the
@@ -76,7 +73,7 @@ def from_mesh(
             f"interfaces={brief(interfaces)}: give surfaces, sets or nodes by name, such as "
             "{'hinge': 'hole'}"
         )
-    body = Solid(mesh, material, library)
+    body = Solid(mesh, material)
     nodes = {name: mesh.nodes(place) for name, place in interfaces.items()}
     loads: dict[str, Array] = {}
     if any(group.material.expansion.any() for group in body.groups):

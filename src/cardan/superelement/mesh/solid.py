@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...arrays import Array, Integers
+from ...build import kernels
 from ...elements.material import Material
 from ...errors import ModelError, near
 from ...schema.records import SolidRecord
@@ -73,22 +74,19 @@ class Solid:
     Element Procedures, 2nd ed., sections 4.2, 5.3 and 6.2.
     """
 
-    def __init__(
-        self, mesh: Mesh, material: AnyMaterial | Mapping[str, AnyMaterial], library: ctypes.CDLL
-    ) -> None:
+    def __init__(self, mesh: Mesh, material: AnyMaterial | Mapping[str, AnyMaterial]) -> None:
         """Groups the cells; nothing is computed yet.
 
         Args:
             mesh: The mesh.
             material: The material; or materials by region, which together are the entire mesh.
-            library: The compiled kernels.
 
         Raises:
             ModelError: a material without elastic constants, an unknown region, cells without a
                 material or with two.
         """
         self.mesh = mesh
-        self.library = library
+        self.library = kernels.library()
         self.groups = _groups(mesh, material)
         self.pattern = _pattern(mesh)
 
@@ -266,31 +264,14 @@ class Solid:
         return kron(matrix, identity(3), format="csr")
 
 
-def solid(
-    mesh: Mesh, material: AnyMaterial | Mapping[str, AnyMaterial], library: ctypes.CDLL
-) -> Solid:
-    """A mesh with its material, ready for matrices, loads and stresses.
-
-    Args:
-        mesh: The mesh.
-        material: A material of ``cd.material`` or :func:`orthotropic`; or materials by region.
-        library: The compiled kernels, ``build.kernels.library()``.
-
-    Raises:
-        ModelError: as :class:`Solid`.
-    """
-    return Solid(mesh, material, library)
-
-
 def assembled(
-    mesh: Mesh, material: AnyMaterial | Mapping[str, AnyMaterial], library: ctypes.CDLL
+    mesh: Mesh, material: AnyMaterial | Mapping[str, AnyMaterial]
 ) -> tuple[csr_matrix, csr_matrix]:
     """Mass and stiffness of a mesh, sparse (dofs, dofs) [kg, N/m].
 
     Args:
         mesh: The mesh.
         material: A material of ``cd.material`` or :func:`orthotropic`; or materials by region.
-        library: The compiled kernels.
 
     Returns:
         M (consistent) and K, as ``scipy.sparse.csr_matrix``.
@@ -298,7 +279,7 @@ def assembled(
     Raises:
         ModelError: as :class:`Solid`.
     """
-    body = Solid(mesh, material, library)
+    body = Solid(mesh, material)
     return body.mass(), body.stiffness()
 
 

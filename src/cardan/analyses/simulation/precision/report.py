@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import ArrayLike
 
 from ....arguments import checked
-from ....errors import CompilerMissing, counted
 from ....build import cache
+from ....errors import CompilerMissing, counted
 from ....runtime.calls import abi, function_costs
 from ....runtime.calls.measuring import Row
 from ....runtime.models.finite_elements import element_costs
