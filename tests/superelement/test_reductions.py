@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scipy.linalg import block_diag, eigh
+from scipy.sparse import csc_matrix
 
 import cardan as cd
 from cardan.superelement import component
@@ -73,6 +74,14 @@ def test_errors_fall_with_the_modes_as_in_the_table(key: tuple[int, str]) -> Non
     # modes of bending and stretch in one order
     errors = beam(method=method, modes=n).modes(["root"]).frequencies[: len(exact)] / exact - 1
     np.testing.assert_allclose(np.log10(errors), ERRORS[key], atol=0.16)
+
+
+def test_modes_that_are_chosen_and_left_out_are_those_of_all_rows() -> None:
+    rubin, fixed = beam(method="rubin", modes=5), beam(modes=4)
+    for record, name in ((rubin, "full_free_free_omega"), (fixed, "full_clamped_clamped_omega")):
+        omega = np.concatenate([record.frequencies, record.dropped])
+        count = min(len(omega), len(BEAM[name]))
+        np.testing.assert_allclose(omega[:count], BEAM[name][:count], rtol=1e-11)
 
 
 def test_guyan_is_craig_bampton_without_modes() -> None:
@@ -153,6 +162,19 @@ def test_a_brick_between_spiders(n: int) -> None:
         np.testing.assert_allclose(omega, expected, rtol=1e-11)
 
 
+def test_a_soft_brick_on_one_face() -> None:
+    """The local frequencies of the component of a pendulum, and those of all rows."""
+    data = reference("se_spherical_joint_A")
+    M, K, nodes = brick_matrices()
+    soft = K * data["parameters"]["K_scale"]
+    n = data["parameters"]["cb_modes"]
+    record = cd.superelement.reduce(M, soft, nodes, faces(), modes=n)
+    expected = data["reference"]["local_omega_node0_clamped"]
+    np.testing.assert_allclose(record.modes(["root"]).frequencies, expected, rtol=1e-11)
+    many = brick(method="rubin", modes=100).modes(["root"]).frequencies
+    np.testing.assert_allclose(many[:6], BRICK["spider_full_clamped_free_omega"], rtol=1e-8)
+
+
 def test_free_modes_of_the_brick_are_those_of_all_rows() -> None:
     record = brick(method="rubin", modes=8)
     expected = BRICK["spider_full_free_free_omega"]
@@ -222,6 +244,7 @@ def test_a_satellite_of_hub_and_two_beams() -> None:
     record = cd.superelement.reduce(
         M, K, nodes, {"root": 0}, node_dofs="x y rz", modes=12, frame_dofs="x y rz"
     )
+    np.testing.assert_allclose(record.frequencies[:3], exact["clamped_beam"], rtol=1e-6)
     # one beam with half of the hub: it turns (root moves by a theta), or moves across
     for kind, row, hub in (
         ("still_antisymmetric", [0, p["a"], 1], p["J_hub"] / 2),
@@ -257,6 +280,58 @@ def test_bounds_hold_and_estimates_are_near(n: int) -> None:
             for error, estimate in zip(distance[: n // 2], modes.estimates, strict=False):
                 if 1e-9 < error < 1e-2 and method != "macneal":
                     assert error / 30 < estimate < 30 * error
+
+
+@each("method", ["craig_bampton", "rubin"])
+def test_rows_may_have_no_mass(method: str) -> None:
+    """Lumped masses without inertia of rotation: those rows follow the others in statics."""
+    _, K, nodes = planar_beam(2.0, 10, 3e6, 500.0, 4.0)
+    lumped = np.diag(np.where(np.arange(33) % 3 < 2, 0.8, 0.0))
+    lumped[[0, 1, 30, 31], [0, 1, 30, 31]] = 0.4
+    ends = {"root": 0, "tip": 10}
+    record = cd.superelement.reduce(
+        lumped, K, nodes, ends, node_dofs="x y rz", method=method, modes=8
+    )
+    exact = frequencies(lumped[3:, 3:], K[3:, 3:])[:3]
+    np.testing.assert_allclose(record.modes(["root"]).frequencies[:3], exact, rtol=2e-4)
+    assert record.modes().n_rigid == 3
+    assert record.properties.mass == pytest.approx(8.0)
+
+
+def test_pins_at_both_ends_are_interfaces() -> None:
+    """Frames without rotation: simply supported when fixed, in closed form."""
+    M, K, nodes = planar_beam(1.0, 32, 1e8, 100.0, 2.0)
+    ends = {"root": 0, "tip": 32}
+    record = cd.superelement.reduce(
+        M, K, nodes, ends, node_dofs="x y rz", frame_dofs="x y", modes=3
+    )
+    expected = (np.arange(1, 4) * np.pi) ** 2 * np.sqrt(100.0 / 2.0)
+    np.testing.assert_allclose(record.frequencies, expected, rtol=1e-5)
+    assert record.n == 7
+
+
+@each("method", METHODS)
+def test_a_component_without_anything_behind_its_interfaces(method: str) -> None:
+    """One element: there is nothing to reduce."""
+    M, K, nodes = planar_beam(1.0, 1, 1e6, 100.0, 2.0)
+    ends = {"root": 0, "tip": 1}
+    record = cd.superelement.reduce(M, K, nodes, ends, node_dofs="x y rz", method=method)
+    np.testing.assert_allclose(record.K, K, rtol=1e-9, atol=1e-6)
+    if method != "macneal":
+        np.testing.assert_allclose(record.M, M, rtol=1e-9, atol=1e-12)
+    exact = frequencies(M, K, zeros=3)
+    if method != "macneal":
+        np.testing.assert_allclose(record.modes().frequencies, exact, rtol=1e-9)
+
+
+def test_a_long_beam_is_not_taken_for_singular() -> None:
+    """1000 elements: its softest shape has 5e-13 of the stiffness of its rows."""
+    M, K, nodes = planar_beam(1.0, 1000, 1e6, 100.0, 2.0)
+    record = cd.superelement.reduce(
+        csc_matrix(M), csc_matrix(K), nodes, {"root": 0}, node_dofs="x y rz", modes=2
+    )
+    expected = 1.8751040687119611**2 * np.sqrt(100.0 / 2.0)
+    assert record.frequencies[0] == pytest.approx(expected, rel=1e-3)
 
 
 def test_faces_share_no_node() -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import ModelError
 from .node_dofs import COMPONENTS, NodeDofs
 
@@ -164,15 +165,15 @@ def unit_notes(M: Sparse, K: Sparse, dofs: NodeDofs, mass: float) -> tuple[float
     # nodes on a line or in a plane say nothing of a volume
     solid = extent.min() > 1e-3 * extent.max()
     density = mass / float(np.prod(extent)) if solid else float("nan")
-    moved = np.flatnonzero(dofs.component < 3)
-    heavy = moved[M.diagonal()[moved] > 0]
-    if len(dofs.positions) < 2 or not len(heavy):
+    if len(dofs.positions) < 2:
         return float("nan"), density, []
-    distance = cKDTree(dofs.positions).query(dofs.positions, k=2)[0][:, 1]
-    ratio = K.diagonal()[heavy] / M.diagonal()[heavy]
-    speeds = np.zeros(len(dofs.positions))
-    np.maximum.at(speeds, dofs.node[heavy], np.sqrt(ratio))
-    speeds *= distance / STIFFENED
+    distance, neighbor = cKDTree(dofs.positions).query(dofs.positions, k=2)
+    # along the line to the nearest node: bending of thin parts has no part in it
+    along = dofs.positions[neighbor[:, 1]] - dofs.positions
+    stiffness, mass_there = (_quadratic(A, along, dofs) for A in (K, M))
+    able = (stiffness > 0) & (mass_there > 0)
+    speeds = np.zeros(len(able))
+    speeds[able] = distance[able, 1] * np.sqrt(stiffness[able] / mass_there[able]) / STIFFENED
     nodes = np.flatnonzero(speeds)
     if not len(nodes):
         return float("nan"), density, []
@@ -193,6 +194,20 @@ def unit_notes(M: Sparse, K: Sparse, dofs: NodeDofs, mass: float) -> tuple[float
         f"solid has: units are m, kg, N; likely {cause}"
     )
     return speed, density, [note]
+
+
+def _quadratic(A: Sparse, directions: Array, dofs: NodeDofs) -> Array:
+    """Forms d^T A d of each node by its displacement along a direction (nodes,)."""
+    row = np.full((len(dofs.positions), 6), -1)
+    row[dofs.node, dofs.component] = np.arange(len(dofs))
+    result = np.zeros(len(dofs.positions))
+    for a in range(3):
+        for b in range(3):
+            both = np.flatnonzero((row[:, a] >= 0) & (row[:, b] >= 0))
+            if len(both):
+                entries = np.asarray(A[row[both, a], row[both, b]]).reshape(-1)
+                result[both] += entries * directions[both, a] * directions[both, b]
+    return result
 
 
 def rigid_text(check: RigidCheck) -> str:

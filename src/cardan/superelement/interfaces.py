@@ -140,8 +140,6 @@ def connect(
         gone.append(rows)
         first += len(components)
     interior = np.setdiff1d(np.arange(len(dofs)), np.concatenate(gone))
-    if not len(interior):
-        raise ModelError("interface: it takes all nodes; leave some, whose motions are reduced")
     column = np.zeros(len(dofs), np.intp)
     column[interior] = first + np.arange(len(interior))
     # followers of averages refer to rows that are unknowns
@@ -194,6 +192,9 @@ def _tied(
     rows = dofs.rows_of(nodes)
     if frame.rigid == "rbe3":
         rows = rows[dofs.component[rows] < 3] if len(nodes) > 2 else rows
+    if frame.rigid == "node":
+        # a frame of fewer motions leaves the others of its node elastic, as a pin does
+        rows = rows[np.isin(dofs.component[rows], components)]
     about = np.asarray(frame.position)
     motions = dofs.rigid(about, rows)
     arms = np.linalg.norm(dofs.positions[nodes] - about, axis=1)

@@ -198,6 +198,8 @@ def _listed(
     positions: Array, ids: Integers, size: int, dofs: Sequence[tuple[int, str]]
 ) -> NodeDofs:
     """Rows that are named one by one."""
+    if not isinstance(dofs, Sequence) or isinstance(dofs, str):
+        raise ModelError(f"dofs={brief(dofs)}: give a list such as [(17, 'x'), (17, 'rz')]")
     rows = [*dofs]
     if len(rows) != size:
         raise ModelError(f"dofs: {counted(len(rows), 'row')} named, M and K have {size}")

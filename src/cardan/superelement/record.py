@@ -11,13 +11,13 @@ from numpy.typing import ArrayLike
 
 from ..arguments import checked
 from ..arrays import Array, Complex, Integers
-from ..errors import ArgumentError, ModelError, brief, counted, near
+from ..errors import ArgumentError, ModelError, SolveError, brief, counted, near
 from .checks import MassProperties, RigidCheck, rigid_text
 from .error_bounds import Residuals, relative_bounds
 from .inertia import ProjectedInertia
 from .interfaces import InterfaceFrame, frame_motions
 from .node_dofs import NodeDofs
-from .response import admittance, frequencies_of, impedance, reduced_modes
+from .response import admittance, free_motions, frequencies_of, impedance, reduced_modes
 
 MAX_PRINTED = 12
 ISOTROPIC = 1e-8  # of the largest mass: what rounded texts leave
@@ -186,8 +186,7 @@ class Superelement:
         norms = self.residuals.norms(omega**2, shapes, free)
         energies = np.einsum("ij,ij->j", shapes, self.K @ shapes)
         bounds, estimates = relative_bounds(norms, energies, omega**2)
-        n_rigid = self.n - len(places) - len(omega)
-        n_rigid -= max(0, self.massless - len(places)) if self.massless else 0
+        n_rigid = free_motions(self.rigid, places).shape[1]
         names = tuple(self.labels[k] for k in places)
         moved = self.basis @ shapes
         return ReducedModes(omega, shapes, moved, bounds, estimates, n_rigid, names)
@@ -325,10 +324,16 @@ class Superelement:
             )
         if self.massless:
             lines.append(f"  massless     {self.massless} coordinates: M has no inverse")
-        free = self.modes()
-        for k in range(min(len(free.frequencies), 6)):
-            lines.append(
-                f"  free mode {k + 1}  {free.frequencies[k]:.9g} rad/s, error about "
-                f"{free.estimates[k]:.1e}, at most {free.bounds[k]:.1e}"
-            )
-        return "\n".join([*lines, *(f"  note: {note}" for note in self.notes)])
+        return "\n".join([*lines, *self._free_lines(), *(f"  note: {x}" for x in self.notes)])
+
+    def _free_lines(self) -> list[str]:
+        """The lowest free modes with their errors."""
+        try:
+            free = self.modes()
+        except SolveError as error:
+            return [f"  no free modes: {error}"]
+        return [
+            f"  free mode {k + 1}  {free.frequencies[k]:.9g} rad/s, error about "
+            f"{free.estimates[k]:.1e}, at most {free.bounds[k]:.1e}"
+            for k in range(min(len(free.frequencies), 6))
+        ]

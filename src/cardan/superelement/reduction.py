@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ..arguments import checked
 from ..arrays import Array
-from ..errors import ModelError, ModelWarning, brief, near, warn
+from ..errors import ModelError, ModelWarning, brief, counted, near, warn
 from .additions import Additions, additions_of
 from .checks import RIGID, check_free, mass_properties, node_notes, rigid_check, unit_notes
 from .component import Component
@@ -127,7 +127,7 @@ def _reduced(
 ) -> Superelement:
     """The reduced component by checked matrices."""
     check_diagonals(M, K, dofs)
-    count = _mode_count(method, modes)
+    count = _mode_count(method, modes, len(connection.interior))
     properties, check = mass_properties(M, dofs), rigid_check(K, dofs)
     if not supported:
         check_free(check)
@@ -177,8 +177,8 @@ def _reduced(
     )
 
 
-def _mode_count(method: str, modes: int | None) -> int:
-    """Number of modes that a method shall keep."""
+def _mode_count(method: str, modes: int | None, most: int) -> int:
+    """Number of modes that a method shall keep, by default as many as there may be."""
     if method not in METHODS:
         raise ModelError(f"method={brief(method)}: there is no such method.{near(method, METHODS)}")
     if method in STATIC:
@@ -187,7 +187,7 @@ def _mode_count(method: str, modes: int | None) -> int:
                 f"modes={modes}: '{method}' has none; take 'craig_bampton', which adds modes to it"
             )
         return 0
-    count = MODES if modes is None else modes
+    count = min(MODES, most) if modes is None else modes
     if count < 0:
         raise ModelError(f"modes={count}: give 0 or more")
     return count
@@ -212,7 +212,28 @@ def _component(
         weighted = force / np.maximum(size.max(axis=1, keepdims=True), 1e-300)
         _, values, directions = np.linalg.svd(weighted, full_matrices=False)
         independent = independent @ directions[values <= RIGID].T
-    return Component(M, K, connection, dofs, center, length, independent)
+    component = Component(M, K, connection, dofs, center, length, independent)
+    _check_fixed(component)
+    return component
+
+
+def _check_fixed(component: Component) -> None:
+    """Refuse interfaces that leave the component rigid motions when all of them are fixed.
+
+    Raises:
+        ModelError: it says how many, and at which point or about which line.
+    """
+    rows = component.boundary_scale[:, None] * component.rigid[: component.n_boundary]
+    _, values, directions = np.linalg.svd(rows, full_matrices=True)
+    rank = int((values > INDEPENDENT * values.max(initial=0.0)).sum())
+    mobile = component.rigid @ directions[rank:].T
+    if mobile.shape[1]:
+        row = int(np.argmax(abs(mobile[:, 0])))
+        raise ModelError(
+            f"interface: with all of them fixed the component still has "
+            f"{counted(mobile.shape[1], 'rigid motion')}, of {component.label(row)} among others. "
+            "Leave out frame_dofs, give several nodes to an interface, or more interfaces"
+        )
 
 
 def _freed(K: Array, rigid: Array, boundary_scale: Array) -> Array:

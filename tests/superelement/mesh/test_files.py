@@ -124,6 +124,11 @@ def test_sets_and_surfaces_of_abaqus(tmp_path: Path) -> None:
         (("3, 1, 1, 0", "3, 1, one, 0"), r"\*NODE in line 2 cannot be read"),
         (("3, 1, 1, 0", "3, 1, nan, 0"), r"deck.inp: node 2 lies at \[1.0, nan, 0.0\]"),
         (("*Material", "*Include, input=b.inp\n*Material"), r"\*INCLUDE .*join them"),
+        (("8, 0, 1, 1", "7, 0, 1, 1"), r"\*NODE in line 2 .*node 7 is there twice: .*instances"),
+        (("20, 2, 19,", "10, 2, 19,"), r"element 10 is there twice"),
+        (("*Node, nset=All", "*Node, system=C"), r"cylindrical or spherical coordinates are not"),
+        (("*Material", "*Instance, name=I\n1., 0, 0\n*Material"), r"I: instances that are moved"),
+        (("*Material", "*Ngen\n1, 9\n*Material"), r"\*NGEN .*list them"),
         (("TYPE=c3d8,", "KIND=c3d8,"), r"\*ELEMENT in line 16 cannot be read: 'TYPE' is missing"),
     ],
 )
@@ -163,6 +168,16 @@ def test_files_that_are_not_there(tmp_path: Path) -> None:
     for name, text in (("a.msh", "$MeshFormat\n9.9 0 8\n"), ("a.xyz", "1"), ("a.vtu", "<a/>")):
         with pytest.raises(cd.ModelError, match="meshio cannot read it"):
             fem.read(written(tmp_path, text, name))
+
+
+def test_a_count_beyond_the_file_is_refused_at_once(tmp_path: Path) -> None:
+    pytest.importorskip("meshio")
+    text = (FILES / "lug.msh").read_text()
+    count = re.search(r"\$Nodes\n(\d+ 396 1 396)", text)
+    assert count
+    text = text.replace(count[1], count[1].replace("396", "39999999"))
+    with pytest.raises(cd.ModelError, match="says that it has 39999999 nodes, in"):
+        fem.read(written(tmp_path, text, "many.msh"))
 
 
 def test_wedges_are_refused_by_name(tmp_path: Path) -> None:

@@ -25,6 +25,7 @@ KINDS = {name: cell.kind for cell in CELLS.values() for name in cell.abaqus}
 # of elements without volume or face, whose nodes a set may list: trusses, beams, springs, masses
 LINES = re.compile(r"(T2D|T3D|B2|B3|SPRING|DASHPOT|MASS|GAP|DCOUP)")
 SIDE = re.compile(r"S([1-6])$")
+FLAT = "write the deck without parts and instances"
 LONGEST = 200  # characters of a reason
 GENERATED = 10_000_000  # numbers that one line may generate
 
@@ -105,7 +106,13 @@ def _blocks(text: str) -> Iterator[tuple[int, str, dict[str, str], list[list[str
 
 
 def _node(deck: Deck, options: dict[str, str], rows: list[list[str]]) -> None:
+    if options.get("SYSTEM", "R").upper() != "R":
+        raise ValueError(
+            "nodes in cylindrical or spherical coordinates are not read; write x, y, z"
+        )
     for label, *coordinates in rows:
+        if int(label) in deck.nodes:
+            raise ValueError(f"node {label} is there twice: {FLAT}")
         position = [float(x) for x in coordinates if x][:3]
         deck.nodes[int(label)] = position + [0.0] * (3 - len(position))
     if "NSET" in options:
@@ -127,6 +134,8 @@ def _element(deck: Deck, options: dict[str, str], rows: list[list[str]]) -> None
         if len(entries) <= width:
             continue
         label, *nodes = entries
+        if label in deck.elements:
+            raise ValueError(f"element {label} is there twice: {FLAT}")
         if width and len(nodes) != width:
             raise ValueError(f"element {label} has {len(nodes)} nodes, {name} has {width}")
         labels.append(label)
@@ -185,6 +194,17 @@ def _surface(deck: Deck, options: dict[str, str], rows: list[list[str]]) -> None
         deck.sides.setdefault(name, []).append((deck.name(row[0]), int(side[1]) - 1))
 
 
+def _instance(deck: Deck, options: dict[str, str], rows: list[list[str]]) -> None:
+    if rows:
+        raise ValueError(
+            f"{options.get('NAME', '')}: instances that are moved are not read: {FLAT}"
+        )
+
+
+def _generated(deck: Deck, options: dict[str, str], rows: list[list[str]]) -> None:
+    raise ValueError("nodes and elements that a program has to generate are not read; list them")
+
+
 def _include(deck: Deck, options: dict[str, str], rows: list[list[str]]) -> None:
     raise ValueError(
         f"{options.get('INPUT', '')}: files that include others are not read; join them"
@@ -198,6 +218,8 @@ READERS = {
     "ELSET": _elset,
     "SURFACE": _surface,
     "INCLUDE": _include,
+    "INSTANCE": _instance,
+    **dict.fromkeys(("NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM"), _generated),
 }
 
 

@@ -25,7 +25,7 @@ def checked_points(source: str, points: ArrayLike, scale: float | None) -> Array
         ModelError: another shape, or numbers that are not finite.
     """
     try:
-        positions: Array = np.array(points, dtype=float)
+        positions: Array = np.asarray(points, dtype=float)
     except (TypeError, ValueError):
         raise ModelError(f"{source}: points must be numbers: give an array (nodes, 3)") from None
     if positions.ndim != 2 or positions.shape[1] != 3 or not len(positions):

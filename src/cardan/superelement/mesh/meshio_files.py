@@ -31,7 +31,12 @@ def contents(path: Path) -> Contents:
         ModuleNotFoundError: meshio is not installed (extra ``fem``).
         ModelError: meshio cannot read it, or its numbers do not fit each other.
     """
-    return _contents(path.name, _meshio(path))
+    mesh, size = _meshio(path), path.stat().st_size
+    # a wrong count in a file: memory for that many was reserved, but never written
+    for noun, count in (("nodes", len(mesh.points)), ("cells", sum(map(len, mesh.cells)))):
+        if count > size:
+            raise ModelError(f"{path.name}: it says that it has {count} {noun}, in {size} bytes")
+    return _contents(path.name, mesh)
 
 
 def _meshio(path: Path) -> meshio.Mesh:
