@@ -85,7 +85,8 @@ class Members:
         """
         value, expected = both(self)
         plain = relative(value - expected, expected, *terms)
-        if plain < BOUND:
+        # what is no number is wrong whatever rounding does
+        if plain < BOUND or not np.isfinite(plain):
             return plain
         near = [
             np.subtract(*both(replace(self, inputs=shaken(self.inputs, k), cache={})))
