@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 import cardan as cd
-from cardan.analyses.simulation.files.saved_record import FROM_MODEL, OF_PROCESS, record_of
+from cardan.analyses.simulation.files.saved_record import record_of
 from cardan.runtime.build import cache, cache_folder, file_trust, object_file
 from cardan.schema.records import POINTER, Run
 from cardan.schema.seal import sealed
@@ -23,6 +23,17 @@ from hostile.mutations import Mutant
 
 # numbers of the record that are sizes, which a file of a stepper once held
 SIZES = ("n", "nx", "nq", "nr", "ns", "signal_count", "tick_count", "stages", "dense_rows", "rates")
+# from the model, its method and settings
+FROM_MODEL = (
+    *("nq", "nu", "nz", "nx", "n", "nr", "ns", "nlam", "signal_count", "quaternion_count"),
+    *("bounded_count", "sampled", "charted", "positions", "rates", "ne", "watched", "tick_count"),
+    *("stages", "dense_rows", "jumps", "rtol", "atol", "max_step", "on_grid"),
+)
+# what belongs to a process, or to the room that rows have there
+OF_PROCESS = (
+    *("capacity", "count", "log_capacity", "log_count", "stop_count", "next_stop"),
+    *("time_count", "next_time", "budget", "stop"),
+)
 
 
 def _changed(kind: Any, change: Callable[[dict[str, Any]], None], folder: Path) -> str:

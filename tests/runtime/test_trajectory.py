@@ -12,6 +12,7 @@ from scipy.io import netcdf_file
 
 import cardan as cd
 from cardan import load_motion as load
+from cardan.errors import SolveWarning
 
 
 def build() -> cd.CompiledModel:
@@ -162,3 +163,22 @@ def test_xarray_has_names_and_units(motion: cd.Trajectory) -> None:
     data = motion.to_xarray()
     np.testing.assert_array_equal(data["q"].sel(coordinate="pivot"), motion["pivot"])
     np.testing.assert_array_equal(data["kinetic"], motion.energy.kinetic)
+
+
+def test_a_run_without_accelerations_is_saved(tmp_path: Path) -> None:
+    scene = cd.Scene("blade", gravity=(0, 0, 0))
+    hub = scene.body("hub", mass=1.0, inertia=(1.0, 1.0, 1.0))
+    scene.joint("drive", cd.Revolute("z"), scene.ground, hub, prescribed=6 * cd.t)
+    # without rhoI its nodes turn without inertia
+    section = cd.section.general(EA=1e3, GA=1e3, GJ=1.0, EI=1.0, rhoA=1.0)
+    scene.beam("blade", hub, (1, 0, 0), section, elements=2)
+    model = cd.compile(scene)
+    with pytest.warns(SolveWarning, match="M is singular"):
+        motion = model.simulate(0.1)
+    with pytest.warns(
+        SolveWarning, match="outputs has no value at 1 of 1 times, the first t = 0 s"
+    ):
+        path = motion.save(tmp_path / "blade.nc")
+    back = cd.load_motion(path)
+    assert np.isnan(back["drive.driving_force"]).all()
+    np.testing.assert_array_equal(back.x, motion.x)

@@ -307,6 +307,21 @@ def test_made_names_give_way_to_those_of_the_user():
     assert system.frames[system.forces[0].frames["frame"]].name == "push.frame_"
 
 
+def test_a_parameter_keeps_its_name_beside_a_zero_of_the_same_name() -> None:
+    scene = pendulum()
+    fall = scene.parameter("gravity.z", -3.0, unit="N")
+    scene.gravity = (0, 0, 0)
+    scene.force("fall", Force(scene.bodies["lower"].at(), (0, 0, fall)))
+    upper, lower = scene.bodies["upper"], scene.bodies["lower"]
+    scene.joint("post", Revolute("y"), scene.ground.at(0.3, 0, 0), scene.body("arm", mass=1.0))
+    lower.at(8, 0, 0, name="push.frame")
+    scene.force("push", Force(upper.at(), (1, 0, 0)))
+    system = build(scene)
+    names = {parameter.name for parameter in system.parameters}
+    assert {"gravity.z", "post.position.x", "push.frame.position.x"} <= names
+    assert not names & set(system.structural)
+
+
 def test_plain_lengths_fit_beside_parameters_with_units() -> None:
     scene = Scene("cylinder")
     m = scene.parameter("m", 2.0, unit="kg")

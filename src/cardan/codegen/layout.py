@@ -106,13 +106,8 @@ def _is_unchanged(directory: Path, manifest: Manifest, name: str) -> bool:
     return hashlib.sha256(content).hexdigest() == manifest.sha256.get(name)
 
 
-def has_function(directory: Path, name: str) -> bool:
-    """True when a function is in the manifest and its file is the one it speaks of."""
-    return not missing(directory, [name])
-
-
 def missing(directory: Path, names: Sequence[str]) -> list[str]:
-    """Names that :func:`has_function` denies, by one look at the manifest."""
+    """Names of functions that are not in the manifest, or whose file is another; by one look."""
     there = _there(directory)[0]
     functions = there.functions if there else {}
     return [name for name in names if not _is_there(directory, functions.get(name))]

@@ -96,15 +96,18 @@ class Converter:
             return self.expression(value, name, unit)
         name = self.same.get(name, name)
         number = float(self.values.pop(name, value)) if self.values else float(value)
-        if number == 0.0 or (ratio and abs(number) == 1.0):
-            self.structural[name] = number
-            return ZERO if number == 0.0 else ONE if number > 0 else MINUS_ONE
         if not math.isfinite(number):
             raise ModelError(f"'{name}' must be a finite number, not {number}")
+        if number == 0.0 or (ratio and abs(number) == 1.0):
+            # a parameter of the same name keeps it: it can be set, this number cannot
+            if name not in self._nodes:
+                self.structural[name] = number
+            return ZERO if number == 0.0 else ONE if number > 0 else MINUS_ONE
         if name in self._nodes:
             if name in self.same.values():
                 return self._nodes[name]
             raise ModelError(f"the name '{name}' stands for two numbers; rename one of its owners")
+        self.structural.pop(name, None)
         self._nodes[name] = self._parameter(name, number, unit)
         return self._nodes[name]
 

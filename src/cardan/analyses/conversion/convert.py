@@ -35,6 +35,9 @@ from .programs import MUJOCO, PINOCCHIO, MujocoModel, PinocchioModel, Program
 
 __all__ = ["from_mujoco", "from_pinocchio", "to_mujoco", "to_pinocchio"]
 
+_Mujoco = MujocoModel | Sequence[str] | None
+_Pinocchio = PinocchioModel | Sequence[str] | None
+
 
 @overload
 def to_pinocchio(
@@ -42,7 +45,7 @@ def to_pinocchio(
     q: ArrayLike,
     u: None = None,
     *,
-    peer: PinocchioModel | Sequence[str] | None = None,
+    peer: _Pinocchio = None,
     continuous: Sequence[str] = (),
 ) -> Array: ...
 @overload
@@ -51,7 +54,7 @@ def to_pinocchio(
     q: ArrayLike,
     u: ArrayLike,
     *,
-    peer: PinocchioModel | Sequence[str] | None = None,
+    peer: _Pinocchio = None,
     continuous: Sequence[str] = (),
 ) -> tuple[Array, Array]: ...
 def to_pinocchio(
@@ -89,7 +92,7 @@ def from_pinocchio(
     q: ArrayLike,
     v: None = None,
     *,
-    peer: PinocchioModel | Sequence[str] | None = None,
+    peer: _Pinocchio = None,
     continuous: Sequence[str] = (),
 ) -> Array: ...
 @overload
@@ -98,7 +101,7 @@ def from_pinocchio(
     q: ArrayLike,
     v: ArrayLike,
     *,
-    peer: PinocchioModel | Sequence[str] | None = None,
+    peer: _Pinocchio = None,
     continuous: Sequence[str] = (),
 ) -> tuple[Array, Array]: ...
 def from_pinocchio(
@@ -129,19 +132,11 @@ def from_pinocchio(
 
 @overload
 def to_mujoco(
-    model: LoadedModel,
-    q: ArrayLike,
-    u: None = None,
-    *,
-    peer: MujocoModel | Sequence[str] | None = None,
+    model: LoadedModel, q: ArrayLike, u: None = None, *, peer: _Mujoco = None
 ) -> Array: ...
 @overload
 def to_mujoco(
-    model: LoadedModel,
-    q: ArrayLike,
-    u: ArrayLike,
-    *,
-    peer: MujocoModel | Sequence[str] | None = None,
+    model: LoadedModel, q: ArrayLike, u: ArrayLike, *, peer: _Mujoco = None
 ) -> tuple[Array, Array]: ...
 def to_mujoco(
     model: LoadedModel,
@@ -173,19 +168,11 @@ def to_mujoco(
 
 @overload
 def from_mujoco(
-    model: LoadedModel,
-    qpos: ArrayLike,
-    qvel: None = None,
-    *,
-    peer: MujocoModel | Sequence[str] | None = None,
+    model: LoadedModel, qpos: ArrayLike, qvel: None = None, *, peer: _Mujoco = None
 ) -> Array: ...
 @overload
 def from_mujoco(
-    model: LoadedModel,
-    qpos: ArrayLike,
-    qvel: ArrayLike,
-    *,
-    peer: MujocoModel | Sequence[str] | None = None,
+    model: LoadedModel, qpos: ArrayLike, qvel: ArrayLike, *, peer: _Mujoco = None
 ) -> tuple[Array, Array]: ...
 def from_mujoco(
     model: LoadedModel,

@@ -69,8 +69,8 @@ class Custom(Joint):
     def quantities(self) -> dict[str, Quantity]:
         cells = tuple(f"{i}{j}" for i in "xyz" for j in "xyz")
         return {
-            "position": Quantity(self.position, "m", local=self.symbols),
-            "rotation": Quantity(self.rotation, "", True, cells, local=self.symbols),
+            "pose_position": Quantity(self.position, "m", local=self.symbols),
+            "pose_rotation": Quantity(self.rotation, "", True, cells, local=self.symbols),
         }
 
     def _at(self, q: Matrix, *of: Matrix) -> list[Matrix]:
@@ -85,13 +85,13 @@ class Custom(Joint):
         return result
 
     def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
-        rotation = Matrix(q.graph, 3, 3, data["rotation"].nodes)
-        rotation_matrix, position = self._at(q, rotation, data["position"])
+        rotation = Matrix(q.graph, 3, 3, data["pose_rotation"].nodes)
+        rotation_matrix, position = self._at(q, rotation, data["pose_position"])
         return rotation_matrix, position
 
     def motion(self, q: Matrix, **data: Matrix) -> Matrix:
         graph, columns = q.graph, []
-        R, p = Matrix(graph, 3, 3, data["rotation"].nodes), data["position"]
+        R, p = Matrix(graph, 3, 3, data["pose_rotation"].nodes), data["pose_position"]
         for name in self.symbols:
             seed = {graph.atom(name): ONE}
             dR = Matrix(graph, 3, 3, forward(graph, R.nodes, seed))

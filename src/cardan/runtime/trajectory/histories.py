@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from ...arrays import Array
-from ...errors import ModelError, near
+from ...errors import ModelError, SolveError, SolveWarning, near
 from ...schema.entries import Entry
 from ...schema.manifest import Manifest
 from ..models.wrenches import PARTS, force_names, force_part, reaction_part
@@ -65,13 +69,33 @@ def history(motion: TrajectoryRecord, name: str) -> Array:
 def computed(motion: TrajectoryRecord, table: str, what: str) -> Array:
     """A table (nt, n) that the model computes along the run, or that a file holds.
 
+    NaN, with a warning, at times at which the equations have no solution: a run that ended there
+    loses nothing of what came before.
+
     Raises:
         ModelError: there is neither.
     """
     if motion.model is None and table in motion.stored:
         return motion.stored[table]
     function = getattr(motion._model(what), table)
-    values: Array = function(motion.q, motion.u, t=motion.t, r=motion._r, **motion._arguments)
+    arguments = {"q": motion.q, "u": motion.u, "t": motion.t, "r": motion._r, **motion._arguments}
+    try:
+        values: Array = function(**arguments)
+    except SolveError as problem:
+        reason = str(problem)
+    else:
+        return values
+    values = np.full((len(motion.t), len(getattr(motion.manifest, table))), np.nan)
+    for k in range(len(motion.t)):
+        with suppress(SolveError):
+            values[k] = function(**{n: None if x is None else x[k] for n, x in arguments.items()})
+    missing = np.flatnonzero(np.isnan(values).any(axis=-1))
+    warnings.warn(
+        f"{what} has no value at {len(missing)} of {len(motion.t)} times, the first "
+        f"t = {motion.t[missing[0]]:.6g} s: {reason}",
+        SolveWarning,
+        stacklevel=4,
+    )
     return values
 
 

@@ -20,7 +20,7 @@ REACH = np.arange(1.0, 5.0)
 LONGEST, SHORTER = 0.1, 0.45
 STEPS = 9
 # states by which rounding is judged, and by how much of themselves their entries differ
-SHAKES, SHAKEN = 4, 4e-16
+SHAKES, SHAKEN = 8, 4e-16
 
 Blocks = Mapping[str, Array]
 

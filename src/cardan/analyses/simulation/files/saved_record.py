@@ -32,17 +32,6 @@ REALS = (
     *("until", "early", "late", "moment", "correction", "size"),
     *("rank_margin", "best_rank_margin", "pass_start", "pass_length"),
 )
-# from the model, its method and settings
-FROM_MODEL = (
-    *("nq", "nu", "nz", "nx", "n", "nr", "ns", "nlam", "signal_count", "quaternion_count"),
-    *("bounded_count", "sampled", "charted", "positions", "rates", "ne", "watched", "tick_count"),
-    *("stages", "dense_rows", "jumps", "rtol", "atol", "max_step", "on_grid"),
-)
-# what belongs to a process, or to the room that rows have there
-OF_PROCESS = (
-    *("capacity", "count", "log_capacity", "log_count", "stop_count", "next_stop"),
-    *("time_count", "next_time", "budget", "stop"),
-)
 POINTS = 10  # MOST_POINTS of kernels/events/gauss.h
 STATUS = 1 << 31
 

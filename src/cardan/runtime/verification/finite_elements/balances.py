@@ -167,7 +167,7 @@ def _lagrange(members: Members, force: Array) -> float:
         change, doubt = members.slope(energies, {"q": members.along(unit)})
         expected[:, k] -= change[:, 0] - change[:, 1]
         off = np.maximum(off, doubt)
-    return missing(expected, off, force)
+    return missing(expected, off + _blur(members), force)
 
 
 def momenta(energies: Callable[..., Array], blocks: Mapping[str, Array]) -> Array:
@@ -191,7 +191,13 @@ def _ledger(members: Members, force: Array) -> float:
     if "power" in members.codes:
         power = members.call("power")
         expected, terms = expected - power.sum(axis=-1), [*terms, power]
+    off = off + _blur(members) * np.abs(inputs["u"]).max(axis=-1, initial=0.0)
     return missing(expected[:, None], off, work[:, None], *terms)
+
+
+def _blur(members: Members) -> Array:
+    """What rounding of the inputs makes of the balance (n,)."""
+    return members.blur(lambda at: (at.call("balance")[:, : at.table.kind.nu],))
 
 
 LAWS: dict[str, Callable[[Members], float | str]] = {

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -88,12 +88,17 @@ class Members:
         # what is no number is wrong whatever rounding does
         if plain < BOUND or not np.isfinite(plain):
             return plain
-        near = [
-            np.subtract(*both(replace(self, inputs=shaken(self.inputs, k), cache={})))
-            for k in range(SHAKES)
-        ]
-        blur = np.ptp(near, axis=0).reshape(self.count, -1).max(axis=-1, initial=0.0)
+        # of either too: a few differences may share their rounding by chance
+        blur = self.blur(lambda at: (two := both(at)) + (np.subtract(*two),))
         return missing(value.reshape(self.count, -1), blur, expected, *terms)
+
+    def blur(self, results: Callable[[Members], Sequence[Array]]) -> Array:
+        """How far results (n, ...) differ where inputs are rounded once more; the most, (n,)."""
+        near = [
+            results(replace(self, inputs=shaken(self.inputs, k), cache={})) for k in range(SHAKES)
+        ]
+        spreads = [np.ptp(each, axis=0).reshape(self.count, -1) for each in zip(*near, strict=True)]
+        return np.asarray(np.concatenate(spreads, axis=-1).max(axis=-1, initial=0.0))
 
     def expressions(self, form: str, overrides: Mapping[str, Array] | None = None) -> Array | None:
         """Results of the saved expressions, at other blocks if given; None where not saved."""
