@@ -7,31 +7,6 @@
 #include "shift.h"
 #include "linear.h"
 
-ptrdiff_t cardan_shift_length(const cardan_run *run, int paired)
-{
-    const ptrdiff_t n = run->nx;
-
-    return 1 + n * (5 + n + (paired ? n : 0));
-}
-
-cardan_shift cardan_shift_in(const cardan_run *run, const real *jacobian, real *memory, int paired)
-{
-    const ptrdiff_t n = run->nx;
-    cardan_shift at;
-
-    at.n = n;
-    at.nq = run->nq;
-    at.jacobian = jacobian;
-    at.rows = memory;
-    at.mate = at.rows + 1 + n;
-    at.order = at.mate + n;
-    at.b = at.order + n;
-    at.c = at.b + n;
-    at.re = at.c + n;
-    at.im = paired ? at.re + n * n : NULL;
-    return at;
-}
-
 int cardan_shift_sound(const cardan_shift *at)
 {
     const real last = (real)(at->n - 1);

@@ -18,8 +18,31 @@ typedef struct cardan_shift {
 } cardan_shift;
 
 /* Size of the memory of a system, and the system laid out in it. */
-ptrdiff_t cardan_shift_length(const cardan_run *run, int paired);
-cardan_shift cardan_shift_in(const cardan_run *run, const real *jacobian, real *memory, int paired);
+static inline ptrdiff_t cardan_shift_length(const cardan_run *run, int paired)
+{
+    const ptrdiff_t n = run->nx;
+
+    return 1 + n * (5 + n + (paired ? n : 0));
+}
+
+static inline cardan_shift cardan_shift_in(const cardan_run *run, const real *jacobian,
+                                           real *memory, int paired)
+{
+    const ptrdiff_t n = run->nx;
+    cardan_shift at;
+
+    at.n = n;
+    at.nq = run->nq;
+    at.jacobian = jacobian;
+    at.rows = memory;
+    at.mate = at.rows + 1 + n;
+    at.order = at.mate + n;
+    at.b = at.order + n;
+    at.c = at.b + n;
+    at.re = at.c + n;
+    at.im = paired ? at.re + n * n : NULL;
+    return at;
+}
 
 /* Whether the row and column indices in its memory are valid. */
 int cardan_shift_sound(const cardan_shift *at);

@@ -11,14 +11,13 @@
 #include <float.h>
 #include <math.h>
 
-/* The parts of the memory. */
+/* The parts of the memory. Behind them lie the real system, then the complex one. */
 typedef struct parts {
     real *before;   /* (3, nx) rows of the dense output of the last step, to extrapolate */
-    real *jacobian;
     real *w, *g;     /* (3, nx) transformed increments w = T^-1 z, right-hand sides */
     real *error;     /* (nx) */
     real *state;     /* (n) */
-    cardan_shift alone, pair; /* the real system and the complex one */
+    real *jacobian;
 } parts;
 
 static ptrdiff_t length(const cardan_run *run)
@@ -27,29 +26,39 @@ static ptrdiff_t length(const cardan_run *run)
            + cardan_shift_length(run, 1);
 }
 
-static parts parts_of(const cardan_run *run)
+static inline parts parts_of(const cardan_run *run)
 {
     const ptrdiff_t nx = run->nx;
     parts mem;
 
     mem.before = cardan_radau_memory(run);
-    mem.jacobian = mem.before + 3 * nx;
-    mem.w = mem.jacobian + cardan_jacobian_length(run);
+    mem.w = mem.before + 3 * nx;
     mem.g = mem.w + 3 * nx;
     mem.error = mem.g + 3 * nx;
     mem.state = mem.error + nx;
-    mem.alone = cardan_shift_in(run, mem.jacobian, mem.state + run->n, 0);
-    mem.pair = cardan_shift_in(run, mem.jacobian,
-                               mem.state + run->n + cardan_shift_length(run, 0), 1);
+    mem.jacobian = mem.state + run->n;
     return mem;
+}
+
+static inline cardan_shift alone_of(const cardan_run *run, const parts *mem)
+{
+    return cardan_shift_in(run, mem->jacobian, mem->jacobian + cardan_jacobian_length(run), 0);
+}
+
+static inline cardan_shift pair_of(const cardan_run *run, const parts *mem)
+{
+    real *alone = mem->jacobian + cardan_jacobian_length(run);
+
+    return cardan_shift_in(run, mem->jacobian, alone + cardan_shift_length(run, 0), 1);
 }
 
 /* Whether the pivots stored with the factors are valid indices (memory may come from a file). */
 static int sound(const cardan_run *run)
 {
     const parts mem = parts_of(run);
+    const cardan_shift alone = alone_of(run, &mem), pair = pair_of(run, &mem);
 
-    return cardan_shift_sound(&mem.alone) && cardan_shift_sound(&mem.pair);
+    return cardan_shift_sound(&alone) && cardan_shift_sound(&pair);
 }
 
 static int begin(cardan_run *run)
@@ -67,9 +76,9 @@ static int jacobian(cardan_run *run, real h)
 static int factor(cardan_run *run, real h)
 {
     const parts mem = parts_of(run);
+    const cardan_shift alone = alone_of(run, &mem), pair = pair_of(run, &mem);
 
-    if (cardan_shift_factor(&mem.alone, ALONE / h, 0)
-        || cardan_shift_factor(&mem.pair, REAL / h, IMAG / h))
+    if (cardan_shift_factor(&alone, ALONE / h, 0) || cardan_shift_factor(&pair, REAL / h, IMAG / h))
         return CARDAN_NOT_FINITE;
     return 0;
 }
@@ -108,10 +117,11 @@ static real norm(const cardan_run *run, const real *v, ptrdiff_t rows)
     const ptrdiff_t nx = run->nx;
     real sum = 0;
 
-    for (ptrdiff_t j = 0; j < rows * nx; j++) {
-        real x = v[j] / cardan_scale(run, run->y, j % nx);
-        sum += x * x;
-    }
+    for (ptrdiff_t row = 0; row < rows; row++, v += nx)
+        for (ptrdiff_t i = 0; i < nx; i++) {
+            real x = v[i] / cardan_scale(run, run->y, i);
+            sum += x * x;
+        }
     return sqrt(sum / (real)(rows * (nx > 0 ? nx : 1)));
 }
 
@@ -125,6 +135,7 @@ static real rounding(cardan_run *run, real h)
 static int iterate(cardan_run *run, real h, real *size)
 {
     const parts mem = parts_of(run);
+    const cardan_shift alone = alone_of(run, &mem), pair = pair_of(run, &mem);
     const ptrdiff_t n = run->n, nx = run->nx;
     real *g = mem.g, *w = mem.w, *k = run->k;
     int status = 0;
@@ -147,8 +158,8 @@ static int iterate(cardan_run *run, real h, real *size)
         g[2 * nx + i] = f[2] - (REAL * v[2] + IMAG * v[1]) / h;
     }
     /* the three coupled systems decouple into one real and one complex solve */
-    cardan_shift_solve(&mem.alone, ALONE / h, 0, g, NULL);
-    cardan_shift_solve(&mem.pair, REAL / h, IMAG / h, g + nx, g + 2 * nx);
+    cardan_shift_solve(&alone, ALONE / h, 0, g, NULL);
+    cardan_shift_solve(&pair, REAL / h, IMAG / h, g + nx, g + 2 * nx);
     *size = norm(run, g, 3);
     for (ptrdiff_t j = 0; j < 3 * nx; j++)
         w[j] += g[j];
@@ -172,6 +183,7 @@ static int end(cardan_run *run, real h)
 static int error_of(cardan_run *run, real h, int again, real *error)
 {
     const parts mem = parts_of(run);
+    const cardan_shift alone = alone_of(run, &mem);
     const ptrdiff_t n = run->n, nx = run->nx;
     const real *k = run->k;
     real sum = 0, worst = -1;
@@ -187,7 +199,7 @@ static int error_of(cardan_run *run, real h, int again, real *error)
         real lack = (ERROR[0] * k[i] + ERROR[1] * k[n + i] + ERROR[2] * k[2 * n + i]) / h;
         mem.error[i] = (again ? mem.g[i] : run->f[i]) + lack;
     }
-    cardan_shift_solve(&mem.alone, ALONE / h, 0, mem.error, NULL);
+    cardan_shift_solve(&alone, ALONE / h, 0, mem.error, NULL);
     for (ptrdiff_t i = 0; i < nx; i++) {
         real e = mem.error[i] / cardan_scale(run, run->trial, i);
         if (!(e * e <= worst)) {
