@@ -8,12 +8,6 @@
 #include "run.h"
 #include <math.h>
 
-/* Size against which an error of entry i counts. */
-real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i)
-{
-    return run->atol + run->rtol * fmax(fabs(run->y[i]), fabs(y[i]));
-}
-
 /* The smallest tolerance of a speed, relative to the fastest. */
 real cardan_finest(const cardan_run *run)
 {

@@ -16,6 +16,7 @@
 #define CARDAN_RUN_H
 
 #include "cardan.h"
+#include <math.h>
 #include <stddef.h>
 
 typedef struct cardan_run cardan_run;
@@ -316,7 +317,12 @@ ptrdiff_t cardan_crossing_length(const cardan_run *run);
 int cardan_step(cardan_run *run);
 int cardan_near_singular(cardan_run *run, real t, const real *y, int kept);
 real cardan_finest(const cardan_run *run);
-real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i);
+
+/* Size against which an error of entry i counts. */
+static inline real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i)
+{
+    return run->atol + run->rtol * fmax(fabs(run->y[i]), fabs(y[i]));
+}
 
 /* implicit.c: the Jacobian of a run, for the methods that need one */
 ptrdiff_t cardan_jacobian_length(const cardan_run *run);

@@ -196,9 +196,12 @@ static int solve(cardan_run *run, const cardan_alpha *v, real t, real *change)
 
 int cardan_alpha_internal(cardan_run *run, const cardan_alpha *v, real t)
 {
+    /* most scenes have none: their runs need no coefficients */
+    if (run->nz == 0)
+        return 0;
     const coefficients m = first_order(v);
     const real *rate = run->f + run->nq + run->nu;
-    const int status = run->nz > 0 ? solve(run, v, t, v->w_new) : 0;
+    const int status = solve(run, v, t, v->w_new);
 
     for (ptrdiff_t i = 0; i < run->nz; i++)
         v->w_new[i] = ((1 - m.af) * v->zdot[i] + m.af * rate[i] - m.am * v->w[i]) / (1 - m.am);
