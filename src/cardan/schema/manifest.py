@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 from ..errors import ModelError
 from ..version import ABI, MANIFEST, Format
@@ -175,6 +175,18 @@ class Manifest(Record):
         """The entries of q, u, z, s, r or p."""
         rows: Sequence[Entry] = getattr(self, BLOCKS[letter])
         return rows
+
+    @cached_property
+    def slots(self) -> Mapping[str, Mapping[str, slice]]:
+        """Entries of q, u and z by name: each by its own, joints for all that are theirs."""
+        return {letter: self._slots(letter) for letter in "quz"}
+
+    def _slots(self, letter: str) -> dict[str, slice]:
+        starts = ((joint.name, *joint.slot(letter)) for joint in self.joints)
+        slots = {name: slice(start, start + size) for name, start, size in starts if size}
+        for k, row in enumerate(self.block(letter)):
+            slots.setdefault(row.name, slice(k, k + 1))
+        return slots
 
     @property
     def position_rows(self) -> int:

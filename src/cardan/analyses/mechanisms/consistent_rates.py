@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, miscounted
-from ...runtime.models.initial import entries, missing
+from ...runtime.models.initial import missing
 from ...runtime.models.loaded_model import LoadedModel
 from .mechanism import Mechanism
 
@@ -72,7 +72,7 @@ def read(
         model: Whose.
         named: Joint or speed -> value.
     """
-    places = entries(model.manifest, "u")
+    places = model.manifest.slots["u"]
     chosen, values = list[int](), list[float]()
     for name, value in named.items():
         where, place = f"{what}={{'{name}': ...}}", places.get(name)

@@ -18,7 +18,6 @@ from ...arrays import Array
 from ...errors import ModelError
 from ...runtime.models.constraint_projection import Closing, columns_of, size_of
 from ...runtime.models.finite_elements.joint_driven_nodes import SIGN_TOL
-from ...runtime.models.initial import entries
 from ...runtime.models.random_states import random_state
 from ...runtime.verification.rotations import unit
 from ...schema.mechanism import CutRow
@@ -329,7 +328,7 @@ class Mechanism:
     @cached_property
     def _bounds(self) -> tuple[NDArray[np.intp], Array, Array]:
         """Entries of q that have limits, and these."""
-        places, rows = entries(self.model.manifest, "q"), list[tuple[int, float, float]]()
+        places, rows = self.model.manifest.slots["q"], list[tuple[int, float, float]]()
         for name, limits in self.model.limits.items():
             low, high = (limits.get(side) for side in ("lower", "upper"))
             place = places.get(name, slice(0, 0))

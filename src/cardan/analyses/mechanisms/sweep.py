@@ -15,7 +15,6 @@ from ...arguments import LockedValues, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, counted, near, warn
 from ...runtime.calls.evaluation import State
-from ...runtime.models.initial import entries
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.models.named_rotations import component
 from ...runtime.trajectory.solver_info import FINISHED
@@ -82,7 +81,7 @@ class SweepRecord:
             return self.drivers[name]
         blocks = ((".udot", "u", self.udot), (".u", "u", self.u), ("", "q", self.q))
         for ending, letter, values in blocks:
-            places = entries(self.model.manifest, letter)
+            places = self.model.manifest.slots[letter]
             place = places.get(name.removesuffix(ending)) if name.endswith(ending) else None
             if place is None and ending == ".udot" and name.endswith(ending):
                 place = places.get(f"{name.removesuffix(ending)}.u")

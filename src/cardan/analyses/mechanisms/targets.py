@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, listed, miscounted, near
 from ...runtime.models.finite_elements.frames import rotation_vectors
-from ...runtime.models.initial import entries, missing
+from ...runtime.models.initial import missing
 from ...runtime.models.named_rotations import check_units, refuse_components
 from .mechanism import Mechanism
 
@@ -124,7 +124,7 @@ def read(
             hold that are none.
         ArgumentError: a value of a wrong shape. SolveError: one that is not finite.
     """
-    places, frames = entries(m.model.manifest, "q"), m.model.part_of
+    places, frames = m.model.manifest.slots["q"], m.model.part_of
     targets = [_target(m, name, value, places, frames) for name, value in named.items()]
     _check_rotations(m, targets)
     names_of_targets = [target.name for target in targets]
@@ -177,7 +177,7 @@ def locked_values(m: Mechanism, locked: object) -> dict[str, Any]:
     """
     if isinstance(locked, Mapping | None):
         return dict(locked or {})
-    names = [*entries(m.model.manifest, "q"), *m.model.frames]
+    names = [*m.model.manifest.slots["q"], *m.model.frames]
     suggestion = near(locked, names) if isinstance(locked, str) and locked not in names else ""
     raise ModelError(
         f"locked={brief(locked)}: give coordinates or frames with the values they keep, such as "

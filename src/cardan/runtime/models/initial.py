@@ -118,7 +118,7 @@ def _fill(
     """Write named values into a block; which entries they cover, none where nothing is named."""
     if not named:
         return []
-    places = _places(letter, rows, manifest.joints)
+    places = manifest.slots[letter]
     covered = [False] * len(rows)
     for name, value in named.items():
         where = f"{letter}={{'{name}': ...}}"
@@ -136,23 +136,6 @@ def _fill(
         named_here = {k for k, is_covered in enumerate(covered) if is_covered}
         refuse_components(manifest, "q=", named_here)
     return covered
-
-
-def _places(letter: str, rows: Sequence[Entry], joints: Sequence[JointRow]) -> dict[str, slice]:
-    """Name -> entries: every entry by its own name, every joint for all of its entries."""
-    places = {}
-    for joint in joints:
-        start, size = joint.slot(letter)
-        if size:
-            places[joint.name] = slice(start, start + size)
-    for k, row in enumerate(rows):
-        places.setdefault(row.name, slice(k, k + 1))
-    return places
-
-
-def entries(manifest: Manifest, letter: str) -> dict[str, slice]:
-    """Name -> entries of q, u or z: every entry by its name, every joint for all of its own."""
-    return _places(letter, manifest.block(letter), manifest.joints)
 
 
 def followers(manifest: Manifest, letter: str) -> dict[str, slice]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, final
 
 import numpy as np
@@ -63,7 +64,7 @@ class Ledger:
 
         def named(some: Sequence[MultiplierRow], numbers: Array, rate: bool) -> dict[str, Worst]:
             return {
-                row.name: Worst(b, b_at, a, a_at, _unit(row, rate))
+                row.name: Worst(b, b_at, a, a_at, _unit(row.unit, row.level, rate))
                 for row, (b, b_at, a, a_at) in zip(some, numbers.tolist(), strict=True)
             }
 
@@ -98,16 +99,18 @@ def residual_unit(row: MultiplierRow) -> str:
     Args:
         row: Of the multipliers of the manifest: a force belongs to a length.
     """
-    unit_of_rotation = {"N": "m", "N*m": "rad"}.get(row.unit)
-    if unit_of_rotation is not None:
-        return unit_of_rotation if row.level == "position" else f"{unit_of_rotation}/s"
-    return row.unit.removeprefix("J").removeprefix("/(").removesuffix(")")
+    return _unit(row.unit, row.level, False)
 
 
-def _unit(row: MultiplierRow, rate: bool) -> str:
-    """Unit of a residual or of its rate."""
-    unit = residual_unit(row)
-    return f"{unit or '1'}/s" if rate and row.level == "position" else unit
+@cache
+def _unit(unit: str, level: str, rate: bool) -> str:
+    """Unit of a residual or of its rate, from that of its multiplier; few are there, rows many."""
+    moved = {"N": "m", "N*m": "rad"}.get(unit)
+    if moved is None:
+        moved = unit.removeprefix("J").removeprefix("/(").removesuffix(")")
+    elif level != "position":
+        return f"{moved}/s"
+    return f"{moved or '1'}/s" if rate and level == "position" else moved
 
 
 def residuals_of(motion: TrajectoryRecord) -> dict[str, Array]:

@@ -17,7 +17,6 @@ from ....errors import ModelError
 from ....runtime.models.constraint_projection import size_of
 from ....runtime.models.finite_elements import table_loading
 from ....runtime.models.finite_elements.assembled import Assembled
-from ....runtime.models.initial import entries
 from ....runtime.models.loaded_model import LoadedModel
 from ...mechanisms.branches import refuse_singular
 from ...mechanisms.consistent_rates import speeds
@@ -270,12 +269,12 @@ class _Start:
         """Values of names but those of nodes that beams alone hold, which stay where they are."""
         staying = {*_free_node_entries(self.model, named, letter)}
         names = self.model.coordinates if letter == "q" else self.model.speeds
-        places = entries(self.model.manifest, letter)
+        places = self.model.manifest.slots[letter]
         return {k: v for k, v in named.items() if staying.isdisjoint(names[places[k]])}
 
     def _names_nodes(self, names: Mapping[str, object]) -> bool:
         """True when a name belongs to a node that joints carry."""
-        places, led = entries(self.model.manifest, "q"), set(self.m.led.tolist())
+        places, led = self.model.manifest.slots["q"], set(self.m.led.tolist())
         return any(places[name].start not in led for name in names)
 
     def _closed(self, name: str, q: Array, u: Array, locked: Array) -> Array:
@@ -288,7 +287,7 @@ def _named(model: LoadedModel, values: object, letter: str) -> Mapping[str, Any]
     """The named values; None where every entry is given."""
     if values is not None and not isinstance(values, Mapping):
         return None
-    places = entries(model.manifest, letter)
+    places = model.manifest.slots[letter]
     size = {"q": model.nq, "u": model.nu}[letter]
     named_entries = {k for name in values or {} for k in range(*places[name].indices(size))}
     return None if len(named_entries) == size else values or {}
@@ -305,7 +304,7 @@ def _free_node_entries(
     free = {*manifest.elements.beam_nodes, *range(len(tables.kind) - inside, len(tables.kind))}
     starts = tables.q if letter == "q" else tables.u
     node_entries = {k for place in free for k in range(starts[place], starts[place + 1])}
-    places = entries(manifest, letter)
+    places = manifest.slots[letter]
     names = model.coordinates if letter == "q" else model.speeds
     named_entries = {k for name in named for k in range(places[name].start, places[name].stop)}
     return [names[k] for k in sorted(node_entries & named_entries)]
@@ -316,7 +315,7 @@ def _locked_speeds(model: LoadedModel, named: object, letter: str) -> Array:
     locked = np.zeros(model.nu)
     if not isinstance(named, Mapping) or not named:
         return locked
-    places = entries(model.manifest, letter)
+    places = model.manifest.slots[letter]
     sizes = {"q": model.nq, "u": model.nu}[letter]
     named_entries = {k for name in named for k in range(*places[name].indices(sizes))}
     for joint in model.manifest.joints:
