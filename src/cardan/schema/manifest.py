@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from functools import cached_property, lru_cache
+from functools import lru_cache
 
 from ..errors import ModelError
 from ..version import ABI, MANIFEST, Format
@@ -53,7 +53,7 @@ from .mechanism import (
     JointRow,
     ShapeRow,
 )
-from .rows import SCHEMA, Rows, ends, rows_of
+from .rows import SCHEMA, Rows, column, ends, rows_of
 from .seal import unsealed
 from .tree import Tree
 
@@ -176,16 +176,12 @@ class Manifest(Record):
         rows: Sequence[Entry] = getattr(self, BLOCKS[letter])
         return rows
 
-    @cached_property
-    def slots(self) -> Mapping[str, Mapping[str, slice]]:
-        """Entries of q, u and z by name: each by its own, joints for all that are theirs."""
-        return {letter: self._slots(letter) for letter in "quz"}
-
-    def _slots(self, letter: str) -> dict[str, slice]:
-        starts = ((joint.name, *joint.slot(letter)) for joint in self.joints)
-        slots = {name: slice(start, start + size) for name, start, size in starts if size}
-        for k, row in enumerate(self.block(letter)):
-            slots.setdefault(row.name, slice(k, k + 1))
+    def slots(self, letter: str) -> dict[str, slice]:
+        """Entries of q, u or z by name: each by its own, joints for all that are theirs."""
+        joints = ((joint.name, getattr(joint, letter, None)) for joint in self.joints)
+        slots = {name: slice(slot[0], sum(slot)) for name, slot in joints if slot and slot[1]}
+        for k, name in enumerate(column(self.block(letter), "name")):
+            slots.setdefault(name, slice(k, k + 1))
         return slots
 
     @property

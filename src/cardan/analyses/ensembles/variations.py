@@ -265,7 +265,7 @@ def _state(reader: Reader, letter: str, value: object, where: str) -> None:
         if size or letter != "z":
             reader.add(letter, letter, where, slice(0, size), value)
         return
-    places = model.manifest.slots[letter]
+    places = model.manifest.slots(letter)
     for name, entry in value.items():
         here = f"{where}={{'{name}': ...}}"
         if name not in places:
@@ -304,10 +304,10 @@ def _is_row(value: object) -> bool:
 def _named(reader: Reader, name: str, column: Array) -> None:
     """A name of a plan: whatever of the model it is."""
     model = reader.model
-    tables: dict[str, Callable[[], Mapping[str, slice]]] = {
-        "q": lambda: _single(model.manifest.slots["q"]),
+    tables: dict[str, Callable[[], dict[str, slice]]] = {
+        "q": lambda: _single(model.manifest.slots("q")),
         "u": lambda: {n: slice(k, k + 1) for k, n in enumerate(model.speeds)},
-        "z": lambda: model.manifest.slots["z"],
+        "z": lambda: model.manifest.slots("z"),
         "p": lambda: {n: slice(k, k + 1) for k, n in enumerate(model.parameters)},
         "r": lambda: {n: slice(k, k + 1) for k, n in enumerate(model.inputs)},
     }
@@ -332,7 +332,7 @@ def _named(reader: Reader, name: str, column: Array) -> None:
     reader.add(matches[0], name, f"vary '{name}'", places[matches[0]][name], column)
 
 
-def _single(places: Mapping[str, slice]) -> Mapping[str, slice]:
+def _single(places: Mapping[str, slice]) -> dict[str, slice]:
     return {name: place for name, place in places.items() if place.stop - place.start == 1}
 
 

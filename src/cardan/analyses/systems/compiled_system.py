@@ -63,7 +63,7 @@ class CompiledSystem(ABC):
                 raise ArgumentError(f"q has shape {array.shape}, expected ({model.nq},)")
             named = dict(zip(model.coordinates, array.tolist(), strict=True))
         # a whole joint that is started from gives way to what is held of it
-        for joint, place in model.manifest.slots["q"].items():
+        for joint, place in model.manifest.slots("q").items():
             joint_entries = {
                 model.coordinates[k]: k - place.start for k in range(place.start, place.stop)
             }
@@ -150,7 +150,7 @@ class CompiledSystem(ABC):
         if name not in places:
             suggestion = f".{near(name, places)}"
             manifest = self.model.manifest
-            if component(manifest, name) or name not in manifest.slots["q"]:
+            if component(manifest, name) or name not in manifest.slots("q"):
                 suggestion = ": " + missing(manifest, "q", name, places)
             raise ModelError(f"hold: '{name}' is not a coordinate that can be held{suggestion}")
         return places[name]

@@ -118,7 +118,7 @@ def _fill(
     """Write named values into a block; which entries they cover, none where nothing is named."""
     if not named:
         return []
-    places = manifest.slots[letter]
+    places = manifest.slots(letter)
     covered = [False] * len(rows)
     for name, value in named.items():
         where = f"{letter}={{'{name}': ...}}"

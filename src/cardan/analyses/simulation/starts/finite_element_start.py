@@ -267,14 +267,18 @@ class _Start:
 
     def _moving(self, named: Mapping[str, object], letter: str) -> dict[str, object]:
         """Values of names but those of nodes that beams alone hold, which stay where they are."""
+        if not named:
+            return {}
         staying = {*_free_node_entries(self.model, named, letter)}
         names = self.model.coordinates if letter == "q" else self.model.speeds
-        places = self.model.manifest.slots[letter]
+        places = self.model.manifest.slots(letter)
         return {k: v for k, v in named.items() if staying.isdisjoint(names[places[k]])}
 
     def _names_nodes(self, names: Mapping[str, object]) -> bool:
         """True when a name belongs to a node that joints carry."""
-        places, led = self.model.manifest.slots["q"], set(self.m.led.tolist())
+        if not names:
+            return False
+        places, led = self.model.manifest.slots("q"), set(self.m.led.tolist())
         return any(places[name].start not in led for name in names)
 
     def _closed(self, name: str, q: Array, u: Array, locked: Array) -> Array:
@@ -287,8 +291,10 @@ def _named(model: LoadedModel, values: object, letter: str) -> Mapping[str, Any]
     """The named values; None where every entry is given."""
     if values is not None and not isinstance(values, Mapping):
         return None
-    places = model.manifest.slots[letter]
     size = {"q": model.nq, "u": model.nu}[letter]
+    if not values and size:
+        return {}
+    places = model.manifest.slots(letter)
     named_entries = {k for name in values or {} for k in range(*places[name].indices(size))}
     return None if len(named_entries) == size else values or {}
 
@@ -304,7 +310,7 @@ def _free_node_entries(
     free = {*manifest.elements.beam_nodes, *range(len(tables.kind) - inside, len(tables.kind))}
     starts = tables.q if letter == "q" else tables.u
     node_entries = {k for place in free for k in range(starts[place], starts[place + 1])}
-    places = manifest.slots[letter]
+    places = manifest.slots(letter)
     names = model.coordinates if letter == "q" else model.speeds
     named_entries = {k for name in named for k in range(places[name].start, places[name].stop)}
     return [names[k] for k in sorted(node_entries & named_entries)]
@@ -315,7 +321,7 @@ def _locked_speeds(model: LoadedModel, named: object, letter: str) -> Array:
     locked = np.zeros(model.nu)
     if not isinstance(named, Mapping) or not named:
         return locked
-    places = model.manifest.slots[letter]
+    places = model.manifest.slots(letter)
     sizes = {"q": model.nq, "u": model.nu}[letter]
     named_entries = {k for name in named for k in range(*places[name].indices(sizes))}
     for joint in model.manifest.joints:
