@@ -18,7 +18,7 @@ is taken as :data:`FIXED_STEP_RTOL`. What rounding adds is never an excess.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -41,8 +41,7 @@ ROUNDING = 64 * float(np.finfo(np.float64).eps)
 """of all that was added up, for every step's rounding"""
 
 
-@dataclass(frozen=True)
-class Account:
+class Account(NamedTuple):
     """One quantity of a run.
 
     Attributes:
@@ -240,13 +239,12 @@ def _closure(
         return []
     size = size_of(model)
     fastest = max(1.0, float(np.abs(motion.u).max(initial=0.0)))
-    listed = []
+    noise, listed = 2 * max(closure_tol, CLOSED), list[Account]()
     for level, rate in (("position", 1.0), ("velocity", fastest)):
-        for name, worst in getattr(ledger, level).items():
-            scale = (1.0 if worst.unit.startswith("rad") else size) * rate
-            worth = atol + rtol * scale
-            noise = 2 * max(closure_tol, CLOSED) * scale
-            listed.append(
-                Account(f"closure of '{name}'", worst.after, worth, scale, noise, worst.unit)
-            )
+        scales = {True: rate, False: size * rate}
+        limits = {k: (atol + rtol * x, x, noise * x) for k, x in scales.items()}
+        listed += [
+            Account(f"closure of '{name}'", w.after, *limits[w.unit.startswith("rad")], w.unit)
+            for name, w in getattr(ledger, level).items()
+        ]
     return listed
