@@ -226,7 +226,7 @@ def test_mutants_end_in_messages(name: str, seed: int, tmp_path: Path) -> None:
 
 
 def test_the_page_lists_all_kinds_of_cells() -> None:
-    page = (Path(__file__).parents[3] / "docs" / "superelements.md").read_text("utf-8")
+    page = (Path(__file__).parents[2] / "docs" / "superelements.md").read_text("utf-8")
     rows = re.findall(r'^\| `"(\w+)"` \| (\d+) \| (\w+) \|', page, re.M)
     cells = {cell.kind: (str(len(cell.nodes)), cell.abaqus[0]) for cell in SOLIDS.values()}
     assert {kind: (nodes, name) for kind, nodes, name in rows} == cells
