@@ -36,6 +36,7 @@ _PUBLIC: dict[str, str] = {
     "material": "elements.material",
     "arc": "elements.centerlines",
     "spline": "elements.centerlines",
+    "superelement": "api.superelement",
     "derive": "pipeline",
     "compile": "pipeline",
     "GeneralizedAlpha": "analyses.simulation.alpha_methods",
@@ -79,7 +80,10 @@ _FACED = frozenset(
     {"load", "from_dh", "from_sympy", "excitation", "identify", "load_motion", "load_ensemble"}
 )
 _MODULES = frozenset(
-    {"constraints", "convert", "inertia", "orbit", "sample", "section", "shape", "stability"}
+    {
+        *("constraints", "convert", "inertia", "orbit", "sample", "section", "shape", "stability"),
+        "superelement",
+    }
 )
 _RENAMED = {"load_model": "load", "load_motion": "load", "load_ensemble": "load"}
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 ORDER = (
     *("version", "errors", "literature", "arrays", "processes", "regular_file", "atomic_file"),
     *(
+        "number_file",
         "build_progress",
         "arguments",
         "notebooks",
@@ -15,8 +16,19 @@ ORDER = (
         "spatial",
         "schema",
         "elements",
+        "superelements",
     ),
-    *("scene", "topology", "equations", "codegen", "runtime", "view", "analyses", "explain"),
+    *(
+        "scene",
+        "topology",
+        "equations",
+        "codegen",
+        "runtime",
+        "view",
+        "analyses",
+        "solids",
+        "explain",
+    ),
     *("api", "pipeline", "peers", "cli", "__init__", "__main__"),
 )
 
@@ -29,6 +41,7 @@ RUNNING_MAY_IMPORT = RUNNING | {
     "processes",
     "regular_file",
     "atomic_file",
+    "number_file",
     "build_progress",
     "arguments",
     "notebooks",
@@ -86,9 +99,12 @@ FAMILIES: dict[str, frozenset[str]] = {
     "elements.joints": frozenset({"joint", "hinge", "guided", "rolling"}),
     "elements.forces": frozenset({"force", "line", "relative_springs"}),
     "elements.forces.gravity": frozenset({"gravitation", "fields"}),
+    "superelements.methods": frozenset({"method", "free_interface"}),
+    "superelements.readers": frozenset({"matrix_files", "records", "labeled"}),
     "elements.sections": frozenset({"section"}),
     "elements.centerlines": frozenset({"centerline"}),
     "spatial.rotations": frozenset({"rotation"}),
+    "solids.cells": frozenset({"cell"}),
     "equations.formalisms": frozenset({"formalism"}),
     "equations.constraints.treatments": frozenset({"treatment"}),
     "passes": frozenset(),
@@ -100,7 +116,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     ),
     "explain.writers": frozenset(),
     "codegen.languages": frozenset({"expressions"}),
-    "runtime.formats": frozenset({"contents", "number_file"}),
+    "runtime.formats": frozenset({"contents"}),
     "schema.integrators": frozenset({"integrator", "alpha_family"}),
     "scene.files": frozenset(
         {"angles", "document", "expression", "meshes", "options", "pose", "robot", "unread"}

@@ -17,7 +17,7 @@ import numpy as np
 import cardan as cd
 from cardan.analyses.simulation.files.append_log import DIGEST, LENGTH
 from cardan.analyses.simulation.files.checkpoint import digest
-from cardan.runtime.formats.number_file import packed, unpacked
+from cardan.number_file import packed, unpacked
 from cardan.schema.seal import sealed
 from hostile.harness import Kind
 from mechanisms.closed_planar import four_bar

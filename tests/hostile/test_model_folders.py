@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.runtime.formats.number_file import packed, unpacked
+from cardan.number_file import packed, unpacked
 from cardan.schema.manifest import checked_manifest
 from hostile.harness import campaign
 from hostile.kinds import FILES, MODELS, folder

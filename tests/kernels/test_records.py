@@ -37,6 +37,7 @@ STRUCTURES: dict[str, type[ctypes.Structure]] = {
     "cardan_sparse_factors": records.FactorsRecord,
     "cardan_target": records.TargetRecord,
     "cardan_position": records.PositionRecord,
+    "cardan_solid": records.SolidRecord,
 }
 
 

@@ -11,9 +11,9 @@ import pytest
 from scipy.io import loadmat
 
 import cardan as cd
+from cardan.number_file import packed, unpacked
 from cardan.runtime import formats
 from cardan.runtime.formats.contents import FileFormat
-from cardan.runtime.formats.number_file import packed, unpacked
 from mechanisms import ZOO
 
 READ = [one.endings[0] for one in formats.FORMATS if one.parse is not None]

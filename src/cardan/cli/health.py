@@ -26,6 +26,7 @@ NEEDED = ("numpy", "scipy", "sympy", "rich", "defusedxml", "ruamel.yaml")
 OPTIONAL = {
     "matplotlib": ("pictures: motion.plot()", "plot"),
     "xarray": ("data sets: motion.to_xarray()", "data"),
+    "meshio": ("solids from meshes of Gmsh and other programs", "fem"),
     "mpmath": ("errors in model.report(), against 40 digits", "test"),
     "example-robot-data": ("robots for cardan demo", "demo"),
     "ziglang": ("a C compiler from the package index", "compiler"),

@@ -38,6 +38,7 @@ const size_t cardan_lane_method_layout[4] = {
 #include "mesh.h"
 #include "sparse.h"
 #include "position.h"
+#include "solids.h"
 
 extern const size_t cardan_run_layout[141];
 const size_t cardan_run_layout[141] = {
@@ -252,5 +253,15 @@ const size_t cardan_position_layout[44] = {
     offsetof(cardan_position, memory), offsetof(cardan_position, work), offsetof(cardan_position,
     open), offsetof(cardan_position, cost), offsetof(cardan_position, freedoms),
     offsetof(cardan_position, wrong_sign)
+};
+
+extern const size_t cardan_solid_layout[17];
+const size_t cardan_solid_layout[17] = {
+    sizeof(cardan_solid), offsetof(cardan_solid, cells), offsetof(cardan_solid, nodes),
+    offsetof(cardan_solid, points), offsetof(cardan_solid, cell), offsetof(cardan_solid, position),
+    offsetof(cardan_solid, weight), offsetof(cardan_solid, shape), offsetof(cardan_solid, slope),
+    offsetof(cardan_solid, elasticity), offsetof(cardan_solid, density), offsetof(cardan_solid,
+    first), offsetof(cardan_solid, column), offsetof(cardan_solid, gradient), offsetof(cardan_solid,
+    product), offsetof(cardan_solid, block), offsetof(cardan_solid, culprit)
 };
 #endif

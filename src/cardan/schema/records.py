@@ -44,6 +44,7 @@ RECORDS = {
     "cardan_sparse_factors": "sparse.h",
     "cardan_target": "position.h",
     "cardan_position": "position.h",
+    "cardan_solid": "solids.h",
 }
 LANE_RECORDS = {"cardan_simd": "simd_steps.h", "cardan_lane_method": "simd_steps.h"}
 # what the functions of an element give, in the order of mesh.h
@@ -266,6 +267,13 @@ class PositionRecord(ctypes.Structure):
 
     __slots__ = ()
     _fields_ = fields("cardan_position")
+
+
+class SolidRecord(ctypes.Structure):
+    """``cardan_solid``: finite elements of one kind and material."""
+
+    __slots__ = ()
+    _fields_ = fields("cardan_solid")
 
 
 def check(library: ctypes.CDLL, record: str, structure: type[ctypes.Structure]) -> None:

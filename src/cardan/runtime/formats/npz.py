@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
+from ...number_file import packed, plain, unpacked
 from .contents import Array, Attributes, FileFormat, Variable, Variables
-from .number_file import packed, plain, unpacked
 
 ABOUT = "about"
 LETTERS = "S1"  # texts, as bytes

@@ -19,9 +19,8 @@ from typing import Any
 
 import numpy as np
 
-from .... import processes, regular_file
+from .... import number_file, processes, regular_file
 from ....errors import ModelError, SolveError
-from ....runtime.formats import number_file
 from ....runtime.models.loaded_model import LoadedModel
 from ....version import VERSION, Format, written_by
 

@@ -15,7 +15,7 @@ import numpy as np
 from .... import regular_file
 from ....atomic_file import replaced
 from ....errors import ModelError
-from ....runtime.formats.number_file import packed, plain, unpacked
+from ....number_file import packed, plain, unpacked
 from ....runtime.models.loaded_model import LoadedModel
 from ....schema.integrators import INTEGRATORS
 from ....version import STEPPER, VERSION, written_by

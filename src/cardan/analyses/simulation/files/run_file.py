@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from ....errors import ModelError, brief
-from ....runtime.formats.number_file import packed, plain, unpacked
+from ....number_file import packed, plain, unpacked
 from ....runtime.models.loaded_model import LoadedModel
 from ....schema.integrators import INTEGRATORS
 from ....version import RUN_FILE

@@ -13,13 +13,13 @@ from .... import regular_file
 from ....arrays import Array
 from ....build_progress import listed, stage
 from ....errors import ModelError
+from ....number_file import unpacked
 from ....schema.c_functions import FunctionRow
 from ....schema.finite_elements import JUMP_NUMBERS
 from ....schema.manifest import Manifest
 from ....schema.records import PARTS
 from ...calls.lanes import width
 from ...calls.objects import Code
-from ...formats.number_file import unpacked
 from .elements import INNER, Elements
 from .mesh import Mesh
 from .tables import Table, Tables

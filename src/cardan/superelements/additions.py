@@ -1,0 +1,147 @@
+"""What users add to the matrices of a component: damping, loads, stress, geometric stiffness."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..arrays import Array, Integers
+from ..errors import ModelError, brief, near
+from .matrices import numbers, symmetric
+from .node_dofs import NodeDofs
+from .response import modal_damping, reduced_modes
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_matrix as Sparse
+
+GRAVITY = "gravity"  # the name of a load that every component has
+NOWHERE: Integers = np.zeros(0, dtype=np.intp)
+
+
+@dataclass(frozen=True, eq=False)
+class Additions:
+    """Damping, loads, stress and geometric stiffness, in the rows of the nodes.
+
+    Attributes:
+        ratios: Damping ratios of free modes, the last for those above too; none for no damping.
+        alpha, beta: Factors of mass [1/s] and stiffness [s] in the damping.
+        loads: Forces by name (rows,).
+        static_shapes: Names of loads whose static response is among the shapes.
+        stress: Operator (components, rows).
+        stress_names: Of its rows.
+        geometric: Geometric stiffness by name (rows, rows).
+    """
+
+    ratios: Array
+    alpha: float
+    beta: float
+    loads: Mapping[str, Array]
+    static_shapes: tuple[str, ...]
+    stress: Sparse
+    stress_names: tuple[str, ...]
+    geometric: Mapping[str, Sparse]
+
+    def damping(self, M: Array, K: Array, rigid: Array, massless: int) -> Array:
+        """Damping in the reduced coordinates (n, n).
+
+        Args:
+            M, K: Reduced matrices.
+            rigid: Rigid motions (n, r).
+            massless: Coordinates without mass.
+        """
+        C = self.alpha * M + self.beta * K
+        if not len(self.ratios):
+            return C
+        free = reduced_modes(M, K, rigid, NOWHERE, massless)
+        return C + modal_damping(free, M, self.ratios)
+
+    def static_loads(self, M: Sparse, dofs: NodeDofs) -> Array:
+        """Forces (rows, loads) of ``static_shapes``; gravity is weight along all axes."""
+        columns = [
+            M @ dofs.rigid(np.zeros(3))[:, :3] if name == GRAVITY else self.loads[name][:, None]
+            for name in self.static_shapes
+        ]
+        return np.hstack(columns)
+
+
+def additions_of(
+    dofs: NodeDofs,
+    *,
+    damping: object,
+    rayleigh: tuple[float, float] | None,
+    loads: Mapping[str, object],
+    static_shapes: Sequence[str],
+    stress: object,
+    stress_names: Sequence[str] | None,
+    geometric: Mapping[str, object],
+) -> Additions:
+    """What a user adds, checked.
+
+    Raises:
+        ModelError: numbers of another shape, or that are negative or not finite.
+    """
+    ratios = np.zeros(0) if damping is None else np.atleast_1d(numbers("damping", damping))
+    if ratios.ndim != 1 or not np.isfinite(ratios).all() or (ratios < 0).any():
+        raise ModelError(
+            f"damping={brief(damping)}: give a ratio, or one for each mode, 0 or more, such as 0.01"
+        )
+    alpha, beta = rayleigh or (0.0, 0.0)
+    if alpha < 0 or beta < 0:
+        raise ModelError(f"rayleigh={brief(rayleigh)}: give two numbers that are 0 or more")
+    forces = {name: _load(name, one, dofs) for name, one in loads.items()}
+    names = [static_shapes] if isinstance(static_shapes, str) else [*static_shapes]
+    for name in names:
+        if name not in (GRAVITY, *forces):
+            hint = near(name, [GRAVITY, *forces])
+            raise ModelError(f"static_shapes: there is no load {brief(name)}.{hint}")
+    rows, labels = _stress(stress, stress_names, dofs)
+    return Additions(
+        ratios=ratios,
+        alpha=alpha,
+        beta=beta,
+        loads=forces,
+        static_shapes=tuple(dict.fromkeys(names)),
+        stress=rows,
+        stress_names=labels,
+        geometric={
+            name: symmetric(f"geometric '{name}'", one, dofs) for name, one in geometric.items()
+        },
+    )
+
+
+def _load(name: str, values: object, dofs: NodeDofs) -> Array:
+    """Forces in the rows of the nodes."""
+    force = numbers(f"loads: '{name}'", values)
+    if force.shape != (len(dofs),):
+        raise ModelError(
+            f"loads: '{name}' has shape {force.shape}, expected ({len(dofs)},): a force in each row"
+        )
+    bad = np.flatnonzero(~np.isfinite(force))
+    if len(bad):
+        raise ModelError(f"loads: '{name}' is {force[bad[0]]} at {dofs.label(bad[0])}")
+    return force
+
+
+def _stress(
+    operator: object, names: Sequence[str] | None, dofs: NodeDofs
+) -> tuple[Sparse, tuple[str, ...]]:
+    """Operator of stress by the rows of the nodes, and names of its rows."""
+    from scipy.sparse import csr_matrix, issparse
+
+    if operator is None:
+        if names is not None:
+            raise ModelError("stress_names: give stress= too, the rows that they name")
+        return csr_matrix((0, len(dofs))), ()
+    dense = operator if issparse(operator) else np.atleast_2d(numbers("stress", operator))
+    rows = csr_matrix(dense, dtype=np.float64)
+    if rows.shape[1] != len(dofs):
+        raise ModelError(f"stress: shape {rows.shape}, expected (components, {len(dofs)})")
+    if not np.isfinite(rows.data).all():
+        raise ModelError("stress: an entry is not finite; write the operator again")
+    labels = tuple(names) if names is not None else tuple(f"{k}" for k in range(rows.shape[0]))
+    if len(labels) != rows.shape[0] or len({*labels}) != len(labels):
+        raise ModelError(f"stress_names: {len(labels)} names for {rows.shape[0]} rows, each once")
+    return rows, labels

@@ -1,0 +1,144 @@
+"""Constant inertia of a component in a frame that moves far, by projection of its mass matrix.
+
+A node moves by its frame and by U = Psi z: its velocity is v + w x (X + U) + Psi z', and its rate
+of rotation w + that of Psi z'. With c = (v, w, w_x z, w_y z, w_z z, z') and the constant
+B = [E, S X + e, S_x Psi, S_y Psi, S_z Psi, Psi], the kinetic energy is c^T (B^T M B) c / 2. This is
+exact where M is that of a solid or lumped; consistent masses of beams couple slopes with
+displacements, and then the slopes of w x U are missing.
+
+Source: A. Zwoelfer, J. Gerstmayr, The nodal-based floating frame of reference formulation with
+modal reduction, Acta Mechanica 232 (2021).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..arrays import Array
+from .node_dofs import NodeDofs
+
+if TYPE_CHECKING:
+    from scipy.sparse import csc_matrix as Sparse
+
+
+@dataclass(frozen=True, eq=False)
+class ProjectedInertia:
+    """Blocks of B^T M B for a component with n coordinates; k and l are axes of its frame.
+
+    Attributes:
+        mass: E^T M E (3, 3) [kg].
+        first: E^T M (S X + e) (3, 3): moments of first order [kg m].
+        second: (S X + e)^T M (S X + e) (3, 3): inertia about the origin [kg m^2].
+        momentum: E^T M Psi (3, n).
+        angular: (S X + e)^T M Psi (3, n).
+        spin_momentum: E^T M S_k Psi, by k (3, 3, n).
+        spin_angular: (S X + e)^T M S_k Psi, by k (3, 3, n).
+        spin_modal: (S_k Psi)^T M Psi, by k (3, n, n).
+        spin_spin: (S_k Psi)^T M S_l Psi, by k and l (3, 3, n, n).
+        modal: Psi^T M Psi (n, n).
+    """
+
+    mass: Array
+    first: Array
+    second: Array
+    momentum: Array
+    angular: Array
+    spin_momentum: Array
+    spin_angular: Array
+    spin_modal: Array
+    spin_spin: Array
+    modal: Array
+
+    @property
+    def n(self) -> int:
+        """Coordinates of the component."""
+        return len(self.modal)
+
+    def matrix(self) -> Array:
+        """B^T M B (6 + 4 n, 6 + 4 n) in the order v, w, w_x z, w_y z, w_z z, z'."""
+        n = self.n
+        spin = self.spin_spin.transpose(0, 2, 1, 3).reshape(3 * n, 3 * n)
+        turns = np.hstack([*self.spin_momentum]), np.hstack([*self.spin_angular])
+        half = self.spin_modal.reshape(3 * n, n)
+        return np.block(
+            [
+                [self.mass, self.first, turns[0], self.momentum],
+                [self.first.T, self.second, turns[1], self.angular],
+                [turns[0].T, turns[1].T, spin, half],
+                [self.momentum.T, self.angular.T, half.T, self.modal],
+            ]
+        )
+
+
+def project(M: Sparse, shapes: Array, dofs: NodeDofs) -> ProjectedInertia:
+    """Constant inertia of a component.
+
+    Args:
+        M: Mass in the rows of the nodes (rows, rows).
+        shapes: Displacements of these rows by the coordinates, Psi (rows, n).
+        dofs: Of the rows; positions are from the origin of the frame.
+    """
+    motions = dofs.rigid(np.zeros(3))
+    shift, turn = motions[:, :3], motions[:, 3:]
+    spun = [_crossed(axis, shapes, dofs) for axis in range(3)]
+    heavy_shapes, heavy_shift, heavy_turn = M @ shapes, M @ shift, M @ turn
+    heavy_spun = [M @ one for one in spun]
+    return ProjectedInertia(
+        mass=shift.T @ heavy_shift,
+        first=shift.T @ heavy_turn,
+        second=turn.T @ heavy_turn,
+        momentum=shift.T @ heavy_shapes,
+        angular=turn.T @ heavy_shapes,
+        spin_momentum=np.stack([heavy_shift.T @ one for one in spun]),
+        spin_angular=np.stack([heavy_turn.T @ one for one in spun]),
+        spin_modal=np.stack([one.T @ heavy_shapes for one in spun]),
+        spin_spin=np.stack([[one.T @ heavy for heavy in heavy_spun] for one in spun]),
+        modal=shapes.T @ heavy_shapes,
+    )
+
+
+def anisotropy(M: Sparse, dofs: NodeDofs, length: float) -> float:
+    """Largest entry of a mass matrix that depends on directions, over its largest one.
+
+    0 where displacements along all axes have the same masses and none with rotations: then turned
+    displacements have the same energy, and the inertia of a turning frame is exact.
+
+    Args:
+        M: Mass in the rows of the nodes.
+        dofs: Of the rows.
+        length: By which rotations compare with displacements [m].
+    """
+    from scipy.sparse import csr_matrix
+
+    rows, shape = np.arange(len(dofs)), (len(dofs.positions), len(dofs))
+    present = np.unique(dofs.component)
+    # the rows of each motion, by nodes
+    pick = {
+        int(a): csr_matrix(
+            (np.ones(int(chosen.sum())), (dofs.node[chosen], rows[chosen])), shape=shape
+        )
+        for a, chosen in ((a, dofs.component == a) for a in present)
+    }
+    blocks = {(a, b): pick[a] @ M @ pick[b].T for a in pick for b in pick if a < 3 and a <= b}
+    straight = [block for (a, b), block in blocks.items() if a == b]
+    largest = max((abs(one).max() for one in straight), default=0.0)
+    unequal = [abs(one - straight[0]).max() for one in straight[1:]]
+    coupled = [
+        abs(block).max() / (1.0 if b < 3 else length) for (a, b), block in blocks.items() if a != b
+    ]
+    return float(max([*unequal, *coupled], default=0.0) / largest) if largest else 0.0
+
+
+def _crossed(axis: int, shapes: Array, dofs: NodeDofs) -> Array:
+    """S_k Psi: a unit vector times the displacements of the nodes, rotations left out."""
+    first, second = (axis + 1) % 3, (axis + 2) % 3
+    row = np.full((len(dofs.positions), 6), -1)
+    row[dofs.node, dofs.component] = np.arange(len(dofs))
+    result = np.zeros_like(shapes)
+    for target, source, sign in ((first, second, -1.0), (second, first, 1.0)):
+        both = np.flatnonzero((row[:, target] >= 0) & (row[:, source] >= 0))
+        result[row[both, target]] = sign * shapes[row[both, source]]
+    return result

@@ -1,0 +1,130 @@
+"""Matrices of a component as files give them, and the kinds of files.
+
+Files may come from anybody: their sizes are limited before memory is taken, numbers are read as
+numbers, and what does not fit is refused with its line.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ...arrays import Array
+from ...errors import ModelError, counted
+from ..record import Superelement
+from ..reduction import reduce
+
+if TYPE_CHECKING:
+    from scipy.sparse import csc_matrix as Sparse
+
+MOST_ROWS = 2_000_000
+MOST_ENTRIES = 200_000_000
+MOST_BYTES = 1 << 33
+
+
+@dataclass(frozen=True, eq=False)
+class ComponentMatrices:
+    """Mass and stiffness of a component, read from files.
+
+    Attributes:
+        M, K: Sparse (rows, rows) [kg, N/m].
+        nodes: Positions (n_nodes, 3) [m]; None where the files have none.
+        node_ids: Numbers of the nodes; None for 0, 1, 2, ...
+        dofs: Node and motion of each row; None for three or six rows per node in their order.
+        source: The files.
+    """
+
+    M: Sparse
+    K: Sparse
+    nodes: Array | None
+    node_ids: tuple[int, ...] | None
+    dofs: tuple[tuple[int, str], ...] | None
+    source: str
+
+    def reduce(
+        self,
+        interface: Mapping[str, object],
+        *,
+        nodes: Array | None = None,
+        method: str = "craig_bampton",
+        modes: int | None = None,
+        rigid: str | Mapping[str, str] = "rbe2",
+        at: Mapping[str, object] | None = None,
+        frame_dofs: str | Sequence[str] | None = None,
+        node_dofs: str | Sequence[str] | None = None,
+        order: str = "node",
+        supported: bool = False,
+        damping: object = None,
+        rayleigh: tuple[float, float] | None = None,
+        loads: Mapping[str, object] | None = None,
+        static_shapes: Sequence[str] = (),
+        stress: object = None,
+        stress_names: Sequence[str] | None = None,
+        geometric: Mapping[str, object] | None = None,
+        make_free: bool = False,
+    ) -> Superelement:
+        """The component, reduced to its interfaces; as :func:`cardan.superelement.reduce`.
+
+        Args:
+            interface: Nodes by the names of interfaces, by the numbers that the files give them.
+            nodes: Positions (n_nodes, 3) [m] where the files have none, nodes in rising numbers.
+            method, modes, rigid, at, frame_dofs, node_dofs, order: As there.
+            supported, damping, rayleigh, loads, static_shapes, stress, stress_names: As there.
+            geometric, make_free: As there.
+
+        Raises:
+            ModelError: no positions of nodes, or as there.
+        """
+        positions = self.nodes if nodes is None else nodes
+        if positions is None:
+            raise ModelError(f"{self.source}: no positions of nodes in the files; give nodes=")
+        return reduce(
+            self.M,
+            self.K,
+            positions,
+            interface,
+            method=method,
+            modes=modes,
+            rigid=rigid,
+            at=at,
+            frame_dofs=frame_dofs,
+            node_dofs=node_dofs,
+            order=order,
+            dofs=self.dofs,
+            node_ids=self.node_ids,
+            supported=supported,
+            damping=damping,
+            rayleigh=rayleigh,
+            loads=loads,
+            static_shapes=static_shapes,
+            stress=stress,
+            stress_names=stress_names,
+            geometric=geometric,
+            make_free=make_free,
+        )
+
+    def __repr__(self) -> str:
+        entries = f"{counted(int(self.K.nnz), 'entry', 'entries')} of K, {self.M.nnz} of M"
+        nodes = "no positions" if self.nodes is None else counted(len(self.nodes), "node")
+        return f"{self.source}: {counted(int(self.K.shape[0]), 'row')}, {entries}, {nodes}"
+
+
+@dataclass(frozen=True)
+class MatrixReader:
+    """A kind of file.
+
+    Attributes:
+        name: Of the program or format.
+        endings: Of the files, such as ``(".mtx",)``.
+        read: From the contents of the files by their roles, and the names of the files, to a
+            component; roles are "stiffness", "mass", "dofs" and "nodes".
+        companions: Ending of the files of the other roles where their names are not given.
+        untested: True where no file of the program itself was at hand.
+    """
+
+    name: str
+    endings: tuple[str, ...]
+    read: Callable[[Mapping[str, bytes], Mapping[str, str]], ComponentMatrices]
+    companions: Mapping[str, str]
+    untested: bool = False
