@@ -17,7 +17,7 @@ from cardan.superelements import storage
 from hostile.harness import Kind, campaign
 
 SEED = 29
-FILES = Path(__file__).parents[1] / "superelement" / "files"
+FILES = Path(__file__).parents[1] / "superelements" / "files"
 FACES = {"root": [11, 12, 13, 14], "tip": [51, 52, 53, 54]}
 
 
