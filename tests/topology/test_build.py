@@ -322,6 +322,19 @@ def test_a_parameter_keeps_its_name_beside_a_zero_of_the_same_name() -> None:
     assert not names & set(system.structural)
 
 
+def test_a_parameter_keeps_its_name_beside_an_angle_of_the_same_name() -> None:
+    scene = pendulum()
+    push = scene.parameter("tip.rotation.roll", 2.0, unit="N")
+    lower = scene.bodies["lower"]
+    tip = lower.at(0.1, 0, 0, rotation=("xyz", 0, 0.3, 0), name="tip")
+    scene.joint("wrist", Revolute("y"), tip, scene.body("arm", mass=1.0))
+    scene.force("push", Force(lower.at(), (0, 0, push)))
+    system = build(scene)
+    names = {parameter.name for parameter in system.parameters}
+    assert {"tip.rotation.roll", "tip.rotation.pitch"} <= names
+    assert not names & set(system.structural)
+
+
 def test_plain_lengths_fit_beside_parameters_with_units() -> None:
     scene = Scene("cylinder")
     m = scene.parameter("m", 2.0, unit="kg")

@@ -99,9 +99,7 @@ class Converter:
         if not math.isfinite(number):
             raise ModelError(f"'{name}' must be a finite number, not {number}")
         if number == 0.0 or (ratio and abs(number) == 1.0):
-            # a parameter of the same name keeps it: it can be set, this number cannot
-            if name not in self._nodes:
-                self.structural[name] = number
+            self._build_in(name, number)
             return ZERO if number == 0.0 else ONE if number > 0 else MINUS_ONE
         if name in self._nodes:
             if name in self.same.values():
@@ -110,6 +108,11 @@ class Converter:
         self.structural.pop(name, None)
         self._nodes[name] = self._parameter(name, number, unit)
         return self._nodes[name]
+
+    def _build_in(self, name: str, number: float) -> None:
+        """Note a structural number; a parameter of its name keeps it, for that one can be set."""
+        if name not in self._nodes:
+            self.structural[name] = number
 
     def converted(self, name: str, value: Value | None, unit: str) -> int:
         """The node of a number that was converted under this name, or of an expression."""
@@ -333,7 +336,7 @@ class Converter:
         turns = quarter_turns(float(value))
         if turns is None:
             return self.scalar(value, name, "rad")
-        self.structural[name] = float(value)
+        self._build_in(name, float(value))
         return ((ONE, ZERO), (ZERO, ONE), (MINUS_ONE, ZERO), (ZERO, MINUS_ONE))[turns % 4]
 
     def _turn(self, axis: str, angle: int | tuple[int, int]) -> Nodes:

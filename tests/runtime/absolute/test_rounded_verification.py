@@ -13,11 +13,11 @@ from spread import some
 SLENDER = cd.section.general(EA=1e12, GA=1e12, GJ=1.0, EI=1.0, rhoA=1e-6, rhoI=1e-12)
 
 
-def rod(element: str) -> cd.Scene:
-    """A rod of which EA L^2 / EI is 1e12."""
+def rod(element: str, section: cd.section.General = SLENDER) -> cd.Scene:
+    """A rod of which EA L^2 / EI is 1e12, unless given another section."""
     scene = cd.Scene("rod", gravity=(0, 0, 0))
     tip = scene.body("tip", mass=1.0, inertia=(1e-9, 1e-9, 1e-9), pose=(1, 0, 0))
-    scene.beam("rod", scene.ground, tip, SLENDER, elements=8, element=element)
+    scene.beam("rod", scene.ground, tip, section, elements=8, element=element)
     return scene
 
 
@@ -38,6 +38,25 @@ def test_blur_hides_no_fault(wrong: float, monkeypatch: pytest.MonkeyPatch) -> N
 
     model.verify()
     monkeypatch.setattr(Members, "call", changed)
+    with pytest.raises(BuildError, match="differs from"):
+        model.verify()
+
+
+@pytest.mark.parametrize("form", ["balance", "mixed", "stress"])
+@pytest.mark.parametrize("stiffness", [1e4, 1e12])
+def test_results_that_differ_from_call_to_call_are_refused(
+    form: str, stiffness: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    section = cd.section.general(EA=stiffness, GA=stiffness, GJ=1.0, EI=1.0, rhoA=1e-6, rhoI=1e-12)
+    model, call = cd.compile(rod("hellinger_reissner", section)), Members.call
+    rng = np.random.default_rng(1)
+
+    def noisy(self: Members, name: str, *given: object) -> np.ndarray:
+        result = call(self, name, *given)
+        return result * (1 + 1e-3 * rng.uniform(-1, 1, result.shape)) if name == form else result
+
+    model.verify()
+    monkeypatch.setattr(Members, "call", noisy)
     with pytest.raises(BuildError, match="differs from"):
         model.verify()
 

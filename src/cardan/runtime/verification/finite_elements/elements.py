@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from ..differences import BLURRED, BOUND, MARGIN, worst_of
-from ..joint_motion import Array
 from . import balances, element_ends, element_events, wrenches
 from .balances import NO_LAW
 from .members import Members, NotThere
@@ -52,13 +51,10 @@ def _text(members: Members, form: str) -> float:
     gap = np.nan_to_num(np.abs(results - expected), nan=np.inf).max(axis=-1, initial=0.0)
     size = float(np.abs(expected).max(initial=0.0)) or 1.0
     if gap.max(initial=0.0) > BOUND * size:
-
-        def both(at: Members) -> tuple[Array, Array]:
-            # the expressions are there: they were asked above
-            return at.call(form), np.asarray(at.expressions(form))
-
-        blur = np.nan_to_num(members.blur(both)[good])
-        gap = np.maximum(gap - MARGIN * blur, 0.0)
+        # of the expressions alone: C that differs from call to call would excuse itself
+        blur = members.blur(lambda at: (np.asarray(at.expressions(form)),))[good]
+        # what is no number says nothing of rounding
+        gap = np.maximum(gap - MARGIN * np.where(np.isfinite(blur), blur, 0.0), 0.0)
     return float(gap.max(initial=0.0)) / size
 
 
