@@ -169,3 +169,27 @@ def test_small_motions_have_the_frequencies_of_the_component(frame: str) -> None
     element = Corotational.of(brick(modes=6), frame)
     expected = brick(modes=6).modes().frequencies
     np.testing.assert_allclose(frequencies_at_rest(element), expected, rtol=1e-8)
+
+
+@each("frame", FRAMES)
+def test_rigid_motions_are_among_the_shapes(frame: str) -> None:
+    """So energy needs no velocity of the frame, and its turning only where there is deformation.
+
+    With y = R0^T x_i' + u_i x w, th_i' + w, eta': T = y M y / 2 + y N w + w B w / 2, where column k
+    of N is (S_k Psi z) seen by the shapes and B is of second order in z.
+    """
+    record = soft_brick()
+    element, n = Corotational.of(record, frame), record.n
+    q, u = some_state(element)
+    k = element.kinematics(q)
+    v, w, rates = np.split(k.rates @ u, [3, 6])
+    y = rates + record.rigid_motions() @ np.concatenate([v, w])
+    across = record.inertia.spin_modal
+    both = np.einsum("klab,a,b->kl", record.inertia.spin_spin, k.z, k.z)
+    kinetic = y @ record.M @ y / 2 + np.einsum("kab,k,a,b", across, w, k.z, y) + w @ both @ w / 2
+    np.testing.assert_allclose(kinetic, element.kinetic(q, u), rtol=1e-12)
+    for i in range(2):
+        velocity = k.turn.T @ u[6 * i + 3 : 6 * i + 6] + np.cross(k.z[6 * i : 6 * i + 3], w)
+        np.testing.assert_allclose(y[6 * i : 6 * i + 3], velocity, atol=1e-13)
+    np.testing.assert_allclose(y[12:], u[12:], atol=1e-13)
+    assert len(y) == n
