@@ -18,12 +18,14 @@ def test_the_program_of_the_page_runs(tmp_path: Path, monkeypatch: pytest.Monkey
     for ending in (".sti", ".mas", ".dof", ".inp"):
         (tmp_path / f"bar{ending}").write_bytes(BAR.with_suffix(ending).read_bytes())
     monkeypatch.chdir(tmp_path)
-    (program,) = re.findall(r"```python\n(.*?)```", PAGE, re.S)
+    program, of_beams = re.findall(r"```python\n(.*?)```", PAGE, re.S)
     (tmp_path / "program.py").write_text(program, "utf-8")
     names: dict[str, object] = {}
     exec(compile(program, "docs/superelements.md", "exec"), names)
     assert isinstance(names["again"], cd.superelement.Superelement)
     assert np.shape(names["response"]) == (2, 12, 12)
+    exec(compile(of_beams, "docs/superelements.md", "exec"), names)
+    assert isinstance(names["all_in_one"], cd.superelement.Superelement)
 
 
 def test_the_errors_of_the_page() -> None:
