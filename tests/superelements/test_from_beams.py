@@ -57,13 +57,14 @@ def test_the_matrices_are_those_of_compiled_elements() -> None:
     model = cd.compile(scene, coordinates="absolute")
     tip = cd.superelement.from_beams(scene, "boom", {"tip": "boom.end"}, modes=36)
     assert tip.n == len(tip.dofs) == model.nu
-    # no mode is left out: the record has the frequencies of the model itself
-    omega = tip.modes().frequencies
+    # no mode is left out: the record has the damped frequencies of the model itself
+    inverse = np.linalg.inv(tip.M)
+    rows = [np.zeros_like(tip.M), np.eye(tip.n)], [-inverse @ tip.K, -inverse @ tip.C]
+    omega = np.sort(np.linalg.eigvals(np.block([*map(list, rows)])).imag)
     full = np.sort(np.asarray(model.modes().frequencies, float))
-    full = full[full > 1.0][: len(omega)]
-    np.testing.assert_allclose(omega[:12], full[:12] * omega[0] / full[0], rtol=1e-7)
-    assert min(abs(omega[0] / full[0] - one) for one in (1.0, 2 * np.pi)) < 1e-7
-    np.testing.assert_allclose(tip.C, 1e-4 * tip.K, atol=2e-2 * abs(tip.C).max())
+    full = full[full > 1.0]
+    assert len(full) >= 6
+    np.testing.assert_allclose(omega[omega > 1.0][: len(full)], full, rtol=1e-7)
 
 
 def test_mass_center_and_inertia() -> None:
