@@ -61,7 +61,7 @@ def test_the_matrices_are_those_of_compiled_elements() -> None:
     inverse = np.linalg.inv(tip.M)
     rows = [np.zeros_like(tip.M), np.eye(tip.n)], [-inverse @ tip.K, -inverse @ tip.C]
     omega = np.sort(np.linalg.eigvals(np.block([*map(list, rows)])).imag)
-    full = np.sort(np.asarray(model.modes().frequencies, float))
+    full = 2 * np.pi * np.sort(np.asarray(model.modes().frequencies, float))
     full = full[full > 1.0]
     assert len(full) >= 6
     np.testing.assert_allclose(omega[omega > 1.0][: len(full)], full, rtol=1e-7)
