@@ -8,6 +8,7 @@ from __future__ import annotations
 import inspect
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -27,6 +28,8 @@ SHOWN = [
     for page in PAGES
     if "```python" in page.read_text(encoding="utf-8")
 ]
+# files that programs of a page read
+FILES = {"superelements": sorted((DOCS.parent / "tests/superelements/files").glob("bar.*"))}
 # `cardan NAME` alone speaks of a command; with its file, or indented, it can be typed
 COMMANDS = sorted(
     line
@@ -46,6 +49,8 @@ def test_python_prints_what_is_shown(page: Path, tmp_path: Path) -> None:
     text = page.read_text(encoding="utf-8")
     blocks = re.findall(r"^```(\w*)\n(.*?)^```$", text, flags=re.DOTALL | re.MULTILINE)
     programs = [body for language, body in blocks if language == "python"]
+    for file in FILES.get(page.stem, []):
+        shutil.copy(file, tmp_path)
     command = [sys.executable, "-c", "\n".join(programs)]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

@@ -14,4 +14,5 @@ class Scene(SceneRecord):
 
     save = verb("cardan.scene.files.yaml.writer:save")
     __str__ = verb("cardan.scene.summary:summary")
+    reduce = verb("cardan.equations.components.beams:reduced_with_cost")
     graph = attribute("cardan.topology.drawing.graph_view:view")

@@ -1,9 +1,14 @@
 """Written from the functions of its verbs: pytest tests/golden/test_verbs.py --accept"""
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import final
 
+from ..equations.components.beams import Where
+from ..scene.beam import Beam
+from ..scene.body import Body
 from ..scene.scene import SceneRecord
+from ..superelements.record import Superelement
 from ..topology.drawing.graph_view import GraphView
 
 @final
@@ -28,6 +33,35 @@ class Scene(SceneRecord):
         self,
     ) -> str:
         """Bodies with their joints, forces, declared names and notes.
+        """
+    def reduce(
+        self,
+        beams: str | Beam | Sequence[str | Beam],
+        modes: int | None = None,
+        interfaces: Mapping[str, Where] | None = None,
+        *,
+        bodies: Sequence[str | Body] = (),
+        method: str = "craig_bampton",
+        damping: object = None,
+        rayleigh: tuple[float, float] | None = None,
+        static_shapes: Sequence[str] = (),
+        report: bool = True,
+    ) -> Superelement:
+        """Beams of the scene as a superelement; what that costs is printed.
+
+        Args:
+            beams: One or several, by name.
+            modes: How many, lowest first; 10 by default.
+            interfaces: Ends, nodes, bodies or frames by the names of interfaces; both ends by default.
+            bodies: Rigid bodies that belong to the component.
+            method, damping, rayleigh, static_shapes: As for ``cd.superelement.reduce``.
+            report: Whether ``cost`` of the record is printed.
+
+        Returns:
+            The record that ``cd.superelement.from_beams`` gives.
+
+        Raises:
+            ModelError: as there.
         """
     @property
     def graph(

@@ -1,4 +1,4 @@
-"""Superelements: bodies from finite elements, from matrices or from a mesh.
+"""Superelements: bodies from finite elements, from matrices, a mesh or the beams of a scene.
 
 ::
 
@@ -12,6 +12,7 @@
 from __future__ import annotations
 
 from .. import solids as mesh
+from ..equations.components import from_beams
 from ..solids import from_mesh
 from ..superelements import (
     METHODS,
@@ -20,6 +21,7 @@ from ..superelements import (
     InterfaceFrame,
     ProjectedInertia,
     ReducedModes,
+    ReductionCost,
     Superelement,
     load,
     read,
@@ -33,7 +35,9 @@ __all__ = [
     "InterfaceFrame",
     "ProjectedInertia",
     "ReducedModes",
+    "ReductionCost",
     "Superelement",
+    "from_beams",
     "from_mesh",
     "load",
     "mesh",

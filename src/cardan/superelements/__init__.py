@@ -11,6 +11,7 @@ its interfaces and some modes; :func:`read` takes the matrices out of files of o
     arm.save("arm.npz")
 """
 
+from .cost import ReductionCost
 from .inertia import ProjectedInertia
 from .interfaces import InterfaceFrame
 from .methods import METHODS
@@ -27,6 +28,7 @@ __all__ = [
     "InterfaceFrame",
     "ProjectedInertia",
     "ReducedModes",
+    "ReductionCost",
     "Superelement",
     "load",
     "read",

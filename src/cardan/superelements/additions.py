@@ -10,7 +10,7 @@ import numpy as np
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, brief, near
-from .matrices import numbers, symmetric
+from .matrices import numbers, symmetric, symmetric_part
 from .node_dofs import NodeDofs
 from .response import modal_damping, reduced_modes
 
@@ -26,6 +26,7 @@ class Additions:
     """Damping, loads, stress and geometric stiffness, in the rows of the nodes.
 
     Attributes:
+        C: Damping (rows, rows); None for none.
         ratios: Damping ratios of free modes, the last for those above too; none for no damping.
         alpha, beta: Factors of mass [1/s] and stiffness [s] in the damping.
         loads: Forces by name (rows,).
@@ -35,6 +36,7 @@ class Additions:
         geometric: Geometric stiffness by name (rows, rows).
     """
 
+    C: Sparse | None
     ratios: Array
     alpha: float
     beta: float
@@ -44,15 +46,18 @@ class Additions:
     stress_names: tuple[str, ...]
     geometric: Mapping[str, Sparse]
 
-    def damping(self, M: Array, K: Array, rigid: Array, massless: int) -> Array:
+    def damping(self, M: Array, K: Array, rigid: Array, shapes: Array, massless: int) -> Array:
         """Damping in the reduced coordinates (n, n).
 
         Args:
             M, K: Reduced matrices.
             rigid: Rigid motions (n, r).
+            shapes: Displacements of the rows by the coordinates (rows, n).
             massless: Coordinates without mass.
         """
         C = self.alpha * M + self.beta * K
+        if self.C is not None:
+            C = C + symmetric_part(shapes.T @ (self.C @ shapes))
         if not len(self.ratios):
             return C
         free = reduced_modes(M, K, rigid, NOWHERE, massless)
@@ -70,6 +75,7 @@ class Additions:
 def additions_of(
     dofs: NodeDofs,
     *,
+    C: object,
     damping: object,
     rayleigh: tuple[float, float] | None,
     loads: Mapping[str, object],
@@ -99,6 +105,7 @@ def additions_of(
             raise ModelError(f"static_shapes: there is no load {brief(name)}.{hint}")
     rows, labels = _stress(stress, stress_names, dofs)
     return Additions(
+        C=None if C is None else symmetric("C", C, dofs),
         ratios=ratios,
         alpha=alpha,
         beta=beta,

@@ -18,6 +18,8 @@ from ..arrays import Array, Integers
 from .component import Component
 from .methods.method import ReducedBasis
 
+EQUAL = 1e-6  # relative distance of 1 / omega^2 below which frequencies count as one
+
 
 @dataclass(frozen=True, eq=False)
 class Residuals:
@@ -79,12 +81,11 @@ def relative_bounds(norms: Array, energies: Array, eigenvalues: Array) -> tuple[
     with np.errstate(divide="ignore", invalid="ignore"):
         bound = np.where(delta < 1, 1 / np.sqrt(np.maximum(1 - delta, 0.0)) - 1, np.inf)
         nu = 1 / eigenvalues
-        distance = np.full(len(nu), np.inf)
-        if len(nu) > 1:
-            steps = abs(np.diff(nu))
-            distance[:-1] = steps
-            distance[1:] = np.minimum(distance[1:], steps)
-        else:
-            distance[:] = nu
-        estimate = np.minimum(bound, delta**2 * nu / np.maximum(distance, 1e-300) / 2)
+        # equal frequencies, as round sections have, are one subspace of residuals
+        cluster = np.cumsum(np.diff(nu, prepend=nu[:1]) < -EQUAL * nu)
+        squares = np.bincount(cluster, delta**2)[cluster] if len(nu) else delta
+        unequal = cluster[:, None] != cluster
+        distance = abs(nu[:, None] - nu).min(axis=1, initial=np.inf, where=unequal)
+        distance = np.where(np.isinf(distance), nu, distance)
+        estimate = np.minimum(bound, squares * nu / np.maximum(distance, 1e-300) / 2)
     return bound, estimate

@@ -13,6 +13,7 @@ from ..arguments import checked
 from ..arrays import Array, Complex, Integers
 from ..errors import ArgumentError, ModelError, SolveError, brief, counted, near
 from .checks import MassProperties, RigidCheck, rigid_text
+from .cost import ReductionCost, cost
 from .error_bounds import Residuals, relative_bounds
 from .inertia import ProjectedInertia
 from .interfaces import InterfaceFrame, frame_motions
@@ -143,6 +144,11 @@ class Superelement:
     def gravity(self) -> Array:
         """Forces (n, 3) in the coordinates by accelerations of 1 m/s^2 along the axes."""
         return self.inertia.momentum.T.copy()
+
+    @property
+    def cost(self) -> ReductionCost:
+        """What the reduction costs: coordinates, frequencies that are left out, errors."""
+        return cost(self)
 
     def interface(self, name: str) -> InterfaceFrame:
         """An interface by its name.

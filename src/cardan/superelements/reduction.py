@@ -47,6 +47,7 @@ def reduce(
     dofs: Sequence[tuple[int, str]] | None = None,
     node_ids: Sequence[int] | None = None,
     supported: bool = False,
+    C: object = None,
     damping: object = None,
     rayleigh: tuple[float, float] | None = None,
     loads: Mapping[str, object] | None = None,
@@ -72,6 +73,7 @@ def reduce(
         order: Of the rows: ``"node"`` (all of node 0 first) or ``"component"`` (x of all first).
         dofs, node_ids: Node and motion of each row, ``[(17, "x"), ...]``; numbers of the nodes.
         supported: True where K includes supports, so that it resists rigid motions.
+        C: Damping (rows, rows) [N s/m], which stands beside what the next two give.
         damping: Ratio of all modes of the free component, or one for each, lowest first.
         rayleigh: a [1/s] and b [s] of C = a M + b K, instead or in addition.
         loads: Forces in the rows (rows,) by name, such as those by a unit rise of temperature.
@@ -102,6 +104,7 @@ def reduce(
         make_free=make_free,
         additions=additions_of(
             numbered,
+            C=C,
             damping=damping,
             rayleigh=rayleigh,
             loads=loads or {},
@@ -149,7 +152,7 @@ def _reduced(
     return Superelement(
         method=method,
         M=basis.M,
-        C=additions.damping(basis.M, stiffness, moved, basis.massless),
+        C=additions.damping(basis.M, stiffness, moved, shapes, basis.massless),
         K=stiffness,
         basis=shapes,
         dofs=dofs,

@@ -90,6 +90,8 @@ def computed(motion: TrajectoryRecord, table: str, what: str) -> Array:
         with suppress(SolveError):
             values[k] = function(**{n: None if x is None else x[k] for n, x in arguments.items()})
     missing = np.flatnonzero(np.isnan(values).any(axis=-1))
+    if not len(missing):
+        return values
     warnings.warn(
         f"{what} has no value at {len(missing)} of {len(motion.t)} times, the first "
         f"t = {motion.t[missing[0]]:.6g} s: {reason}",

@@ -55,6 +55,7 @@ class ComponentMatrices:
         node_dofs: str | Sequence[str] | None = None,
         order: str = "node",
         supported: bool = False,
+        C: object = None,
         damping: object = None,
         rayleigh: tuple[float, float] | None = None,
         loads: Mapping[str, object] | None = None,
@@ -70,7 +71,7 @@ class ComponentMatrices:
             interface: Nodes by the names of interfaces, by the numbers that the files give them.
             nodes: Positions (n_nodes, 3) [m] where the files have none, nodes in rising numbers.
             method, modes, rigid, at, frame_dofs, node_dofs, order: As there.
-            supported, damping, rayleigh, loads, static_shapes, stress, stress_names: As there.
+            supported, C, damping, rayleigh, loads, static_shapes, stress, stress_names: As there.
             geometric, make_free: As there.
 
         Raises:
@@ -94,6 +95,7 @@ class ComponentMatrices:
             dofs=self.dofs,
             node_ids=self.node_ids,
             supported=supported,
+            C=C,
             damping=damping,
             rayleigh=rayleigh,
             loads=loads,
