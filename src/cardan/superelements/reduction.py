@@ -60,20 +60,18 @@ def reduce(
     """A component, reduced to motions of its interfaces and some modes.
 
     Args:
-        M, K: Mass and stiffness (rows, rows) [kg, N/m; rotations in rad], dense or sparse.
+        M, K, C: Mass, stiffness, damping (rows, rows) [kg, N/m, N s/m; rad], dense or sparse.
         nodes: Positions (n_nodes, 3) [m] in the axes of the component.
         interface: A node, or nodes, for each interface by name: ``{"hinge": 17}``.
         method: ``"craig_bampton"``, ``"rubin"``, ``"macneal"`` or ``"guyan"``.
         modes: How many, lowest first; 10 by default, none for ``"guyan"``.
-        rigid: How several nodes make a frame, for all or by name: ``"rbe2"`` rigidly, ``"rbe3"`` by
-            their mean motion.
+        rigid: Nodes make a frame ``"rbe2"`` rigidly or ``"rbe3"`` by their mean; one, or by name.
         at: Origins of frames by name (3,) [m]; the mean position of their nodes by default.
         frame_dofs: Motions of the frames; by default six in space, those of the nodes in a plane.
         node_dofs: Motions of a node; ``"x y z"`` for three rows each, ``"x y z rx ry rz"`` for six.
         order: Of the rows: ``"node"`` (all of node 0 first) or ``"component"`` (x of all first).
         dofs, node_ids: Node and motion of each row, ``[(17, "x"), ...]``; numbers of the nodes.
         supported: True where K includes supports, so that it resists rigid motions.
-        C: Damping (rows, rows) [N s/m], which stands beside what the next two give.
         damping: Ratio of all modes of the free component, or one for each, lowest first.
         rayleigh: a [1/s] and b [s] of C = a M + b K, instead or in addition.
         loads: Forces in the rows (rows,) by name, such as those by a unit rise of temperature.
@@ -86,8 +84,7 @@ def reduce(
         A record to print, save and use in scenes.
 
     Raises:
-        ModelError: matrices or nodes that do not make a component; it names a row or a node.
-        SolveError: entries that are not finite.
+        ModelError, SolveError: what does not make a component, named by its row or node.
     """
     numbered = number_rows(
         nodes, square_size("K", K), node_ids=node_ids, node_dofs=node_dofs, order=order, dofs=dofs
