@@ -81,8 +81,8 @@ def from_beams(
     inner = [segment.line for segment in component.system.segments]
     rotations = np.concatenate([component.rotations, *(one.rotations[1:-1] for one in inner)])
     positions = np.concatenate([component.positions, *(one.positions[1:-1] for one in inner)])
-    at_rest = [x for joint in component.system.joints for x in joint.q0 or ()]
-    matrices = element_matrices(record, np.concatenate([at_rest, record.reference]), rotations)
+    still = [x for joint in component.system.joints for x in joint.q0 or ()]
+    matrices = element_matrices(record, np.concatenate([still, record.reference]), rotations)
     return reduce(
         matrices.M,
         matrices.K,
