@@ -81,8 +81,10 @@ def from_beams(
     inner = [segment.line for segment in component.system.segments]
     rotations = np.concatenate([component.rotations, *(one.rotations[1:-1] for one in inner)])
     positions = np.concatenate([component.positions, *(one.positions[1:-1] for one in inner)])
-    still = [x for joint in component.system.joints for x in joint.q0 or ()]
-    matrices = element_matrices(record, np.concatenate([still, record.reference]), rotations)
+    reference_state = [x for joint in component.system.joints for x in joint.q0 or ()]
+    matrices = element_matrices(
+        record, np.concatenate([reference_state, record.reference]), rotations
+    )
     return reduce(
         matrices.M,
         matrices.K,
