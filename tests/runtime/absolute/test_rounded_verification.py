@@ -42,7 +42,7 @@ def test_blur_hides_no_fault(wrong: float, monkeypatch: pytest.MonkeyPatch) -> N
         model.verify()
 
 
-@pytest.mark.parametrize("form", ["balance", "mixed", "stress"])
+@pytest.mark.parametrize("form", ["balance", "mixed", "mixed_step", "stress"])
 @pytest.mark.parametrize("stiffness", [1e4, 1e12])
 def test_results_that_differ_from_call_to_call_are_refused(
     form: str, stiffness: float, monkeypatch: pytest.MonkeyPatch

@@ -155,9 +155,13 @@ def _mixed_step(members: Members) -> float | str:
     def settled(blocks: Mapping[str, Array]) -> Array:
         return members.call("mixed_step", {**blocks, "du": np.zeros_like(blocks["du"])})
 
+    def stepped(at: Members) -> Array:
+        settled = at.call("mixed_step", {"du": np.zeros_like(du)})
+        return at.call("mixed_step", {"z": settled}) - settled
+
     slope, off = members.slope(settled, {"q": members.along(du)})
-    step = members.call("mixed_step", {"z": z}) - z
-    return worst_of(worst, missing(slope, off, step, z * 1e-3))
+    step, blur = stepped(members), members.blur(lambda at: (stepped(at),))
+    return worst_of(worst, missing(slope, off + blur, step, z * 1e-3))
 
 
 def _stress(members: Members) -> float | str:
