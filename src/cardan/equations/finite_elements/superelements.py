@@ -20,13 +20,13 @@ from .blocks import Holds
 from .nodal_scene import JOINT, NODE, Key, Scene
 from .record import BlockKind, Group, Kind, unique
 
-HEADERS = ("frame_motion.h", "superelement.h")
+HEADERS = ("frame_motion.h", "rows.h", "superelement.h")
 TANGENT = "superelement_tangent.h"
 # pairs of axes in the order of the header
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1))
 DATA = (*(f"R{i}{j}" for i in "123" for j in "123"), *("px", "py", "pz"), *("gx", "gy", "gz"))
 # work that the routines need, by coordinates
-ROOM = 27
+ROOM, TANGENT_ROOM = 13, 37
 FORMULAS: Lines = (
     ("moment of first order of the deformed body, in axes of its frame", "s = s_0 + P @ z"),
     ("velocity of the frame in its axes", "v = R.T @ pdot"),
@@ -188,7 +188,7 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
             headers=(*HEADERS, TANGENT) if key == "balance_tangent" else HEADERS,
             sizes=(n, int(on_node)),
             constants=tuple(member.constants.tolist()),
-            work=ROOM * n,
+            work=(TANGENT_ROOM * n + n * n if key == "balance_tangent" else ROOM * n),
             counts={"mul": products * n * n, "add": products * n * n},
         )
         for key, (outputs, read, products) in results.items()

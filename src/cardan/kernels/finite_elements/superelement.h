@@ -30,6 +30,7 @@
 #define CARDAN_SUPERELEMENT_H
 
 #include "frame_motion.h"
+#include "rows.h"
 
 /* pairs of axes: xx, yy, zz, yz, zx, xy */
 static const int CARDAN_PAIR[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
@@ -75,70 +76,62 @@ CARDAN_INLINE void cardan_3_add_symmetric(const real *J, const real *a, real *ou
         for (int l = 0; l < 3; ++l) out[k] += J[CARDAN_PAIR[k][l]] * a[l];
 }
 
-/* out (n) += C^T x, C (rows, n) of constants */
-CARDAN_INLINE void cardan_add_product(int rows, int n, const double *C, const real *x, real *out)
-{
-    for (int i = 0; i < rows; ++i)
-        for (int j = 0; j < n; ++j) out[j] += C[i * n + j] * x[i];
-}
-
-CARDAN_INLINE real cardan_dot(int n, const real *a, const real *b)
-{
-    real sum = CARDAN_REAL(0.0);
-
-    for (int i = 0; i < n; ++i) sum += a[i] * b[i];
-    return sum;
-}
-
-CARDAN_INLINE real cardan_dot_constant(int n, const double *a, const real *b)
-{
-    real sum = CARDAN_REAL(0.0);
-
-    for (int i = 0; i < n; ++i) sum += a[i] * b[i];
-    return sum;
-}
-
-/* What follows from z: s (3), H (3, n), J by pairs, j + S z by pairs (6, n). */
-CARDAN_INLINE void cardan_superelement_shape(const cardan_superelement *c, const real *z, real *s,
-                                             real *H, real *J, real *bent)
+/* What follows from z: s (3), H (3, n), J by pairs, j + S z by pairs (6, n). Where `back` is not
+ * NULL it gets A_k^T z' (3, n), and `squared`, if that is not, S z' by pairs (6, n). */
+CARDAN_INLINE void cardan_superelement_shape(const cardan_superelement *c, const real *z,
+                                             const real *rate, real *s, real *H, real *J, real *bent,
+                                             real *back, real *squared)
 {
     const int n = c->n;
+    real part;
 
+    cardan_set(3 * n, c->angular, H);
+    cardan_set(6 * n, c->bent, bent);
+    if (back) cardan_clear(3 * n, back);
+    if (squared) cardan_clear(6 * n, squared);
     for (int k = 0; k < 3; ++k) {
-        s[k] = c->first[k] + cardan_dot_constant(n, c->momentum + k * n, z);
-        for (int i = 0; i < n; ++i) H[k * n + i] = CARDAN_REAL(c->angular[k * n + i]);
-        cardan_add_product(n, n, c->spin + k * n * n, z, H + k * n);
+        const double *const A = c->spin + k * n * n;
+
+        cardan_dot_constants(n, c->momentum + k * n, z, &part);
+        s[k] = c->first[k] + part;
+        if (back)
+            cardan_add_products(n, n, A, z, H + k * n, rate, back + k * n);
+        else
+            cardan_add_product(n, n, A, z, H + k * n);
     }
     for (int k = 0; k < 6; ++k) {
-        real *const row = bent + k * n;
+        const double *const S = c->squares + k * n * n;
 
-        for (int i = 0; i < n; ++i) row[i] = CARDAN_REAL(c->bent[k * n + i]);
-        J[k] = c->second[k] + cardan_dot_constant(n, c->bent + k * n, z);
-        cardan_add_product(n, n, c->squares + k * n * n, z, row);
-        J[k] += cardan_dot(n, row, z);
+        cardan_dot_constants(n, c->bent + k * n, z, &part);
+        J[k] = c->second[k] + part;
+        if (squared)
+            cardan_add_products(n, n, S, z, bent + k * n, rate, squared + k * n);
+        else
+            cardan_add_product(n, n, S, z, bent + k * n);
+        cardan_dot(n, bent + k * n, z, &part);
+        J[k] += part;
     }
 }
 
-/* out (3) += C a for C (3, n) of constants, or of states */
-CARDAN_INLINE void cardan_3_add_rows(int n, const double *C, const real *x, real *out)
+/* out (3) += P x */
+CARDAN_INLINE void cardan_superelement_flow(const cardan_superelement *c, const real *x, real *out)
 {
-    for (int k = 0; k < 3; ++k) out[k] += cardan_dot_constant(n, C + k * n, x);
+    real part;
+
+    for (int k = 0; k < 3; ++k) {
+        cardan_dot_constants(c->n, c->momentum + k * c->n, x, &part);
+        out[k] += part;
+    }
 }
 
-/* Sums over w_k w_l of rows by pairs: out (n) += scale times these. */
-CARDAN_INLINE void cardan_add_squares(int n, const real *w, const real *rows, double scale, real *out)
+/* w_k w_l of every pair, counted as often as it is there. */
+CARDAN_INLINE void cardan_pairs_of(const real *w, real *out)
 {
     for (int k = 0; k < 3; ++k)
-        for (int l = 0; l < 3; ++l) {
-            const real factor = w[k] * w[l] * scale;
-            const real *const row = rows + CARDAN_PAIR[k][l] * n;
-
-            for (int i = 0; i < n; ++i) out[i] += factor * row[i];
-        }
+        for (int l = 0; l < 3; ++l) out[CARDAN_PAIR[k][l]] = w[k] * w[l] * (k == l ? 1.0 : 2.0);
 }
 
-/* Numbers of work that the functions below need. */
-#define CARDAN_SUPERELEMENT_WORK(n) (27 * (n))
+/* Work: 13 n numbers, of the tangent 37 n + n n. */
 
 CARDAN_INLINE int cardan_superelement_balance(int n, int on_node, const double *constants,
                                               const cardan_in *in, real *CARDAN_RESTRICT out,
@@ -152,43 +145,52 @@ CARDAN_INLINE int cardan_superelement_balance(int n, int on_node, const double *
 
     cardan_frame_motion_of(in, on_node, 2, &at);
     /* what acts without a rotation of the frame */
-    for (int i = 0; i < n; ++i) b[i] = CARDAN_REAL(0.0);
+    cardan_clear(n, b);
     cardan_add_product(3, n, c.momentum, at.alpha, b);
     cardan_add_product(n, n, c.modal, second, b);
     cardan_add_product(n, n, c.stiffness, z, b);
     cardan_add_product(n, n, c.damping, rate, b);
     if (!on_node) return CARDAN_OK;
 
-    real *const H = work, *const bent = work + 3 * n, *const spun = work + 9 * n;
-    real s[3], J[6], J_rate[6], h[3], f[3], moment[3], flow[3], turned[3];
+    real *const H = work, *const bent = work + 3 * n, *const back = work + 9 * n;
+    real *const spun = work + 12 * n;
+    real s[3], J[6], J_rate[6], pairs[6], h[3], f[3], moment[3], flow[3], spun_mass[3], part;
 
-    cardan_superelement_shape(&c, z, s, H, J, bent);
-    for (int k = 0; k < 6; ++k) J_rate[k] = cardan_dot(n, bent + k * n, rate) * 2.0;
+    cardan_superelement_shape(&c, z, rate, s, H, J, bent, back, NULL);
+    cardan_pairs_of(at.w, pairs);
+    for (int k = 0; k < 6; ++k) {
+        const real minus = -pairs[k];
+
+        cardan_dot(n, bent + k * n, rate, &part);
+        J_rate[k] = part * 2.0;
+        cardan_add_scaled(n, &minus, bent + k * n, b);
+    }
     for (int k = 0; k < 3; ++k) {
-        const double *const A = c.spin + k * n * n, *const A_back = c.spin_back + k * n * n;
+        const real minus = -at.w[k];
 
         /* A_k z' */
-        for (int i = 0; i < n; ++i) spun[i] = CARDAN_REAL(0.0);
-        cardan_add_product(n, n, A_back, rate, spun);
-        h[k] = cardan_dot(n, H + k * n, rate);
-        moment[k] = cardan_dot(n, H + k * n, second) + cardan_dot(n, spun, rate);
-        for (int i = 0; i < n; ++i) b[i] += at.w_rate[k] * H[k * n + i] - at.w[k] * spun[i];
-        /* A_k^T z' */
-        for (int i = 0; i < n; ++i) spun[i] = CARDAN_REAL(0.0);
-        cardan_add_product(n, n, A, rate, spun);
-        for (int i = 0; i < n; ++i) b[i] += at.w[k] * spun[i];
+        cardan_clear(n, spun);
+        cardan_add_product(n, n, c.spin_back + k * n * n, rate, spun);
+        cardan_dot(n, H + k * n, rate, h + k);
+        cardan_dot(n, H + k * n, second, moment + k);
+        cardan_dot(n, spun, rate, &part);
+        moment[k] += part;
+        cardan_add_scaled(n, at.w_rate + k, H + k * n, b);
+        cardan_add_scaled(n, &minus, spun, b);
+        cardan_add_scaled(n, at.w + k, back + k * n, b);
     }
-    cardan_add_squares(n, at.w, bent, -1.0, b);
 
     /* f = m alpha + w' x s + w x (w x s + 2 P z') + P z'' */
-    cardan_3_cross(at.w, s, turned);
+    cardan_clear(3, flow);
+    cardan_superelement_flow(&c, rate, flow);
+    cardan_3_cross(at.w, s, spun_mass);
     for (int k = 0; k < 3; ++k) {
-        flow[k] = cardan_dot_constant(n, c.momentum + k * n, rate);
-        f[k] = c.mass[0] * at.alpha[k] + cardan_dot_constant(n, c.momentum + k * n, second);
-        turned[k] += 2.0 * flow[k];
+        spun_mass[k] += 2.0 * flow[k];
+        f[k] = c.mass[0] * at.alpha[k];
     }
+    cardan_superelement_flow(&c, second, f);
     cardan_3_add_cross(at.w_rate, s, f);
-    cardan_3_add_cross(at.w, turned, f);
+    cardan_3_add_cross(at.w, spun_mass, f);
     /* n has H z'' + z'.A z' so far; h = J w + H z' */
     cardan_3_add_cross(s, at.alpha, moment);
     cardan_3_add_symmetric(J, at.w_rate, moment);
@@ -212,29 +214,33 @@ CARDAN_INLINE int cardan_superelement_energy(int n, int on_node, const double *c
     const cardan_superelement c = cardan_superelement_of(n, constants);
     const real *const z = in->q + 7 * on_node, *const rate = in->u + 6 * on_node;
     real *const H = work, *const bent = work + 3 * n, *const product = work + 9 * n;
-    real s[3], J[6], v[3], p[3], m[3];
+    real s[3], J[6], v[3], p[3], m[3], part;
     cardan_frame_motion at;
 
     cardan_frame_motion_of(in, on_node, 1, &at);
-    cardan_superelement_shape(&c, z, s, H, J, bent);
+    cardan_superelement_shape(&c, z, rate, s, H, J, bent, NULL, NULL);
     cardan_3_times(at.R0, 1, at.x0_rate, 1, v);
-    for (int i = 0; i < n; ++i) product[i] = CARDAN_REAL(0.0);
+    cardan_clear(n, product);
     cardan_add_product(n, n, c.modal, rate, product);
-    out[0] = 0.5 * cardan_dot(n, product, rate);
-    /* halves of v.p and w.m, with the products of v and w counted once */
+    cardan_dot(n, product, rate, &part);
+    out[0] = 0.5 * part;
+    /* halves of v.p and w.m, with the products of v, w and z' counted once */
     cardan_3_cross(at.w, s, p);
+    cardan_superelement_flow(&c, rate, p);
     for (int k = 0; k < 3; ++k) {
-        p[k] += 0.5 * c.mass[0] * v[k] + cardan_dot_constant(n, c.momentum + k * n, rate);
-        m[k] = 2.0 * cardan_dot(n, H + k * n, rate);
+        p[k] += 0.5 * c.mass[0] * v[k];
+        cardan_dot(n, H + k * n, rate, &part);
+        m[k] = 2.0 * part;
     }
     cardan_3_add_symmetric(J, at.w, m);
-    out[0] += cardan_dot(3, p, v) + 0.5 * cardan_dot(3, m, at.w);
-    for (int i = 0; i < n; ++i) product[i] = CARDAN_REAL(0.0);
+    for (int k = 0; k < 3; ++k) out[0] += p[k] * v[k] + 0.5 * m[k] * at.w[k];
+    cardan_clear(n, product);
     cardan_add_product(n, n, c.stiffness, z, product);
+    cardan_dot(n, product, z, &part);
+    out[1] = 0.5 * part;
     /* weight falls where the center of mass does */
     cardan_3_times(at.R0, 0, s, 1, p);
-    for (int k = 0; k < 3; ++k) p[k] += c.mass[0] * at.x0[k];
-    out[1] = 0.5 * cardan_dot(n, product, z) - cardan_dot(3, p, at.g);
+    for (int k = 0; k < 3; ++k) out[1] -= (p[k] + c.mass[0] * at.x0[k]) * at.g[k];
     return CARDAN_OK;
 }
 
@@ -250,12 +256,13 @@ CARDAN_INLINE int cardan_superelement_momentum(int n, int on_node, const double 
     cardan_frame_motion at;
 
     cardan_frame_motion_of(in, on_node, 1, &at);
-    cardan_superelement_shape(&c, z, s, H, J, bent);
+    cardan_superelement_shape(&c, z, rate, s, H, J, bent, NULL, NULL);
     cardan_3_times(at.R0, 1, at.x0_rate, 1, v);
     for (int k = 0; k < 3; ++k) {
-        p[k] = c.mass[0] * v[k] + cardan_dot_constant(n, c.momentum + k * n, rate);
-        m[k] = cardan_dot(n, H + k * n, rate);
+        p[k] = c.mass[0] * v[k];
+        cardan_dot(n, H + k * n, rate, m + k);
     }
+    cardan_superelement_flow(&c, rate, p);
     cardan_3_add_cross(at.w, s, p);
     cardan_3_add_cross(s, v, m);
     cardan_3_add_symmetric(J, at.w, m);
@@ -273,9 +280,10 @@ CARDAN_INLINE int cardan_superelement_power(int n, int on_node, const double *co
     const cardan_superelement c = cardan_superelement_of(n, constants);
     const real *const rate = in->u + 6 * on_node;
 
-    for (int i = 0; i < n; ++i) work[i] = CARDAN_REAL(0.0);
+    cardan_clear(n, work);
     cardan_add_product(n, n, c.damping, rate, work);
-    out[0] = -cardan_dot(n, work, rate);
+    cardan_dot(n, work, rate, out);
+    out[0] = -out[0];
     return CARDAN_OK;
 }
 

@@ -21,30 +21,23 @@ typedef struct cardan_superelement_terms {
     real s[3], spun[3];             /* w x s + 2 P z' */
     real momentum[3];               /* J w + H z' */
     real J[9], J_rate[9], to_frame[9], w_skew[9], s_skew[9];
+    real arm[9];                    /* p^ R: moments at the node of forces on the frame */
     real *H, *bent;                 /* bent: j + S z by pairs (6, n) */
     real *ahead, *back;             /* A_k z', A_k^T z' */
+    real *spun_second;              /* A_k z'' */
+    real *squared;                  /* S z' by pairs (6, n) */
     real *by_w;                     /* 2 w_l (j_kl + S_kl z) */
     real *force, *moment, *scratch; /* columns on the frame */
+    real *columns;                  /* (n) */
 } cardan_superelement_terms;
 
-/* Rows of the node from columns of force f and moment m (3, columns) on the frame. */
-CARDAN_INLINE void cardan_node_rows(const cardan_frame_motion *at, const real *f, const real *m,
-                                    int columns, int stride, real *out)
+/* Rows of the node, zero so far, from columns of force f and moment m (3, columns) on the frame. */
+CARDAN_INLINE void cardan_node_rows(const cardan_frame_motion *at, const cardan_superelement_terms *is,
+                                    const real *f, const real *m, int columns, int stride, real *out)
 {
-    for (int j = 0; j < columns; ++j) {
-        const real force[3] = {f[j], f[columns + j], f[2 * columns + j]};
-        const real moment[3] = {m[j], m[columns + j], m[2 * columns + j]};
-        real there[3], rotated[3], in_ground[3];
-
-        cardan_3_times(at->local, 0, force, 1, there);
-        cardan_3_times(at->local, 0, moment, 1, rotated);
-        cardan_3_add_cross(at->p, there, rotated);
-        cardan_3_times(at->node, 0, there, 1, in_ground);
-        for (int k = 0; k < 3; ++k) {
-            out[k * stride + j] = rotated[k];
-            out[(3 + k) * stride + j] = in_ground[k];
-        }
-    }
+    cardan_add_3_rows(columns, at->local, m, stride, out);
+    cardan_add_3_rows(columns, is->arm, f, stride, out);
+    cardan_add_3_rows(columns, at->R0, f, stride, out + 3 * stride);
 }
 
 /* Three columns: alpha changes by X, w or w' by Y (3, 3) times the unknowns, which changes f by F Y,
@@ -55,6 +48,7 @@ CARDAN_INLINE void cardan_superelement_columns(const cardan_superelement *c,
                                                const real *Y, const real *F, const real *N,
                                                const real *B, int stride, real *out)
 {
+    const int n = c->n;
     real f[9], m[9], more[9];
 
     cardan_3_times(is->s_skew, 0, X, 3, m);
@@ -65,24 +59,22 @@ CARDAN_INLINE void cardan_superelement_columns(const cardan_superelement *c,
         cardan_3_times(N, 0, Y, 3, more);
         for (int k = 0; k < 9; ++k) m[k] += more[k];
     }
-    cardan_node_rows(at, f, m, 3, stride, out);
-    for (int i = 0; i < c->n; ++i)
-        for (int j = 0; j < 3; ++j) {
-            real sum = CARDAN_REAL(0.0);
+    cardan_node_rows(at, is, f, m, 3, stride, out);
+    /* what acts along z, a row of work for each column */
+    for (int j = 0; j < 3; ++j) {
+        real *const row = is->columns;
 
-            for (int k = 0; k < 3; ++k) sum += c->momentum[k * c->n + i] * X[3 * k + j];
-            if (Y)
-                for (int k = 0; k < 3; ++k) sum += B[k * c->n + i] * Y[3 * k + j];
-            out[(6 + i) * stride + j] = sum;
+        const real by_alpha[3] = {X[j], X[3 + j], X[6 + j]};
+
+        cardan_clear(n, row);
+        cardan_add_product(3, n, c->momentum, by_alpha, row);
+        if (Y) {
+            const real by_w[3] = {Y[j], Y[3 + j], Y[6 + j]};
+
+            cardan_add_rows(3, n, B, by_w, row);
         }
-}
-
-/* out (3, n) = Q P with P of constants */
-CARDAN_INLINE void cardan_3_times_constants(const real *Q, const double *P, int n, real *out)
-{
-    for (int k = 0; k < 3; ++k)
-        for (int i = 0; i < n; ++i)
-            out[k * n + i] = Q[3 * k] * P[i] + Q[3 * k + 1] * P[n + i] + Q[3 * k + 2] * P[2 * n + i];
+        for (int i = 0; i < n; ++i) out[(6 + i) * stride + j] = row[i];
+    }
 }
 
 CARDAN_INLINE void cardan_superelement_terms_of(const cardan_superelement *c, const cardan_in *in,
@@ -90,43 +82,51 @@ CARDAN_INLINE void cardan_superelement_terms_of(const cardan_superelement *c, co
                                                 cardan_superelement_terms *is)
 {
     const int n = c->n;
-    real pairs[6], rates[6];
+    real pairs[6], rates[6], flow[3], skew[9];
 
     is->rate = in->u + 6;
     is->second = in->udot + 6;
     is->H = work;
     is->bent = work + 3 * n;
     is->ahead = work + 9 * n;
-    is->back = work + 12 * n;
-    is->by_w = work + 15 * n;
-    is->force = work + 18 * n;
-    is->moment = work + 21 * n;
-    is->scratch = work + 24 * n;
-    cardan_superelement_shape(c, in->q + 7, is->s, is->H, pairs, is->bent);
-    for (int k = 0; k < 6; ++k) rates[k] = cardan_dot(n, is->bent + k * n, is->rate) * 2.0;
+    is->by_w = work + 12 * n;
+    is->spun_second = work + 15 * n;
+    is->back = work + 18 * n;
+    is->squared = work + 21 * n;
+    is->force = work + 27 * n;
+    is->moment = work + 30 * n;
+    is->scratch = work + 33 * n;
+    is->columns = work + 36 * n;
+    cardan_superelement_shape(c, in->q + 7, is->rate, is->s, is->H, pairs, is->bent, is->back,
+                              is->squared);
+    for (int k = 0; k < 6; ++k) {
+        cardan_dot(n, is->bent + k * n, is->rate, rates + k);
+        rates[k] *= 2.0;
+    }
     cardan_3_cross(at->w, is->s, is->spun);
+    cardan_clear(9 * n, is->ahead);
+    cardan_clear(3, flow);
+    cardan_superelement_flow(c, is->rate, flow);
     for (int k = 0; k < 3; ++k) {
-        const double *const A = c->spin + k * n * n, *const A_back = c->spin_back + k * n * n;
-
-        for (int i = 0; i < n; ++i)
-            is->ahead[k * n + i] = is->back[k * n + i] = is->by_w[k * n + i] = CARDAN_REAL(0.0);
-        cardan_add_product(n, n, A_back, is->rate, is->ahead + k * n);
-        cardan_add_product(n, n, A, is->rate, is->back + k * n);
+        cardan_add_products(n, n, c->spin_back + k * n * n, is->rate, is->ahead + k * n, is->second,
+                            is->spun_second + k * n);
         for (int l = 0; l < 3; ++l) {
             const int pair = CARDAN_PAIR[k][l];
+            const real twice = 2.0 * at->w[l];
 
-            for (int i = 0; i < n; ++i)
-                is->by_w[k * n + i] += 2.0 * at->w[l] * is->bent[pair * n + i];
+            cardan_add_scaled(n, &twice, is->bent + pair * n, is->by_w + k * n);
             is->J[3 * k + l] = pairs[pair];
             is->J_rate[3 * k + l] = rates[pair];
             is->to_frame[3 * k + l] = at->local[3 * l + k];
         }
-        is->momentum[k] = cardan_dot(n, is->H + k * n, is->rate);
-        is->spun[k] += 2.0 * cardan_dot_constant(n, c->momentum + k * n, is->rate);
+        cardan_dot(n, is->H + k * n, is->rate, is->momentum + k);
+        is->spun[k] += 2.0 * flow[k];
     }
     cardan_3_add_symmetric(pairs, at->w, is->momentum);
     cardan_3_skew(at->w, 1.0, is->w_skew);
     cardan_3_skew(is->s, 1.0, is->s_skew);
+    cardan_3_skew(at->p, 1.0, skew);
+    cardan_3_times(skew, 0, at->local, 3, is->arm);
 }
 
 CARDAN_INLINE void cardan_superelement_mass(const cardan_superelement *c,
@@ -146,8 +146,8 @@ CARDAN_INLINE void cardan_superelement_mass(const cardan_superelement *c,
         for (int l = 0; l < 3; ++l) X[3 * k + l] = at->R0[3 * l + k];
     cardan_superelement_columns(c, at, is, X, NULL, NULL, NULL, NULL, stride, M + 3);
     /* z'' */
-    for (int i = 0; i < 3 * n; ++i) is->force[i] = CARDAN_REAL(c->momentum[i]);
-    cardan_node_rows(at, is->force, is->H, n, stride, M + 6);
+    cardan_set(3 * n, c->momentum, is->force);
+    cardan_node_rows(at, is, is->force, is->H, n, stride, M + 6);
 }
 
 CARDAN_INLINE void cardan_superelement_damping(const cardan_superelement *c, const cardan_in *in,
@@ -178,17 +178,12 @@ CARDAN_INLINE void cardan_superelement_damping(const cardan_superelement *c, con
     cardan_superelement_columns(c, at, is, X, is->to_frame, F, N, is->scratch, stride, C);
 
     /* f and moment by z': 2 w^ P; 2 w_l (j + S z) + (A + A^T) z' + w^ H */
-    for (int k = 0; k < 3; ++k) {
-        const int next = (k + 1) % 3, last = (k + 2) % 3;
-
-        for (int i = 0; i < n; ++i)
-            is->moment[k * n + i] = is->by_w[k * n + i] + is->ahead[k * n + i] + is->back[k * n + i]
-                                    + at->w[next] * is->H[last * n + i]
-                                    - at->w[last] * is->H[next * n + i];
-    }
+    for (int i = 0; i < 3 * n; ++i) is->moment[i] = is->by_w[i] + is->ahead[i] + is->back[i];
+    cardan_add_3_rows(n, is->w_skew, is->H, n, is->moment);
     for (int k = 0; k < 9; ++k) product[k] = 2.0 * is->w_skew[k];
-    cardan_3_times_constants(product, c->momentum, n, is->force);
-    cardan_node_rows(at, is->force, is->moment, n, stride, C + 6);
+    cardan_clear(3 * n, is->force);
+    cardan_add_3_constants(n, product, c->momentum, n, is->force);
+    cardan_node_rows(at, is, is->force, is->moment, n, stride, C + 6);
 }
 
 CARDAN_INLINE void cardan_superelement_stiffness(const cardan_superelement *c,
@@ -204,9 +199,8 @@ CARDAN_INLINE void cardan_superelement_stiffness(const cardan_superelement *c,
     cardan_3_times(is->to_frame, 0, skew, 3, X);
     cardan_superelement_columns(c, at, is, X, NULL, NULL, NULL, NULL, stride, K);
     /* and the force, which acts in ground axes */
-    for (int k = 0; k < 3; ++k)
-        f[k] = c->mass[0] * at->alpha[k]
-               + cardan_dot_constant(n, c->momentum + k * n, is->second);
+    for (int k = 0; k < 3; ++k) f[k] = c->mass[0] * at->alpha[k];
+    cardan_superelement_flow(c, is->second, f);
     cardan_3_add_cross(at->w_rate, is->s, f);
     cardan_3_add_cross(at->w, is->spun, f);
     cardan_3_times(at->local, 0, f, 1, there);
@@ -219,77 +213,71 @@ CARDAN_INLINE void cardan_superelement_stiffness(const cardan_superelement *c,
     cardan_3_times(is->w_skew, 0, is->w_skew, 3, product);
     cardan_3_skew(at->w_rate, 1.0, skew);
     for (int k = 0; k < 9; ++k) product[k] += skew[k];
-    cardan_3_times_constants(product, c->momentum, n, is->force);
+    cardan_clear(3 * n, is->force);
+    cardan_add_3_constants(n, product, c->momentum, n, is->force);
     /* moment by z: -alpha^ P + w^ (2 w_l (j + S z) + A z') */
     cardan_3_skew(at->alpha, -1.0, skew);
-    cardan_3_times_constants(skew, c->momentum, n, is->moment);
-    for (int k = 0; k < 3; ++k) {
-        const int next = (k + 1) % 3, last = (k + 2) % 3;
-        const real *const a = is->by_w + last * n, *const a_rate = is->ahead + last * n;
-        const real *const b = is->by_w + next * n, *const b_rate = is->ahead + next * n;
-
-        for (int i = 0; i < n; ++i)
-            is->moment[k * n + i] += at->w[next] * (a[i] + a_rate[i])
-                                     - at->w[last] * (b[i] + b_rate[i]);
-    }
+    cardan_clear(3 * n, is->moment);
+    cardan_add_3_constants(n, skew, c->momentum, n, is->moment);
+    cardan_add_3_rows(n, is->w_skew, is->by_w, n, is->moment);
+    cardan_add_3_rows(n, is->w_skew, is->ahead, n, is->moment);
     /* + A z'' + 2 w'_l (j + S z) + 2 w_l S z' */
-    for (int pair = 0; pair < 6; ++pair) {
-        for (int i = 0; i < n; ++i) is->scratch[i] = CARDAN_REAL(0.0);
-        cardan_add_product(n, n, c->squares + pair * n * n, is->rate, is->scratch);
-        for (int k = 0; k < 3; ++k)
-            for (int l = 0; l < 3; ++l)
-                if (CARDAN_PAIR[k][l] == pair)
-                    for (int i = 0; i < n; ++i)
-                        is->moment[k * n + i] += 2.0 * (at->w_rate[l] * is->bent[pair * n + i]
-                                                        + at->w[l] * is->scratch[i]);
-    }
+    for (int i = 0; i < 3 * n; ++i) is->moment[i] += is->spun_second[i];
     for (int k = 0; k < 3; ++k)
-        cardan_add_product(n, n, c->spin_back + k * n * n, is->second, is->moment + k * n);
-    cardan_node_rows(at, is->force, is->moment, n, stride, K + 6);
+        for (int l = 0; l < 3; ++l) {
+            const real by_rate = 2.0 * at->w_rate[l], by_w = 2.0 * at->w[l];
+            const int pair = CARDAN_PAIR[k][l];
+
+            cardan_add_scaled(n, &by_rate, is->bent + pair * n, is->moment + k * n);
+            cardan_add_scaled(n, &by_w, is->squared + pair * n, is->moment + k * n);
+        }
+    cardan_node_rows(at, is, is->force, is->moment, n, stride, K + 6);
 }
 
-/* K, C, M (N, N) one behind the other, N = n + 6 where a node has the frame. */
+/* A matrix (n, n) within one of more columns. */
+CARDAN_INLINE void cardan_block(int n, int stride, const real *entries, real *out)
+{
+    for (int i = 0; i < n; ++i)
+        memcpy(out + i * stride, entries + i * n, (size_t)n * sizeof *out);
+}
+
+/* K, C, M (N, N) one behind the other, N = n + 6 where a node has the frame. Nothing depends on
+ * where the node is, nor on its velocity. */
 CARDAN_INLINE int cardan_superelement_tangent(int n, int on_node, const double *constants,
                                               const cardan_in *in, real *CARDAN_RESTRICT out,
                                               real *CARDAN_RESTRICT work)
 {
     const cardan_superelement c = cardan_superelement_of(n, constants);
-    const int first = 6 * on_node, N = n + first;
+    const int first = 6 * on_node, N = n + first, size = n * n;
+    real *const entries = work + 37 * n;
     real *const K = out, *const C = out + N * N, *const M = out + 2 * N * N;
     cardan_superelement_terms is;
     cardan_frame_motion at;
-    real pairs[6];
+    real by_spin[9];
 
     cardan_frame_motion_of(in, on_node, 2, &at);
-    for (int k = 0; k < 3; ++k)
-        for (int l = 0; l < 3; ++l) pairs[CARDAN_PAIR[k][l]] = at.w[k] * at.w[l] * (k == l ? 1 : 2);
-    /* along z: K + w'_k A_k^T - w_k w_l S_kl, D + w_k (A_k^T - A_k), M */
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-            const int to = (first + i) * N + first + j, from = i * n + j;
-            real k = CARDAN_REAL(c.stiffness[from]), d = CARDAN_REAL(c.damping[from]);
-
-            if (on_node) {
-                for (int a = 0; a < 3; ++a) {
-                    const double back = c.spin_back[a * n * n + from];
-
-                    k += at.w_rate[a] * back;
-                    d += at.w[a] * (back - c.spin[a * n * n + from]);
-                }
-                for (int a = 0; a < 6; ++a) k -= pairs[a] * c.squares[a * n * n + from];
-            }
-            K[to] = k;
-            C[to] = d;
-            M[to] = CARDAN_REAL(c.modal[from]);
-        }
+    cardan_clear(3 * N * N, out);
+    /* along z: K + w'_k A_k^T - w_k w_l S_kl; the matrices follow each other */
+    cardan_pairs_of(at.w, by_spin + 3);
+    for (int k = 0; k < 6; ++k) by_spin[3 + k] = -by_spin[3 + k];
+    for (int k = 0; k < 3; ++k) by_spin[k] = at.w_rate[k];
+    cardan_set(size, c.stiffness, entries);
+    if (on_node) cardan_add_product(9, size, c.spin_back, by_spin, entries);
+    cardan_block(n, N, entries, K + first * N + first);
+    /* D + w_k (A_k^T - A_k) */
+    for (int k = 0; k < 3; ++k) {
+        by_spin[k] = -at.w[k];
+        by_spin[3 + k] = at.w[k];
+    }
+    cardan_set(size, c.damping, entries);
+    if (on_node) cardan_add_product(6, size, c.spin, by_spin, entries);
+    cardan_block(n, N, entries, C + first * N + first);
+    for (int i = 0; i < n; ++i) cardan_set(n, c.modal + i * n, M + (first + i) * N + first);
     if (!on_node) return CARDAN_OK;
     cardan_superelement_terms_of(&c, in, &at, work, &is);
     cardan_superelement_mass(&c, &at, &is, N, M);
     cardan_superelement_damping(&c, in, &at, &is, N, C);
     cardan_superelement_stiffness(&c, &at, &is, N, K);
-    /* nothing depends on where the node is, nor on its velocity */
-    for (int i = 0; i < N; ++i)
-        for (int j = 3; j < 6; ++j) K[i * N + j] = C[i * N + j] = CARDAN_REAL(0.0);
     return CARDAN_OK;
 }
 
