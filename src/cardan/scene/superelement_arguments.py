@@ -151,21 +151,21 @@ def _check_frame(who: str, superelement: PlacedSuperelement) -> None:
             f"{who}: {record.massless} of its coordinates have no mass, so that their "
             "accelerations are not determined. Reduce it with method='rubin', which costs as little"
         )
+    moving = {motion for one in record.interfaces for motion in one.components}
     for one in record.interfaces:
-        turns = [x for x in one.components if x in ROTATIONS]
-        if len(turns) == 2:
+        if len({*ROTATIONS}.intersection(one.components)) == 2:
             raise ModelError(
                 f"{who}: interface '{one.name}' turns about two axes alone; reduce it with all "
                 "rotations, one or none"
             )
-        if frame == one.name and len(one.components) < 6:
+        if frame == one.name and (missing := sorted(moving.difference(one.components))):
             raise ModelError(
-                f"{who}: interface '{one.name}' has {len(one.components)} motions, not six, so "
-                f"that a frame fixed to it would be loose; take frame='{MEAN}'"
+                f"{who}: interface '{one.name}' has no motion {' and '.join(missing)}, so that a "
+                f"frame fixed to it would be loose; take frame='{MEAN}'"
             )
     if frame in names:
         return
     values = np.linalg.svd(frame_condition(superelement), compute_uv=False)
-    if len(values) < 6 or values[5] < RANK * values[0]:
+    if len(values) < len(moving) or values[len(moving) - 1] < RANK * values[0]:
         cure = f"take frame='{MEAN}'" if frame == CHORD else "it needs more motions of interfaces"
         raise ModelError(f"{who}: its interfaces leave the frame '{frame}' loose; {cure}")

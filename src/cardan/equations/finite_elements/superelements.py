@@ -122,7 +122,8 @@ def constants(part: PartOfSystem) -> Array:
     bent = [(inertia.spin_angular[k, m] + inertia.spin_angular[m, k])[rows] / 2 for k, m in PAIRS]
     first = inertia.first
     flat = [
-        np.trace(inertia.mass) / 3,
+        # planar components have none across their plane
+        inertia.mass.diagonal().max(),
         np.array([first[1, 2] - first[2, 1], first[2, 0] - first[0, 2], first[0, 1] - first[1, 0]])
         / 2,
         np.array([inertia.second[k, m] for k, m in PAIRS]),

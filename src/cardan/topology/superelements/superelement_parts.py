@@ -112,6 +112,9 @@ def _add_condition(model: SceneRecord, superelement: PlacedSuperelement) -> None
             for c, motion in zip(row, motions, strict=True)
             if abs(c) > ROUNDING * most
         ]
+        # a planar component has no motion that leaves its plane
+        if not terms:
+            continue
         name = f"{superelement.carrier}.{label}"
         unit = "m" if label.startswith("p") else "m^2"
         _enter(model.constraints, name, Constraint(name, sum(terms), unit), superelement)
