@@ -29,7 +29,8 @@ def caption(arcs: Sequence[Arc]) -> str:
     styles = {arc.style for arc in arcs}
     said = "Bodies on their joints, the ground at the bottom"
     said += "; dashed: joints that close loops" * ("closing" in styles)
-    return said + "; thick: beams with their nodes" * ("beam" in styles) + "."
+    said += "; thick: beams with their nodes" * ("beam" in styles)
+    return said + "; thick: what is inside of a flexible body" * ("elastic" in styles) + "."
 
 
 def _arcs(system: System) -> Iterator[Arc]:
@@ -37,7 +38,8 @@ def _arcs(system: System) -> Iterator[Arc]:
     carriers = {cut.carrier for cut in system.cuts}
     for i, (body, joint) in enumerate(zip(system.bodies, system.joints, strict=True)):
         if not joint.implicit and i not in carriers:
-            yield Arc(joint.name, joint.element.kind, _part(system, joint.parent_frame), body.name)
+            inner = _part(system, joint.parent_frame)
+            yield drawing.branch_arc(joint.name, joint.element, inner, body.name)
         yield from _fixed(body.parts)
     for cut in system.closing:
         kind, start = cut.element.kind, cut.parent_frame

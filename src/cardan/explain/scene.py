@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..scene.summary import beam_rows, body_rows, cable_rows, force_rows, notes_of, summary
+from ..scene.summary import (
+    beam_rows,
+    body_rows,
+    cable_rows,
+    force_rows,
+    notes_of,
+    summary,
+    superelement_rows,
+)
 from ..topology.drawing import drawing
 from ..topology.drawing.graph_view import view
 from . import content as d
@@ -21,7 +29,8 @@ def document(model: SceneRecord) -> d.Document:
     lead = [d.Paragraph((line,)) for line in (counts, gravity)]
     lead += [d.Paragraph((f"Note: {note}",), quiet=True) for note in notes_of(model)]
     blocks: list[d.Block] = []
-    for head, *rows in (body_rows(model), beam_rows(model), cable_rows(model)):
+    tables = (body_rows(model), beam_rows(model), cable_rows(model), superelement_rows(model))
+    for head, *rows in tables:
         if rows:
             blocks.append(d.Table(tuple(head), tuple(map(tuple, rows))))
     if model.forces:

@@ -1,4 +1,4 @@
-"""Arguments of beams and cables, checked where they are written."""
+"""Arguments of beams and cables, checked where they are written, and nodes of flexible bodies."""
 
 from __future__ import annotations
 
@@ -20,6 +20,7 @@ from .frame import Frame, Place
 
 if TYPE_CHECKING:
     from .scene import SceneRecord
+    from .superelement import PlacedSuperelement
 
 # of one beam, as bodies of one scene
 MOST_ELEMENTS = 100_000
@@ -321,3 +322,16 @@ def add_cable_nodes(cable: Cable) -> None:
         mass = cable.node_mass(k)
         model.nodes[name] = places.get(name) or Body(model, name, mass, (0, 0, 0), (0,) * 6)
     model.cables[cable.name] = cable
+
+
+def add_interfaces(model: SceneRecord, superelement: PlacedSuperelement) -> None:
+    """Put a superelement and its interfaces into a scene.
+
+    Raises:
+        ModelError: a name is taken.
+    """
+    for name in superelement.places:
+        model.new_place("interface", name)
+    for name in superelement.places:
+        model.nodes[name] = node(model, name)
+    model.superelements[superelement.name] = superelement

@@ -14,7 +14,7 @@ from ..elements.joints.fixed import Fixed
 from ..errors import ModelError
 from . import checks
 from .beam import UNITS, Beam, Cable, End
-from .beam_arguments import add_cable_nodes, add_nodes
+from .beam_arguments import add_cable_nodes, add_interfaces, add_nodes
 from .body import Body
 from .connections import Couple, Force, Joint
 from .frame import Frame, Place
@@ -23,6 +23,7 @@ from .parameters import Output
 
 if TYPE_CHECKING:
     from .scene import SceneRecord
+    from .superelement import PlacedSuperelement
 
 
 @dataclass(frozen=True)
@@ -77,6 +78,8 @@ def _include(model: SceneRecord, other: SceneRecord, prefix: str, at: Place) -> 
         copy.beam(beam)
     for cable in other.cables.values():
         copy.cable(cable)
+    for superelement in other.superelements.values():
+        copy.superelement(superelement)
     for frame in on_nodes:
         copy.place(frame)
     for joint in other.joints.values():
@@ -218,6 +221,15 @@ class _Copy:
         )
         add_cable_nodes(copied)
         for node in old.inner_nodes():
+            self.bodies[node] = self.model.nodes[self.name(node)].body
+
+    def superelement(self, old: PlacedSuperelement) -> None:
+        """The superelement with its interfaces; the record is the same."""
+        joined = {interface: self.name(place) for interface, place in old.joined.items()}
+        copied = dataclasses.replace(old, name=self.name(old.name), joined=joined)
+        checks.new("superelement", copied.name, self.model.superelements)
+        add_interfaces(self.model, copied)
+        for node in old.places:
             self.bodies[node] = self.model.nodes[self.name(node)].body
 
     def ends(self, old: tuple[End, End]) -> tuple[End, End]:

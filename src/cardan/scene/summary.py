@@ -62,6 +62,7 @@ def summary(model: SceneRecord) -> str:
             ("joint", model.joints),
             ("beam", model.beams),
             ("cable", model.cables),
+            ("superelement", model.superelements),
             ("force", model.forces),
             ("parameter", model.parameters),
             ("input", model.inputs),
@@ -79,6 +80,7 @@ def summary(model: SceneRecord) -> str:
     lines += ["", *_table(body_rows(model))] if model.bodies else []
     lines += ["", *_table(beam_rows(model))] if model.beams else []
     lines += ["", *_table(cable_rows(model))] if model.cables else []
+    lines += ["", *_table(superelement_rows(model))] if model.superelements else []
     lines += ["", "forces", *(f"  {line}" for line in force_rows(model))] if model.forces else []
     lines += [f"note: {_fit(note, LONGEST_NOTE)}" for note in notes_of(model)]
     return "\n".join(lines)
@@ -117,6 +119,21 @@ def cable_rows(model: SceneRecord) -> list[list[str]]:
         numbers = (_short(cable.EA), _short(cable.rhoA), length)
         ends = (cable.start.name, cable.end.name)
         rows.append([cable.name, *numbers, *ends, str(cable.elements)])
+    return rows
+
+
+def superelement_rows(model: SceneRecord) -> list[list[str]]:
+    """Superelements, below their titles."""
+    rows = [["superelement", "mass [kg]", "method", "modes", "frame", "interfaces"]]
+    for name, one in model.superelements.items():
+        record = one.record
+        ends = [
+            f"{end.name} = {one.joined[end.name]}" if end.name in one.joined else end.name
+            for end in record.interfaces
+        ]
+        modes = str(record.n - record.n_boundary)
+        mass = _short(record.properties.mass)
+        rows.append([name, mass, record.method, modes, one.frame, ", ".join(ends)])
     return rows
 
 

@@ -44,6 +44,11 @@ class PlacedSuperelement:
         return self.place_name("frame" if self.frame in (MEAN, CHORD) else self.frame)
 
     @property
+    def modes_body(self) -> str:
+        """Name of the body whose joint has the modal coordinates."""
+        return self.place_name("modes")
+
+    @property
     def places(self) -> tuple[str, ...]:
         """Names of its bodies: the one with the frame, then the interfaces."""
         names = (self.place_name(one.name) for one in self.record.interfaces)

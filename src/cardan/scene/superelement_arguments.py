@@ -12,11 +12,13 @@ from ..elements.superelement_joints import ROTATIONS
 from ..errors import ModelError, brief, near
 from ..superelements.record import Superelement
 from . import checks
-from .beam import node
+from .beam_arguments import add_interfaces
 from .frame import Place
 from .scene import SceneRecord
 from .superelement import CHORD, MEAN, PlacedSuperelement, frame_condition
 
+# by which a sum of weights may differ from 1 and is 1
+ROUNDED = 1e-12
 # of the largest one, what a singular value of the condition of a frame has at least
 RANK = 1e-9
 
@@ -110,19 +112,6 @@ def add_superelement(
     return FlexibleBody(model, name, record)
 
 
-def add_interfaces(model: SceneRecord, superelement: PlacedSuperelement) -> None:
-    """Put a superelement and its interfaces into a scene.
-
-    Raises:
-        ModelError: a name is taken.
-    """
-    for name in superelement.places:
-        model.new_place("interface", name)
-    for name in superelement.places:
-        model.nodes[name] = node(model, name)
-    model.superelements[superelement.name] = superelement
-
-
 def _weights(who: str, weights: Sequence[float] | None, count: int) -> tuple[float, ...]:
     if weights is None:
         return (1 / count,) * count
@@ -132,7 +121,9 @@ def _weights(who: str, weights: Sequence[float] | None, count: int) -> tuple[flo
             f"{who}: weights are {brief(weights)}; give {count} numbers of at least 0, in the "
             "order of the interfaces, one of them positive"
         )
-    return tuple(x / sum(values) for x in values)
+    # weights of a saved scene stay what they are, bit by bit
+    total = 1.0 if abs(sum(values) - 1) < ROUNDED else sum(values)
+    return tuple(x / total for x in values)
 
 
 def _check_frame(who: str, superelement: PlacedSuperelement) -> None:

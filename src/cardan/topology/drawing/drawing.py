@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from html import escape
 from typing import NamedTuple
 
+from ...elements.joints.joint import Joint as JointElement
+from ...elements.superelement_joints import Elastic
 from ...errors import counted
 from ...ir.printing import quoted
 from ...scene.connections import Joint
@@ -73,11 +75,12 @@ def dot(
     closing: Sequence[Joint],
     beams: Sequence[BeamArc] = (),
 ) -> str:
-    """A directed graph; loops are closed by dashed arcs, beams are thick ones."""
+    """A directed graph; loops are closed by dashed arcs, what bends is thick."""
     lines = [f"digraph {quoted(name)} {{", "  rankdir=BT;", "  node [shape=box];"]
     lines += [f"  {quoted(body)};" for body in bodies]
+    thick = ", style=bold, penwidth=4"
     for joint, style in (
-        *((branch.joint, "") for branch in branches),
+        *((one.joint, thick * isinstance(one.joint.kind, Elastic)) for one in branches),
         *((joint, ", style=dashed") for joint in closing),
     ):
         ends = f"{quoted(joint.parent.body.name)} -> {quoted(joint.child.body.name)}"
@@ -87,7 +90,7 @@ def dot(
     for beam in beams:
         ends = f"{quoted(beam.start)} -> {quoted(beam.end)}"
         label = quoted(beam.name)[:-1] + f"\\n{counted(beam.elements, 'element')}" + '"'
-        lines.append(f"  {ends} [label={label}, style=bold, penwidth=4, dir=none];")
+        lines.append(f"  {ends} [label={label}{thick}, dir=none];")
     return "\n".join([*lines, "}"])
 
 
@@ -99,7 +102,7 @@ class Arc:
         name, kind: What it is.
         inner, outer: Names of the bodies it joins; of a branch of the tree ``inner`` is nearer to
             the ground.
-        style: ``"tree"``, ``"closing"`` or ``"beam"``.
+        style: ``"tree"``, ``"elastic"`` (in the tree, too), ``"closing"`` or ``"beam"``.
         elements: Number of finite elements of a piece of a beam.
     """
 
@@ -110,18 +113,32 @@ class Arc:
     style: str = "tree"
     elements: int = 0
 
+    @property
+    def is_branch(self) -> bool:
+        """True for arcs of the spanning tree."""
+        return self.style in BRANCHES
+
+
+BRANCHES = ("tree", "elastic")
+
 
 def arcs(
     branches: Sequence[Branch], closing: Sequence[Joint], beams: Sequence[BeamArc] = ()
 ) -> list[Arc]:
     """The graph of a model as arcs."""
     arcs_listed = [
-        Arc(b.joint.name, b.joint.kind.kind, b.inner.name, b.outer.name) for b in branches
+        branch_arc(b.joint.name, b.joint.kind, b.inner.name, b.outer.name) for b in branches
     ]
     arcs_listed += [
         Arc(j.name, j.kind.kind, j.parent.body.name, j.child.body.name, "closing") for j in closing
     ]
     return arcs_listed + [beam_arc(beam) for beam in beams]
+
+
+def branch_arc(name: str, joint: JointElement, inner: str, outer: str) -> Arc:
+    """The arc of a joint in the tree; those inside of a flexible body are thick."""
+    style = "elastic" if isinstance(joint, Elastic) else "tree"
+    return Arc(name, joint.kind, inner, outer, style)
 
 
 def beam_arc(beam: BeamArc) -> Arc:
@@ -147,13 +164,13 @@ def svg(bodies: Sequence[str], arcs: Sequence[Arc]) -> str:
         parts.append(f'<path d="{start}{bend}{line}"{fill} {_LINES[arc.style]}/>')
         for x, y in _nodes(arc, points):
             parts.append(f'<circle cx="{x:g}" cy="{y:g}" r="4" fill="#fff" stroke="#456"/>')
-        if arc.style != "tree":
+        if not arc.is_branch:
             x, y = _middle(points)
             halo = ' stroke="#fff" stroke-width="3" paint-order="stroke"'
             # beside the nodes of a beam
             labels.append(_label(arc, x, y - 8 if arc.elements > 1 else y + 3, halo))
     # every body but the ground stands on one joint of the tree: it is named in the same box
-    inboard = {arc.outer: arc for arc in arcs if arc.style == "tree"}
+    inboard = {arc.outer: arc for arc in arcs if arc.is_branch}
     for body in bodies:
         if body in place:
             parts.append(_box(body, inboard.get(body), *place.center(body)))
@@ -162,6 +179,7 @@ def svg(bodies: Sequence[str], arcs: Sequence[Arc]) -> str:
 
 _LINES = {
     "tree": 'stroke="#456"',
+    "elastic": 'stroke="#8ab" stroke-width="6" stroke-linecap="round"',
     "closing": 'stroke="#456" stroke-dasharray="5 4"',
     "beam": 'stroke="#8ab" stroke-width="6" stroke-linecap="round"',
 }
@@ -197,10 +215,10 @@ def tikz(bodies: Sequence[str], arcs: Sequence[Arc], escaped: Callable[[str], st
         lines.append(rf"\draw[{_STROKES[arc.style]}] {ends[0]}{inner}{ends[-1]};")
         for point in _nodes(arc, points):
             lines.append(rf"\node[draw,circle,fill=white,inner sep=1pt] at {at(*point)} {{}};")
-        if arc.style != "tree":
+        if not arc.is_branch:
             label = rf"\node[fill=white,inner sep=1pt] at {at(*_middle(points))} {{{named(arc)}}};"
             labels.append(label)
-    inboard = {arc.outer: arc for arc in arcs if arc.style == "tree"}
+    inboard = {arc.outer: arc for arc in arcs if arc.is_branch}
     for body in bodies:
         if body in place:
             below = rf"\\{named(inboard[body])}" if body in inboard else ""
@@ -209,7 +227,12 @@ def tikz(bodies: Sequence[str], arcs: Sequence[Arc], escaped: Callable[[str], st
     return "\n".join([*lines, *labels, r"\end{tikzpicture}"])
 
 
-_STROKES = {"tree": "", "closing": "dashed", "beam": "line width=3pt,gray"}
+_STROKES = {
+    "tree": "",
+    "elastic": "line width=3pt,gray",
+    "closing": "dashed",
+    "beam": "line width=3pt,gray",
+}
 # of a drawing in its own units that need not shrink to fit a page
 WIDEST, TALLEST = 550.0, 750.0
 
@@ -245,9 +268,9 @@ def _spanning(arcs: Sequence[Arc]) -> list[tuple[str, str]]:
         on = next(
             (
                 (arc, ends)
-                for style in ("tree", "beam", "closing")
+                for styles in (BRANCHES, ("beam",), ("closing",))
                 for arc in left
-                if arc.style == style
+                if arc.style in styles
                 for ends in ((arc.inner, arc.outer), (arc.outer, arc.inner))
                 if ends[0] in connected and ends[1] not in connected
             ),
@@ -332,7 +355,7 @@ class _Places:
     def _bend(self, arc: Arc) -> Point:
         """Offset of the controls of an arc that would run behind boxes."""
         (a, low), (b, high) = self._where[arc.inner], self._where[arc.outer]
-        if arc.style == "tree" or (a != b and low != high):
+        if arc.is_branch or (a != b and low != high):
             return 0.0, 0.0
         if a == b:
             return (ASIDE, 0.0) if abs(high - low) > 1 else (0.0, 0.0)

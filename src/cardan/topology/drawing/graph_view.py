@@ -18,6 +18,7 @@ from ...scene.scene import SceneRecord
 from ..beams.beam_nodes import shares
 from ..beams.nodal_scene import with_beams
 from ..cables.cable_parts import with_joined_nodes
+from ..superelements.superelement_parts import with_superelements
 from ..tree import Branch, loop, spanning_tree
 from . import drawing
 from .labeled_matrix import Labelled
@@ -34,6 +35,7 @@ class GraphView:
         closing: The joints that close loops, and are cut.
         reasons: Why each of them was chosen.
         beams: Every cable, and every piece of a beam between named nodes, which are bodies here.
+        flexible: Bodies that are parts of one superelement, whose mass is of all of them.
     """
 
     name: str
@@ -42,6 +44,7 @@ class GraphView:
     closing: tuple[Joint, ...] = ()
     reasons: tuple[str, ...] = ()
     beams: tuple[drawing.BeamArc, ...] = ()
+    flexible: tuple[tuple[str, ...], ...] = ()
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -119,7 +122,9 @@ class GraphView:
                 leaders[joint.name] = joint.name
                 moving.append(joint.name)
         coupled: set[tuple[str, str]] = set()
-        for path in self._paths().values():
+        paths = self._paths()
+        shared = (frozenset[Branch]().union(*(paths[b] for b in one)) for one in self.flexible)
+        for path in (*paths.values(), *shared):
             moved = {_leader(leaders, branch.joint.name) for branch in path} - {None}
             coupled |= {(a, b) for a in moved for b in moved if a and b}
         rows = tuple(tuple(int((a, b) in coupled) for b in moving) for a in moving)
@@ -153,7 +158,7 @@ class GraphView:
 
 def view(model: SceneRecord) -> GraphView:
     """The graph of a model; bodies that nothing joins to the ground are left out of the tree."""
-    scene, _ = with_beams(with_joined_nodes(model))
+    scene, _ = with_beams(with_superelements(with_joined_nodes(model)))
     branches, closing = spanning_tree(scene)
     bodies: list[Body] = [scene.ground, *scene.bodies.values()]
     names, cut = tuple(b.name for b in bodies), tuple(c.joint for c in closing)
@@ -162,7 +167,12 @@ def view(model: SceneRecord) -> GraphView:
     for cable in model.cables.values():
         ends = cable.start.body.name, cable.end.body.name
         beams.append(drawing.BeamArc("cable", cable.name, *ends, cable.elements))
-    return GraphView(model.name, names, tuple(branches), cut, reasons, tuple(beams))
+    on_tree = {branch.outer.name for branch in branches}
+    flexible = tuple(
+        tuple(name for name in (*one.places, one.modes_body) if name in on_tree)
+        for one in model.superelements.values()
+    )
+    return GraphView(model.name, names, tuple(branches), cut, reasons, tuple(beams), flexible)
 
 
 def _beam_arcs(beam: Beam) -> list[drawing.BeamArc]:

@@ -66,7 +66,7 @@ def _add(model: SceneRecord, superelement: PlacedSuperelement) -> None:
         joint = Joint(label, Elastic(one.components), side, model.nodes[label])
         _enter(model.joints, label, joint, superelement)
     if modes := record.n - record.n_boundary:
-        body = Body(model, f"{name}.modes", 0, (0, 0, 0), (0,) * 6)
+        body = Body(model, superelement.modes_body, 0, (0, 0, 0), (0,) * 6)
         _enter(model.bodies, body.name, body, superelement)
         _enter(model.joints, name, Joint(name, Modal(modes), axes, body), superelement)
     for interface, place in superelement.joined.items():
