@@ -23,7 +23,7 @@ __version__ = VERSION
 # public name -> module that holds it (None: the module itself), in the order of use
 _PUBLIC: dict[str, str] = {
     "Scene": "api.scene",
-    "load": "scene",
+    "load": "api.scene_file",
     "examples": "api.examples",
     "from_dh": "scene.dh",
     "from_sympy": "scene.sympy_import",
@@ -77,7 +77,7 @@ _PUBLIC: dict[str, str] = {
 _FAMILIES = {"elements.joints": "JOINTS", "elements.forces": "FORCES"}
 # functions of lower rooms whose results have verbs
 _FACED = frozenset(
-    {"load", "from_dh", "from_sympy", "excitation", "identify", "load_motion", "load_ensemble"}
+    {"from_dh", "from_sympy", "excitation", "identify", "load_motion", "load_ensemble"}
 )
 _MODULES = frozenset(
     {

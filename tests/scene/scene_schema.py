@@ -16,13 +16,16 @@ from cardan.scene.dh import CONVENTIONS
 from cardan.scene.dh import KINDS as DH_TYPES
 from cardan.scene.files.yaml import keys
 from cardan.scene.files.yaml.keys import Key
+from cardan.scene.files.yaml.superelements import SOURCES
 from cardan.schema.integrators import INTEGRATORS
+from cardan.superelements import METHODS
 from cardan.version import SCENE
 
 Schema = dict[str, Any]
 EXPRESSION: Schema = {"$ref": "#/$defs/expression"}
 NUMBER: Schema = {"$ref": "#/$defs/number"}
 TEXT: Schema = {"type": "string"}
+COUNT: Schema = {"type": "integer"}
 NAMES: Schema = {"type": "array", "items": TEXT}
 DEFINITIONS: dict[str, Schema] = {
     "number": {
@@ -185,6 +188,24 @@ KINDS |= {
     "material": record(keys.MATERIAL),
     "prestrain": record(keys.PRESTRAIN),
 }
+NODES: Schema = {"anyOf": [{"type": ["string", "integer"]}, {"type": "array", "items": COUNT}]}
+METHOD: Schema = {"enum": list(METHODS)}
+KINDS |= {
+    "count": COUNT,
+    "labels": {"anyOf": [TEXT, by_name(TEXT)]},
+    "points": by_name({"type": "array", "items": NUMBER, "minItems": 3, "maxItems": 3}),
+    "places": by_name(reference("place")),
+    "node_set": NODES,
+    "node_sets": by_name(NODES),
+    "materials": {"anyOf": [record(keys.MATERIAL), by_name(record(keys.MATERIAL))]},
+}
+KINDS |= {
+    "matrices": record(keys.MATRICES, method=METHOD),
+    "solid_mesh": record(keys.SOLID_MESH, method=METHOD),
+}
+KINDS["superelements"] = by_name(
+    {**record(keys.SUPERELEMENT), "oneOf": [{"required": [source]} for source in SOURCES]}
+)
 KINDS["cables"] = by_name(record(keys.CABLE))
 KINDS["beams"] = by_name(
     record(

@@ -8,10 +8,10 @@ import textwrap
 import numpy as np
 import pytest
 
+from cardan.api.scene_file import load
 from cardan.elements.forces.friction import Friction
 from cardan.elements.forces.stop import Stop
 from cardan.errors import ModelError, TopologyError
-from cardan.scene import load
 from cardan.scene.files.angles import snapped
 from cardan.scene.files.urdf import Options, from_text
 from cardan.scene.summary import summary

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from cardan.api.scene_file import load
 from cardan.errors import ModelError
-from cardan.scene import load
 from cardan.topology import build
 from table import each
 from topology.numbers_of import body_mass, body_poses, values

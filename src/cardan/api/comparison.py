@@ -23,12 +23,12 @@ from ..runtime.verification.joint_motion import cross, joint_data, joint_motions
 from ..runtime.verification.loop_constraints import Moving, frames
 from ..runtime.verification.newton_euler import Scene, joint_rows
 from ..runtime.verification.rotations import PARAMETERS
-from ..scene import load
 from ..schema import kernel_files
 from ..schema.blocks import ORDER, SLOT
 from ..schema.mechanism import CutRow
 from .compiled_model import CompiledModel
 from .faces import face
+from .scene_file import load
 
 __all__ = [
     "MUJOCO",

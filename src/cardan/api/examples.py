@@ -17,10 +17,9 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from ..errors import ModelError, near
-from ..scene import load
 from ..scene.example_files import example_files
-from .faces import face
 from .scene import Scene
+from .scene_file import load
 
 
 class Examples(Mapping[str, Scene]):
@@ -32,8 +31,7 @@ class Examples(Mapping[str, Scene]):
         Raises:
             ModelError: there is none of that name.
         """
-        scene: Scene = face(load(self.path(name)))
-        return scene
+        return load(self.path(name))
 
     def __contains__(self, name: object) -> bool:
         return name in example_files()

@@ -23,7 +23,8 @@ class Scene(SceneRecord):
     ) -> None:
         """Write the scene as a file that :func:`cardan.load` reads; whole or not at all.
 
-        Included scenes are written out; numbers keep all their digits.
+        Included scenes are written out; numbers keep all their digits. Records of superelements are
+        written beside it: ``crane.boom.npz``.
 
         Args:
             path: A ``.yaml`` file.

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..api.faces import face
-from ..api.scene import Scene
+from ..api.scene_file import load
 from ..codegen import generate
 from ..errors import CompilerMissing
 from ..peers.comparison import BATCH, drawn
@@ -20,7 +19,6 @@ from ..peers.contest import contest, relative
 from ..peers.ours import Ours
 from ..peers.urdf import agreement
 from ..pipeline import compile, derive
-from ..scene import load
 from ..scene.summary import notes_of
 
 if TYPE_CHECKING:
@@ -94,7 +92,7 @@ def take(
     """
     show("deriving")
     start = perf_counter()
-    scene: Scene = face(load(path, packages=packages, limits="stop", friction=True))
+    scene = load(path, packages=packages, limits="stop", friction=True)
     equations = derive(scene)
     text = generate(equations.function("forward_dynamics"), model=equations.system.name)
     derived = perf_counter() - start

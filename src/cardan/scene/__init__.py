@@ -6,11 +6,11 @@ from typing import Any
 
 from . import inertia, shape
 from .body import Body
-from .files import load
+from .files import read
 from .frame import Frame
 from .scene import SceneRecord
 
-__all__ = ["Body", "Frame", "SceneRecord", "inertia", "load", "shape", "t"]
+__all__ = ["Body", "Frame", "SceneRecord", "inertia", "read", "shape", "t"]
 
 
 def __getattr__(name: str) -> Any:

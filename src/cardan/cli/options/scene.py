@@ -51,15 +51,14 @@ def method(group: argparse._ArgumentGroup) -> None:
 
 def load(options: argparse.Namespace) -> Scene:
     """The scene."""
-    from ...api.faces import face
-    from ...scene import load
+    from ...api.scene_file import load
     from ...scene.example_files import example_files
 
     file = options.file
     if not file.exists():
         # a name without an ending may be that of an example
         file = example_files().get(str(file), file)
-    record = load(
+    return load(
         file,
         base=options.base,
         mimic=options.mimic,
@@ -68,8 +67,6 @@ def load(options: argparse.Namespace) -> Scene:
         limits=options.limits,
         friction=options.friction,
     )
-    scene: Scene = face(record)
-    return scene
 
 
 def read(options: argparse.Namespace) -> Scene:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from ...errors import ModelError
 
 if TYPE_CHECKING:
+    from ...superelements.record import Superelement
     from ..scene import SceneRecord
 
 MOST_FILES = 1000
@@ -40,6 +41,8 @@ class Options:
         parents: The scenes that include the present file, the outermost first.
         budget: What may still be read.
         load: Reads an included file; None where none can be included.
+        mesh_reduction: Gives the function that reduces meshes of solids, which is of a room above;
+            None where they cannot be reduced.
     """
 
     base: str = "fixed"
@@ -49,6 +52,7 @@ class Options:
     parents: tuple[Path, ...] = ()
     budget: Budget = field(default_factory=Budget)
     load: Callable[[Path, Options], SceneRecord] | None = None
+    mesh_reduction: Callable[[], Callable[..., Superelement]] | None = None
 
     def __post_init__(self) -> None:
         if self.base not in ("fixed", "free"):

@@ -6,6 +6,7 @@ first line what it is.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 from ...arguments import checked
@@ -43,27 +44,45 @@ def read(
         ModelError: a file that is missing, of another kind or damaged; it names the line.
     """
     main = Path(path)
+    files = {role: file for role, file in companions(main).items() if _is_written(role, file)}
+    chosen = {"mass": mass, "nodes": nodes, "dofs": dofs}
+    return read_files(main, files | {role: Path(x) for role, x in chosen.items() if x is not None})
+
+
+def read_files(main: Path, roles: Mapping[str, Path]) -> ComponentMatrices:
+    """Mass and stiffness of a component out of these files and no others.
+
+    Args:
+        main: The stiffness, or both matrices.
+        roles: Files of mass, nodes and dofs, as far as there are such.
+
+    Raises:
+        ModelError: as :func:`read`.
+    """
     contents = {"stiffness": _content(main)}
     reader = _reader(main, contents["stiffness"])
     names = {"stiffness": str(main)}
-    chosen = {"mass": mass, "nodes": nodes, "dofs": dofs}
-    for role, named in chosen.items():
-        file = Path(named) if named is not None else _companion(main, reader, role)
-        if file is not None:
-            contents[role], names[role] = _content(file), str(file)
-    needed = "mass" if reader in (MATRIX_MARKET, ABAQUS) else "stiffness"
-    if needed not in contents:
+    for role, file in roles.items():
+        contents[role], names[role] = _content(file), str(file)
+    if reader in (MATRIX_MARKET, ABAQUS) and "mass" not in contents:
         raise ModelError(f"{main}: it has the stiffness alone; give mass=, the other file")
+    for role, ending in reader.companions.items():
+        if role != "nodes" and role not in contents:
+            raise ModelError(
+                f"{main}: there is no file {main.stem}{ending} beside it; give {role}="
+            )
     return reader.read(contents, names)
 
 
-def _companion(main: Path, reader: MatrixReader, role: str) -> Path | None:
-    """The file of a role that the program writes beside another one."""
-    if role not in reader.companions:
-        return None
-    file = main.with_suffix(reader.companions[role])
-    # positions may come from elsewhere
-    return file if role != "nodes" or file.exists() else None
+def companions(main: Path) -> dict[str, Path]:
+    """Files that the program of a file writes beside it, by their roles."""
+    endings = (x.companions for x in READERS if main.suffix.lower() in x.endings)
+    return {role: main.with_suffix(ending) for one in endings for role, ending in one.items()}
+
+
+def _is_written(role: str, file: Path) -> bool:
+    """False where a program need not write a file: positions may come from elsewhere."""
+    return role != "nodes" or file.exists()
 
 
 def _reader(path: Path, start: bytes) -> MatrixReader:

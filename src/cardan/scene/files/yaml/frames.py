@@ -14,8 +14,8 @@ def separate_frames(model: SceneRecord) -> dict[Frame, None]:
     """Frames for the section ``frames``; every other one is written where it is used.
 
     These are the named ones, those used more than once, those from which others are placed, those
-    whose motion an expression has, and those whose made name, such as ``upper.at1``, would be
-    another one after reading.
+    whose motion an expression has, those that superelements are fixed to, and those whose made
+    name, such as ``upper.at1``, would be another one after reading.
     """
     uses = _uses(model)
     counts = Counter(uses)
@@ -26,6 +26,12 @@ def separate_frames(model: SceneRecord) -> dict[Frame, None]:
         if isinstance(place, Frame)
     }
     spoken |= {frame.base for frame in model.frames.values() if frame.base is not None}
+    spoken |= {
+        model.frames[name]
+        for superelement in model.superelements.values()
+        for name in superelement.joined.values()
+        if name in model.frames
+    }
     separate = {f for f in model.frames.values() if f.named or counts[f] != 1 or f in spoken}
     while wrong := _renamed([frame for frame in uses if frame not in separate], separate):
         separate |= wrong

@@ -49,6 +49,7 @@ TOP = (
     Key("dh", "dh"),
     Key("frames", "frames"),
     Key("include", "include"),
+    Key("superelements", "superelements"),
     Key("beams", "beams"),
     Key("cables", "cables"),
     Key("joints", "joints"),
@@ -113,6 +114,42 @@ CABLE = (
     Key("damping", "scalar"),
     Key("elements", "real"),
     Key("base", "text"),
+)
+SUPERELEMENT = (
+    Key("file", "text"),
+    Key("matrices", "matrices"),
+    Key("mesh", "solid_mesh"),
+    Key("interfaces", "places"),
+    Key("frame", "text"),
+    Key("weights", "column"),
+    Key("stiffening", "flag"),
+)
+_REDUCTION = (
+    Key("method", "text"),
+    Key("modes", "count"),
+    Key("rigid", "labels"),
+    Key("at", "points"),
+    Key("damping", "numbers"),
+    Key("rayleigh", "column"),
+)
+MATRICES = (
+    Key("file", "text", True),
+    *(Key(role, "text") for role in ("mass", "nodes", "dofs")),
+    Key("interface", "node_sets", True),
+    *_REDUCTION,
+    *(Key(name, "text") for name in ("frame_dofs", "node_dofs", "order")),
+    Key("static_shapes", "texts"),
+    Key("supported", "flag"),
+    Key("make_free", "flag"),
+)
+SOLID_MESH = (
+    Key("file", "text", True),
+    Key("scale", "real"),
+    Key("material", "materials", True),
+    Key("interfaces", "node_sets", True),
+    *_REDUCTION,
+    Key("stress", "node_set"),
+    Key("stiffening", "text"),
 )
 PRESTRAIN = tuple(Key(name, "scalar") for name in STRAINS)
 POSE = (Key("position", "vector", True), Key("rotation", "rotation"), Key("base", "text"))

@@ -21,6 +21,7 @@ from ..options import Options
 from . import keys, tables
 from .item import Item
 from .scope import FIXED, MOVING
+from .superelements import Superelements
 from .tree import FIRST_LINE, decoded, parse, renamed
 from .values import Values
 
@@ -77,12 +78,14 @@ class _Reader:
         self.meshes = Meshes(options.packages, folder)
         self.values = Values(self.model, self.meshes, options.snap, version)
         self.waiting: list[tuple[str, Item]] = []
+        self.names: list[str] = []
+        self.flexible = Superelements(self.values, options)
         for section, scope in _ORDER.items():
             self.values.scope = scope
             if section in sections:
                 getattr(self, f"_{section}")(sections[section])
-            if section in ("include", "beams", "cables"):
-                self._late_frames(last=section == "cables")
+            if section in ("include", "superelements", "beams", "cables"):
+                self._late_places(last=section == "cables")
         self.model.notes += self.meshes.notes()
 
     def _sections(self, root: Item) -> dict[str, Item]:
@@ -177,22 +180,30 @@ class _Reader:
     def _frames(self, section: Item) -> None:
         """Frames on the bodies that are known by now; the others wait for bodies and nodes."""
         self.waiting = list(section.items().items())
+        self.names = [name for name, _ in self.waiting]
         self._late_frames(last=False)
+
+    def _late_places(self, last: bool) -> None:
+        """Frames and superelements whose places are known by now; they may wait for each other."""
+        self._late_frames(last=False)
+        while self.flexible.add_ready():
+            self._late_frames(last=False)
+        if last:
+            self._late_frames(last=True)
+            self.flexible.add_ready(last=True)
+            # in the order of the file, too
+            frames = self.model.frames
+            frames.update({name: frames.pop(name) for name in self.names if name in frames})
 
     def _late_frames(self, last: bool) -> None:
         """Frames whose body is known by now; all that are left where no more bodies come."""
         waiting, self.waiting = self.waiting, []
         for name, item in waiting:
             body = item.items("a frame such as {body: ...}").get("body")
-            place_named = body is not None and body.is_text
-            if last or (place_named and self._is_place(body.text())):  # type: ignore[union-attr]
+            if last or (body is not None and body.is_text and self.values.has_place(body)):
                 self._frame(name, item)
             else:
                 self.waiting.append((name, item))
-
-    def _is_place(self, name: str) -> bool:
-        places = (self.model.bodies, self.model.nodes, self.model.frames)
-        return name == "ground" or any(name in named for named in places)
 
     def _frame(self, name: str, item: Item) -> None:
         frame = self.values.frame(item, name)
@@ -223,13 +234,16 @@ class _Reader:
             if len(self.model.bodies) > MOST_BODIES:
                 raise ModelError(f"more than {MOST_BODIES} bodies; make the scene smaller")
 
-    # beams
+    # flexible bodies
+
+    def _superelements(self, section: Item) -> None:
+        self.flexible.enter(section)
 
     def _beams(self, section: Item) -> None:
         for name, item in section.items().items():
             self._beam(name, item)
             # the next beam may begin at a frame on a node of this one
-            self._late_frames(last=False)
+            self._late_places(last=False)
 
     def _beam(self, name: str, item: Item) -> None:
         self.model.origins["beam", name] = item.spot
@@ -333,7 +347,8 @@ class _Reader:
     def _simulate(self, item: Item) -> None:
         settings = self.values.record(keys.SIMULATE, item, "simulate")
         model = self.model
-        joints = [*model.joint_kinds(), *((*model.bodies, *model.nodes) if model.nodes else ())]
+        joints = [*model.joint_kinds(), *model.superelements]
+        joints += [*model.bodies, *model.nodes] if model.nodes else []
         for block in ("q", "u"):
             for name, entry in item.items()[block].items().items() if block in settings else ():
                 if not any(name == j or name.startswith(f"{j}.") for j in joints):
@@ -362,6 +377,7 @@ _ORDER = {
     "dh": FIXED,
     "frames": FIXED,
     "include": FIXED,
+    "superelements": FIXED,
     "beams": FIXED,
     "cables": FIXED,
     "joints": FIXED,

@@ -126,6 +126,13 @@ class Values:
             for name, entry in item.items("signals by name").items()
         }
 
+    def count(self, item: Item) -> int:
+        """An integer."""
+        number = self.real(item)
+        if not isinstance(number, int):
+            raise item.error(f"an integer is wanted, not {item.description()}")
+        return number
+
     def bound(self, item: Item) -> float | None:
         """A limit: a number, ``.inf``, ``-.inf``, or null for none."""
         if item.is_null:
@@ -151,6 +158,12 @@ class Values:
         self.local = tuple(self.texts(item))
         return self.local
 
+    def labels(self, item: Item) -> str | dict[str, str]:
+        """A text, or texts by name."""
+        if item.is_text:
+            return item.text()
+        return {name: entry.text() for name, entry in item.items("a text or texts").items()}
+
     def flag(self, item: Item) -> bool:
         if not item.is_text or item.text() not in ("true", "false"):
             raise item.error(f"true or false is wanted, not {item.description()}")
@@ -171,6 +184,20 @@ class Values:
         if frame is None:
             frame = self.frames[id(item.node)] = self.frame(item, None)
         return frame
+
+    def has_place(self, item: Item) -> bool:
+        """True where the body or frame of a place is there by now."""
+        if not item.is_text:
+            body = item.items("a frame such as {body: ...}").get("body")
+            return body is not None and body.is_text and self.has_place(body)
+        return item.text() == "ground" or any(
+            item.text() in named
+            for named in (self.model.bodies, self.model.nodes, self.model.frames)
+        )
+
+    def places(self, item: Item) -> dict[str, Place]:
+        """Frames or bodies by name."""
+        return {name: self.place(entry) for name, entry in item.items("places by name").items()}
 
     def members(self, item: Item) -> tuple[Place | Beam, ...]:
         """A body or a beam by its name, or several."""
@@ -295,6 +322,35 @@ class Values:
         values = self.record(keys.MATERIAL, item, "a material")
         with item.at_item(named=True):
             return material(**values)
+
+    # what superelements are made of
+
+    def matrices(self, item: Item) -> Item:
+        """What is reduced, which :mod:`.superelements` reads."""
+        return item
+
+    solid_mesh = matrices
+
+    def materials(self, item: Item) -> object:
+        """A material, or materials by region."""
+        regions = item.items("a material").items()
+        if not regions or any(entry.is_text for _, entry in regions):
+            return self.material(item)
+        return {name: self.material(entry) for name, entry in regions}
+
+    def points(self, item: Item) -> dict[str, tuple[int | float, ...]]:
+        """Three numbers by name."""
+        return {name: self.column(entry) for name, entry in item.items("points by name").items()}
+
+    def node_set(self, item: Item) -> str | int | tuple[int, ...]:
+        """A name, or numbers of nodes."""
+        if item.is_list:
+            return tuple(self.count(entry) for entry in item.entries())
+        return item.text() if item.number() is None else self.count(item)
+
+    def node_sets(self, item: Item) -> dict[str, str | int | tuple[int, ...]]:
+        """Nodes by the names of interfaces."""
+        return {name: self.node_set(entry) for name, entry in item.items("nodes by name").items()}
 
     def prestrain(self, item: Item) -> dict[str, Any]:
         """Strains by name."""

@@ -22,11 +22,13 @@ from ...frame import Frame, Place, rows_of
 from ...parameters import Constraint, Declared, Output
 from ...scene import SceneRecord
 from ...shape import Shape
+from ...superelement import PlacedSuperelement
 from ..angles import snapped
 from . import keys
 from .expression_text import ExpressionText
 from .frames import separate_frames
 from .layout import Number, dumped
+from .superelements import record_files
 
 LIMITS = ("lower", "upper", "speed", "effort")
 
@@ -35,7 +37,8 @@ LIMITS = ("lower", "upper", "speed", "effort")
 def save(model: SceneRecord, path: str | Path) -> None:
     """Write the scene as a file that :func:`cardan.load` reads; whole or not at all.
 
-    Included scenes are written out; numbers keep all their digits.
+    Included scenes are written out; numbers keep all their digits. Records of superelements are
+    written beside it: ``crane.boom.npz``.
 
     Args:
         model: The scene.
@@ -47,16 +50,20 @@ def save(model: SceneRecord, path: str | Path) -> None:
     path = Path(path)
     if path.suffix.lower() not in (".yaml", ".yml"):
         raise ModelError(f"file '{path.name}': scenes are saved as .yaml, not '{path.suffix}'")
-    text = to_text(model, path.parent)
+    records = record_files(model, path.stem)
+    text = to_text(model, path.parent, records)
+    for name, record in {records[n]: one.record for n, one in model.superelements.items()}.items():
+        record.save(path.with_name(name))
     written(path, text)
 
 
-def to_text(model: SceneRecord, folder: Path | None = None) -> str:
+def to_text(model: SceneRecord, folder: Path, records: Mapping[str, str]) -> str:
     """The scene file of a model.
 
     Args:
         model: The model; included models are written out.
         folder: Where the file will be; meshes below it are named from there.
+        records: Files of the records of superelements.
 
     Raises:
         ModelError: the model has what no file can say.
@@ -67,15 +74,16 @@ def to_text(model: SceneRecord, folder: Path | None = None) -> str:
                 f"model '{model.name}' is made of written equations, for which scene files have no "
                 "words: keep the program that derives them, or export() what was compiled"
             )
-    return dumped(_Writer(model, folder).document())
+    return dumped(_Writer(model, folder, records).document())
 
 
 class _Writer:
     """One writing."""
 
-    def __init__(self, model: SceneRecord, folder: Path | None) -> None:
+    def __init__(self, model: SceneRecord, folder: Path, records: Mapping[str, str]) -> None:
         self.model = model
-        self.folder = None if folder is None else folder.resolve()
+        self.folder = folder.resolve()
+        self.records = records
         self.expressions = ExpressionText(model)
         self.separate = separate_frames(model)
 
@@ -91,6 +99,7 @@ class _Writer:
             "tables": {},
             "bodies": {n: self._body(body) for n, body in model.bodies.items()},
             "frames": {frame.name: self._frame(frame) for frame in self.separate},
+            "superelements": {n: self._superelement(one) for n, one in model.superelements.items()},
             "beams": {n: self._beam(beam) for n, beam in model.beams.items()},
             "cables": {n: self._cable(cable) for n, cable in model.cables.items()},
             "joints": {n: self._joint(joint) for n, joint in model.joints.items()},
@@ -198,7 +207,7 @@ class _Writer:
     def _file(self, file: str) -> str:
         """A mesh below the folder of the scene is named from there."""
         path = Path(file)
-        if self.folder is None or not path.is_absolute():
+        if not path.is_absolute():
             return file
         inside = path.is_relative_to(self.folder)
         return path.relative_to(self.folder).as_posix() if inside else file
@@ -258,6 +267,14 @@ class _Writer:
         if cable.base is not None:
             keys["base"] = cable.base.name
         return keys
+
+    def _superelement(self, one: PlacedSuperelement) -> dict[str, object]:
+        keys: dict[str, object] = {"file": self.records[one.name]}
+        keys |= {"interfaces": dict(one.joined)} if one.joined else {}
+        keys["frame"] = one.frame
+        if len({*one.weights}) > 1:
+            keys["weights"] = [number(weight) for weight in one.weights]
+        return keys | ({"stiffening": True} if one.stiffening else {})
 
     def _ends(self, ends: tuple[End, End], where: str) -> dict[str, object]:
         return {
