@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from ..ir.function import Function
+from ..ir.routine import Routine
 from . import content as d
 from .formulas import CONSTRAINT_LEVELS, formula_line
 
@@ -155,5 +156,13 @@ def _kind(lines: Sequence[tuple[str, str]], kinds: Sequence[Kind]) -> Iterator[d
     yield d.Paragraph((", ".join(kind.name for kind in kinds) + ":",))
     yield d.Listing(tuple(formula_line(about, formula) for about, formula in lines))
     sources = dict.fromkeys(kind.source for kind in kinds if kind.source)
+    routines = [f for kind in kinds for f in kind.functions.values() if isinstance(f, Routine)]
+    if routines:
+        calls, headers = (
+            ", ".join(dict.fromkeys(names))
+            for names in ((f.call for f in routines), (f.headers[-1] for f in routines))
+        )
+        said = f"Routines of the kernels compute it, in {headers}: {calls}."
+        yield d.Paragraph((said,))
     for source in sources:
         yield d.Paragraph((f"Source: {source}",), quiet=True)

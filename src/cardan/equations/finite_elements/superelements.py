@@ -27,17 +27,48 @@ PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1))
 DATA = (*(f"R{i}{j}" for i in "123" for j in "123"), *("px", "py", "pz"), *("gx", "gy", "gz"))
 # work that the routines need, by coordinates
 ROOM, TANGENT_ROOM = 13, 37
+PAIR_NAMES = ("11", "22", "33", "23", "31", "12")
+ROWS: Lines = tuple(
+    ("angular momentum by unit rates of z, row by row" * (k == 1), f"H_{k} = h_{k} + A_{k}.T @ z")
+    for k in (1, 2, 3)
+)
+BENT: Lines = tuple(
+    ("half of the slope of the inertia by z" * (kl == "11"), f"d_{kl} = j_{kl} + S_{kl} @ z")
+    for kl in PAIR_NAMES
+)
 FORMULAS: Lines = (
-    ("moment of first order of the deformed body, in axes of its frame", "s = s_0 + P @ z"),
-    ("velocity of the frame in its axes", "v = R.T @ pdot"),
-    ("kinetic energy, H and J by z: H_k = H_0k + z.T A_k, J_kl = J_0kl + 2 j_kl.T z + z.T S_kl z",
-     "T = m * dot(v, v) / 2 + dot(v, skew(omega) @ s + P @ zdot)"
+    ("moment of first order of the deformed body, in axes of its frame, where R, p, v, omega are "
+     "those of the frame, z the coordinates and all others constants of the record",
+     "s = s_0 + P @ z"),
+    *ROWS,
+    ("", "H = row(H_1, H_2, H_3).T"),
+    *BENT,
+    *(("its inertia about the origin of the frame" * (kl == "11"),
+       f"J_{kl} = I_{kl} + dot(z, j_{kl} + d_{kl})") for kl in PAIR_NAMES),
+    ("", "J = matrix(J_11, J_12, J_31, J_12, J_22, J_23, J_31, J_23, J_33)"),
+    ("kinetic energy",
+     "T = m * dot(v, v) / 2 + dot(R.T @ v, skew(omega) @ s + P @ zdot)"
      " + dot(omega, J @ omega) / 2 + dot(omega, H @ zdot) + dot(zdot, M @ zdot) / 2"),
     ("potential energy", "V = dot(z, K @ z) / 2 - dot(g, m * p + R @ s)"),
-    ("acceleration of the frame beyond gravity, in its axes", "alpha = R.T @ (pddot - g)"),
+    ("acceleration of the frame beyond gravity, in its axes", "alpha = R.T @ (vdot - g)"),
+    ("rate of the inertia",
+     "Jdot = 2 * matrix("
+     + ", ".join(f"dot(d_{kl}, zdot)"
+                 for kl in ("11", "12", "31", "12", "22", "23", "31", "23", "33")) + ")"),
     ("force on the frame, in its axes",
-     "f = m * alpha + skew(omegadot) @ s + skew(omega) @ skew(omega) @ s"
-     " + 2 * skew(omega) @ P @ zdot + P @ zddot"),
+     "f = m * alpha + skew(omegadot) @ s + skew(omega) @ (skew(omega) @ s + 2 * P @ zdot)"
+     " + P @ zddot"),
+    ("moment on it",
+     "n = skew(s) @ alpha + J @ omegadot + skew(omega) @ (J @ omega + H @ zdot) + Jdot @ omega"
+     " + H @ zddot + column(dot(zdot, A_1 @ zdot), dot(zdot, A_2 @ zdot), dot(zdot, A_3 @ zdot))"),
+    ("what acts along z",
+     "b_z = P.T @ alpha + H.T @ omegadot"
+     + "".join(f" + omega_{k} * (A_{k}.T - A_{k}) @ zdot" for k in "123")
+     + "".join(f" - omega_{k} ** 2 * d_{k}{k}" for k in "123")
+     + "".join(f" - 2 * omega_{kl[0]} * omega_{kl[1]} * d_{kl}" for kl in PAIR_NAMES[3:])
+     + " + M @ zddot + D @ zdot + K @ z"),
+    ("balance: moment in axes of the frame, force in ground axes, along z",
+     "b = column(n, R @ f, b_z)"),
 )  # fmt: skip
 SOURCE = (
     "A. Zwoelfer, J. Gerstmayr, The nodal-based floating frame of reference formulation with "
@@ -210,16 +241,15 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
 
 
 def _shapes(n: int) -> Shapes:
+    """Shapes of what the formulas read."""
+    columns = ("z", "zdot", *(f"h_{k}" for k in "123"), *(f"j_{kl}" for kl in PAIR_NAMES))
+    symmetric = ("M", "K", *(f"S_{kl}" for kl in PAIR_NAMES))
     return {
-        "z": (n, 1),
-        "zdot": (n, 1),
-        "zddot": (n, 1),
         "s_0": (3, 1),
         "P": (3, n),
-        "H": (3, n),
-        "J": ("symmetric", 3),
-        "M": ("symmetric", n),
-        "K": ("symmetric", n),
+        **dict.fromkeys(columns, (n, 1)),
+        **dict.fromkeys(symmetric, ("symmetric", n)),
+        **dict.fromkeys([f"A_{k}" for k in "123"], (n, n)),
     }
 
 

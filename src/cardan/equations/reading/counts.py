@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from ...errors import counted
 from ...ir.function import Function, count
+from ...ir.routine import Routine
 from .chain_pattern import chain_pattern
 from .loop_report import loop_lines
 from .typesetting import text_of
@@ -26,11 +27,19 @@ class Counts(dict[str, int]):
         blocks: Body, joint or force element -> the same for its part; what several of them use
             is under "shared", what nobody owns under "".
         prepared: Number of operations that parameters alone determine, done once for them.
-        critical_path: Cost of the longest chain of dependent operations, an addition being 1.
+        critical_path: Cost of the longest chain of dependent operations, an addition being 1; 0
+            where a routine of the kernels computes it.
         rewrites: Rewrites of the system graph it was derived from.
     """
 
     def __init__(self, function: Function, rewrites: tuple[str, ...] = ()) -> None:
+        self.rewrites = rewrites
+        if isinstance(function, Routine):
+            # the kernels compute it, and say what that costs
+            super().__init__(function.counts)
+            self.blocks = {owner: dict(function.counts) for owner in function.owners}
+            self.prepared, self.critical_path = 0, 0.0
+            return
         # the program and the sections of the C that is written from it
         from ...ir.owners import Owners
         from ...passes import optimize
@@ -46,7 +55,6 @@ class Counts(dict[str, int]):
         self.blocks = {name: counted[name] for name in dict.fromkeys(order) if counted.get(name)}
         self.prepared = sum(staged.prepare_operations().values())
         self.critical_path = staged.critical_path()
-        self.rewrites = rewrites
 
     @property
     def total(self) -> int:

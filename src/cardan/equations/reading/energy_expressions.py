@@ -26,6 +26,8 @@ LETTERS = "xyz"
 # names of vectors and of rotations, whatever element they are of
 VECTOR = re.compile(r"(p|v|vdot|omega|omegadot|g)(_\w+)?")
 ROTATION = re.compile(r"R(_\w+)?")
+# rows that one digit tells apart
+MOST_DIGITS = 9
 # operations of a definition that is put into what reads it
 SHORT = 2
 
@@ -237,8 +239,9 @@ def _symbols_of(name: str, shape: Shape | tuple[()]) -> Value:
 
 
 def _entry(name: str, size: int, *places: int) -> sympy.Symbol:
-    """``v_1x`` of vectors in space, ``y_4`` and ``F_12`` of others."""
-    index = "".join(LETTERS[k] if size == 3 else str(k + 1) for k in places)
+    """``v_1x`` of vectors in space, ``y_4`` and ``F_12`` of others, ``K_3_11`` of large ones."""
+    gap = "_" if size > MOST_DIGITS else ""
+    index = gap.join(LETTERS[k] if size == 3 else str(k + 1) for k in places)
     return sympy.Symbol(f"{name}{index}" if name[-1].isdigit() and size == 3 else f"{name}_{index}")
 
 
@@ -277,6 +280,7 @@ FUNCTIONS: dict[str, Value] = {
     "column": lambda *parts: sympy.Matrix.vstack(*parts),
     "row": lambda *parts: sympy.Matrix.hstack(*parts),
     "block": _block,
+    "matrix": lambda *entries: sympy.Matrix(3, 3, entries),
     "diagonal": lambda *entries: sympy.diag(*entries),
     "inverse": _inverse,
     "rotation_vector": _rotation_vector,

@@ -210,8 +210,8 @@ def _matrix(parts: list[Segment], columns: int) -> Segment:
 
 
 def _name(name: str) -> Segment:
-    """A letter with dots and an index: ``omegadot_1``."""
-    match = re.fullmatch(r"([A-Za-z]+?)(dot)?(?:_(\w+))?", name)
+    """A letter with dots and an index: ``omegadot_1``, ``zddot``."""
+    match = re.fullmatch(r"([A-Za-z]+?)(d?dot)?(?:_(\w+))?", name)
     assert match is not None, name
     letter, dotted, index = match.groups()
     letter = "lambda" if letter == "lam" else letter
@@ -219,7 +219,8 @@ def _name(name: str) -> Segment:
     mathml = f"<mi>{sign}</mi>"
     latex = f"\\{letter}" if greek else letter if len(letter) == 1 else rf"\mathrm{{{letter}}}"
     if dotted:
-        mathml, latex = f"<mover>{mathml}<mo>.</mo></mover>", rf"\dot{{{latex}}}"
+        above = "." * dotted.count("d")
+        mathml, latex = f"<mover>{mathml}<mo>{above}</mo></mover>", rf"\{dotted}{{{latex}}}"
     if index:
         tag = "mn" if index.isdigit() else "mi"
         below = index if index.isdigit() or len(index) == 1 else rf"\mathrm{{{index}}}"
