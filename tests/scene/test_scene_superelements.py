@@ -241,6 +241,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return inside
 
 
+@pytest.mark.filterwarnings("ignore::cardan.ModelWarning")
 @each("section", REFUSED)
 def test_refused(section: str, folder: Path) -> None:
     path = written(folder, section)
@@ -250,6 +251,13 @@ def test_refused(section: str, folder: Path) -> None:
     assert REFUSED[section] in message
     assert re.match(r"scene\.yaml:\d+:\d+: ", message), message
     assert len(message) < 700
+
+
+def test_a_fault_that_shows_later_has_its_place(folder: Path) -> None:
+    more = "bodies: {tool: {mass: 1}}\njoints: {a: {type: free, parent: ground, child: tool}}\n"
+    path = written(folder, "a: {file: part.npz, interfaces: {root: ground}}", more)
+    with pytest.raises(cd.ModelError, match=r"scene\.yaml:3:3: superelement 'a': the name 'a' of"):
+        cd.derive(cd.load(path))
 
 
 def test_companions_do_not_lead_out(folder: Path, tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ import cardan as cd
 from cardan.equations.finite_elements.superelements import PAIR_NAMES, PAIRS
 from cardan.equations.reading.energy_expressions import _symbols_of
 from elements.formula_values import column, computed, motions, poses, skew
-from superelements.components import brick_matrices, faces
+from superelements.components import brick, brick_matrices, faces
 from table import each
 
 GRAVITY = (0.3, -0.2, -9.81)
@@ -153,6 +153,17 @@ def test_energies_in_sympy_are_the_same() -> None:
     for expression, letter in ((energy.kinetic, "T"), (energy.potential, "V")):
         value = float(expression.xreplace(values))
         np.testing.assert_allclose(value, float(np.squeeze(shown[letter])), rtol=ROUNDING)
+
+
+def test_energies_of_superelements_of_two_sizes() -> None:
+    two = scene(on_ground=False)
+    two.superelement("small", brick(modes=0), {"root": two.ground.at(*ROOT)}, frame="root")
+    kinds = cd.derive(two).kinds
+    for name, count in (("superelement", 9), ("superelement_2", 6)):
+        symbols = kinds[name].energy.potential.free_symbols
+        assert {str(x) for x in symbols if str(x).startswith("z_")} == {
+            f"z_{k + 1}" for k in range(count)
+        }
 
 
 def test_entries_of_large_matrices_have_names_of_their_own() -> None:

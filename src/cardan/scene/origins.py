@@ -15,6 +15,7 @@ KINDS = (
     "frame",
     "beam",
     "cable",
+    "superelement",
     "joint",
     "force",
     "output",

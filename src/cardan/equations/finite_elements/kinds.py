@@ -36,7 +36,8 @@ class KindSelection:
         """Kinetic and potential energy of one element as SymPy expressions, with definitions.
 
         That of a beam is the energy of its strain, of its mass and of its loads. Ends are those in
-        space: an end at the ground does not move.
+        space: an end at the ground does not move. Of superelements with different numbers of
+        coordinates it is that of the kind with the name itself, such as ``"superelement_2"``.
 
         Raises:
             DerivationError: they are not one element: beams of several kinds, several joints.
@@ -61,7 +62,8 @@ class KindSelection:
 
     def _elements(self) -> dict[Lines, Shapes]:
         """Formulas -> shapes of what they read; kinds that differ in their ends share them."""
-        return {kind.formulas: kind.symbol_shapes for kind in self.kinds if kind.formulas}
+        first_to_last = sorted(self.kinds, key=lambda kind: kind.name == self.name)
+        return {kind.formulas: kind.symbol_shapes for kind in first_to_last if kind.formulas}
 
 
 class Kinds(tuple["Kind", ...]):
