@@ -19,6 +19,8 @@ from .superelement import CHORD, MEAN, PlacedSuperelement, frame_condition
 
 # of the largest one, what a singular value of the condition of a frame has at least
 RANK = 1e-9
+# of angular velocities, whose geometric stiffness a record may have
+PRODUCTS = frozenset({"xx", "yy", "zz", "yz", "zx", "xy"})
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -146,6 +148,11 @@ def _check_frame(who: str, superelement: PlacedSuperelement) -> None:
     if frame not in (MEAN, CHORD, *names):
         hint = near(frame, [MEAN, CHORD, *names])
         raise ModelError(f"{who}: there is no frame {brief(frame)}.{hint}")
+    if superelement.stiffening and not PRODUCTS.intersection(record.geometric):
+        raise ModelError(
+            f"{who}: stiffening=True, and its record has no geometric stiffness by rotation; "
+            "reduce it with stiffening='<interface that holds it>'"
+        )
     if record.massless:
         raise ModelError(
             f"{who}: {record.massless} of its coordinates have no mass, so that their "

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...arguments import checked
 from ...arrays import Array
-from ...errors import ModelError, brief
+from ...errors import ModelError, brief, near
 from ...scene.beam import Beam
 from ...scene.body import Body
 from ...scene.frame import Frame, Place
@@ -21,6 +21,7 @@ from ..finite_elements.lowering import lowered
 from ..finite_elements.record import FiniteElementRecord
 from .beam_system import BeamSystem, isolated, named_beams
 from .element_matrices import element_matrices
+from .geometric_stiffness import spin_stiffness
 
 # an end, a node, a body or a frame; or a beam and a place in 0 ... 1 of its length
 Where: TypeAlias = "Place | str | tuple[Beam | str, float]"
@@ -39,6 +40,7 @@ def from_beams(
     damping: object = None,
     rayleigh: tuple[float, float] | None = None,
     static_shapes: Sequence[str] = (),
+    stiffening: str | None = None,
 ) -> Superelement:
     """Beams of a scene, reduced to motions of their ends and some modes.
 
@@ -55,6 +57,8 @@ def from_beams(
         bodies: Rigid bodies that belong to the component: they have their mass, and connect the
             beams that end there.
         method, modes, damping, rayleigh, static_shapes: As for ``cd.superelement.reduce``.
+        stiffening: Name of the interface that holds the beams while they spin about it: the record
+            gets their geometric stiffness; none by default.
 
     Returns:
         A record to print, save and use in scenes.
@@ -82,9 +86,17 @@ def from_beams(
     rotations = np.concatenate([component.rotations, *(one.rotations[1:-1] for one in inner)])
     positions = np.concatenate([component.positions, *(one.positions[1:-1] for one in inner)])
     reference_state = [x for joint in component.system.joints for x in joint.q0 or ()]
-    matrices = element_matrices(
-        record, np.concatenate([reference_state, record.reference]), rotations
-    )
+    q = np.concatenate([reference_state, record.reference])
+    matrices = element_matrices(record, q, rotations)
+    geometric = {}
+    if stiffening is not None:
+        if stiffening not in places:
+            raise ModelError(
+                f"stiffening={brief(stiffening)}: there is no interface of that name."
+                f"{near(stiffening, places)}"
+            )
+        fixed, _ = places[stiffening]
+        geometric = spin_stiffness(record, matrices, q, rotations, positions, fixed)
     return reduce(
         matrices.M,
         matrices.K,
@@ -97,6 +109,7 @@ def from_beams(
         damping=damping,
         rayleigh=rayleigh,
         static_shapes=static_shapes,
+        geometric=geometric,
     )
 
 
@@ -111,6 +124,7 @@ def reduced_with_cost(
     damping: object = None,
     rayleigh: tuple[float, float] | None = None,
     static_shapes: Sequence[str] = (),
+    stiffening: str | None = None,
     report: bool = True,
 ) -> Superelement:
     """Beams of the scene as a superelement; what that costs is printed.
@@ -122,6 +136,7 @@ def reduced_with_cost(
         interfaces: Ends, nodes, bodies or frames by the names of interfaces; both ends by default.
         bodies: Rigid bodies that belong to the component.
         method, damping, rayleigh, static_shapes: As for ``cd.superelement.reduce``.
+        stiffening: As for ``cd.superelement.from_beams``.
         report: Whether ``cost`` of the record is printed.
 
     Returns:
@@ -140,6 +155,7 @@ def reduced_with_cost(
         damping=damping,
         rayleigh=rayleigh,
         static_shapes=static_shapes,
+        stiffening=stiffening,
     )
     if report:
         print(record.cost)

@@ -24,6 +24,7 @@ HEADERS = ("frame_motion.h", "rows.h", "superelement.h")
 TANGENT = "superelement_tangent.h"
 # pairs of axes in the order of the header
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1))
+NAMES = ("xx", "yy", "zz", "yz", "zx", "xy")
 DATA = (*(f"R{i}{j}" for i in "123" for j in "123"), *("px", "py", "pz"), *("gx", "gy", "gz"))
 # work that the routines need, by coordinates
 ROOM, TANGENT_ROOM = 13, 37
@@ -118,6 +119,11 @@ def constants(part: PartOfSystem) -> Array:
     inertia, both = record.inertia, np.ix_(rows, rows)
     spin = inertia.spin_modal[:, rows][:, :, rows]
     squares = np.array([_symmetric(inertia.spin_spin[k, m][both]) for k, m in PAIRS])
+    if part.stiffening:
+        # a product of two axes is there twice
+        for pair, (name, (k, m)) in enumerate(zip(NAMES, PAIRS, strict=True)):
+            if name in record.geometric:
+                squares[pair] -= record.geometric[name][both] * (1.0 if k == m else 0.5)
     # (S X + e) against S_k Psi, symmetric in both axes
     bent = [(inertia.spin_angular[k, m] + inertia.spin_angular[m, k])[rows] / 2 for k, m in PAIRS]
     first = inertia.first
