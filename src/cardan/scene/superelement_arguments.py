@@ -153,6 +153,11 @@ def _check_frame(who: str, superelement: PlacedSuperelement) -> None:
             f"{who}: stiffening=True, and its record has no geometric stiffness by rotation; "
             "reduce it with stiffening='<interface that holds it>'"
         )
+    if superelement.stiffening and frame not in names:
+        raise ModelError(
+            f"{who}: the geometric stiffness of its record is that of a body which an interface "
+            f"holds, and a frame '{frame}' has some of it already; take frame='<that interface>'"
+        )
     if record.massless:
         raise ModelError(
             f"{who}: {record.massless} of its coordinates have no mass, so that their "
