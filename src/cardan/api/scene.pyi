@@ -7,7 +7,9 @@ from typing import final
 from ..equations.components.beams import Where
 from ..scene.beam import Beam
 from ..scene.body import Body
+from ..scene.frame import Place
 from ..scene.scene import SceneRecord
+from ..scene.superelement_arguments import FlexibleBody
 from ..superelements.record import Superelement
 from ..topology.drawing.graph_view import GraphView
 
@@ -33,6 +35,42 @@ class Scene(SceneRecord):
         self,
     ) -> str:
         """Bodies with their joints, forces, declared names and notes.
+        """
+    def superelement(
+        self,
+        name: str,
+        record: Superelement,
+        interfaces: Mapping[str, Place | str] | None = None,
+        *,
+        frame: str | None = None,
+        weights: Sequence[float] | None = None,
+        stiffening: bool = False,
+    ) -> FlexibleBody:
+        """Add a flexible body that was reduced from finite elements: see ``cd.superelement``.
+
+        It moves as far as it likes and deforms by little: displacements and rotations of its
+        interfaces against a frame that goes along with them are linear in the forces, which turn with
+        the frame. Its inertia is that of all its nodes.
+
+        Args:
+            name: Its name; that of an interface is ``<name>.<interface>``.
+            record: Its matrices.
+            interfaces: Frames or bodies that interfaces are fixed to; joints and forces hold others
+                at ``at(interface)``, as they do bodies.
+            frame: An interface that the frame is fixed to; ``"mean"``, the default of several
+                interfaces: the weighted mean of their displacements and rotations vanishes;
+                ``"chord"``: of rotations only those about the line from the first to the last count.
+            weights: Of the interfaces in the mean, equal ones by default.
+            stiffening: Whether the centrifugal forces of its rotation stiffen it; needs a record with
+                the geometric stiffness by these.
+
+        Returns:
+            The superelement; ``at`` gives its interfaces as frames.
+
+        Raises:
+            ModelError: unknown interfaces, a frame that they leave loose, or a name that is taken.
+
+        Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), chapter 8.
         """
     def reduce(
         self,
