@@ -97,7 +97,7 @@ FAMILIES: dict[str, frozenset[str]] = {
         }
     ),
     "elements.joints": frozenset({"joint", "hinge", "guided", "rolling"}),
-    "elements.forces": frozenset({"force", "line", "relative_springs"}),
+    "elements.forces": frozenset({"bushing_laws", "force", "line", "relative_springs"}),
     "elements.forces.gravity": frozenset({"gravitation", "fields"}),
     "superelements.methods": frozenset({"method", "free_interface"}),
     "superelements.readers": frozenset({"matrix_files", "records", "labeled"}),
