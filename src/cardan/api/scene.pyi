@@ -8,8 +8,8 @@ from ..equations.components.beams import Where
 from ..scene.beam import Beam
 from ..scene.body import Body
 from ..scene.scene import SceneRecord
-from ..superelements.record import Superelement
 from ..topology.drawing.graph_view import GraphView
+from .components import Superelement
 
 @final
 class Scene(SceneRecord):

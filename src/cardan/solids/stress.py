@@ -1,4 +1,4 @@
-"""Stresses at nodes: an operator on displacements, and von Mises stress."""
+"""Stresses at nodes: an operator on displacements, and what temperature adds."""
 
 from __future__ import annotations
 
@@ -65,25 +65,6 @@ def thermal_stresses(solid: Solid, temperature: ArrayLike, place: Place | None =
         weighted = at_nodes * share[group.nodes][:, :, None]
         np.add.at(sums, row[group.nodes][chosen], weighted[chosen])
     return sums.ravel()
-
-
-def von_mises(stress: ArrayLike) -> Array:
-    """The equivalent stress of von Mises.
-
-    Args:
-        stress: Stresses (..., 6) [Pa]: xx, yy, zz, yz, zx, xy.
-
-    Returns:
-        Its value (...) [Pa].
-
-    Source: O. C. Zienkiewicz, R. L. Taylor, The Finite Element Method, 5th ed., vol. 2, chapter 3.
-    """
-    s = np.asarray(stress, dtype=float)
-    normal = (
-        (s[..., 0] - s[..., 1]) ** 2 + (s[..., 1] - s[..., 2]) ** 2 + (s[..., 2] - s[..., 0]) ** 2
-    )
-    result: Array = np.sqrt(normal / 2 + 3 * (s[..., 3:] ** 2).sum(axis=-1))
-    return result
 
 
 def _nodes(solid: Solid, place: Place | None) -> Integers:

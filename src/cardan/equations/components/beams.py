@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TypeAlias, cast
 
 import numpy as np
@@ -14,8 +15,9 @@ from ...scene.beam import Beam
 from ...scene.body import Body
 from ...scene.frame import Frame, Place
 from ...scene.scene import SceneRecord
-from ...superelements.record import Superelement
+from ...superelements.record import SuperelementRecord
 from ...superelements.reduction import reduce
+from ...superelements.surface import Surface
 from ...topology.build import build
 from ..finite_elements.lowering import lowered
 from ..finite_elements.record import FiniteElementRecord
@@ -39,7 +41,7 @@ def from_beams(
     damping: object = None,
     rayleigh: tuple[float, float] | None = None,
     static_shapes: Sequence[str] = (),
-) -> Superelement:
+) -> SuperelementRecord:
     """Beams of a scene, reduced to motions of their ends and some modes.
 
     Matrices are those of the elements of the scene, at the values of its parameters, in the
@@ -85,7 +87,7 @@ def from_beams(
     matrices = element_matrices(
         record, np.concatenate([reference_state, record.reference]), rotations
     )
-    return reduce(
+    reduced = reduce(
         matrices.M,
         matrices.K,
         positions,
@@ -98,6 +100,23 @@ def from_beams(
         rayleigh=rayleigh,
         static_shapes=static_shapes,
     )
+    return replace(reduced, surface=_centerlines(component, record, positions))
+
+
+def _centerlines(component: BeamSystem, record: FiniteElementRecord, positions: Array) -> Surface:
+    """Lines along the beams, from node to node."""
+    nodes, places, lines = [np.zeros(0, np.intp)], [np.zeros((0, 3))], []
+    count = 0
+    for segment, members in zip(component.system.segments, record.lines, strict=True):
+        nodes.append(np.asarray(members, np.intp))
+        # ends may lie beside the origin of the body that carries them
+        places.append(segment.line.positions)
+        first = count + np.arange(len(members) - 1)
+        lines.append(np.stack([first, first + 1], axis=1))
+        count += len(members)
+    every = np.concatenate(nodes)
+    arms = np.concatenate(places) - positions[every]
+    return Surface(every, arms, np.zeros((0, 3), np.intp), np.concatenate(lines).astype(np.intp))
 
 
 def reduced_with_cost(
@@ -112,7 +131,7 @@ def reduced_with_cost(
     rayleigh: tuple[float, float] | None = None,
     static_shapes: Sequence[str] = (),
     report: bool = True,
-) -> Superelement:
+) -> SuperelementRecord:
     """Beams of the scene as a superelement; what that costs is printed.
 
     Args:
