@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..arguments import checked
 from ..arrays import Array, Integers
 from ..errors import ModelError, brief, near
 from ..superelements.factor import Factor
@@ -31,6 +32,7 @@ NONE: Integers = np.zeros(0, np.intp)
 UNFIXED = "the nodes that are fixed do not hold it: give three or more that do not lie on a line"
 
 
+@checked
 def from_mesh(
     mesh: Mesh | str | Path,
     material: AnyMaterial | Mapping[str, AnyMaterial],
@@ -76,6 +78,11 @@ def from_mesh(
             "{'hinge': 'hole'}"
         )
     body = Solid(mesh, material)
+    if not any(group.material.density for group in body.groups):
+        raise ModelError(
+            f"{mesh.source}: no material has a density: give rho= [kg/m^3], "
+            "cd.material(E=210e9, nu=0.3, rho=7850)"
+        )
     nodes = {name: mesh.nodes(place) for name, place in interfaces.items()}
     loads: dict[str, Array] = {}
     if any(group.material.expansion.any() for group in body.groups):
@@ -109,6 +116,7 @@ def from_mesh(
     return replace(record, surface=joined(NONE, triangles, np.zeros((0, 2), np.intp)))
 
 
+@checked
 def spin_stiffness(
     body: Solid, fixed: Place, center: ArrayLike | None = None
 ) -> dict[str, csr_matrix]:

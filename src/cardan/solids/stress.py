@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..arguments import checked
 from ..arrays import Array, Integers
 from .record import Place
 from .solid import Pattern, Solid
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_matrix
 
 
+@checked
 def stress_operator(solid: Solid, place: Place | None = None) -> csr_matrix:
     """The matrix that gives stresses at nodes from displacements: rows 6 k to 6 k + 5 of node k.
 
@@ -43,6 +45,7 @@ def stress_operator(solid: Solid, place: Place | None = None) -> csr_matrix:
     return bsr_matrix((values, pattern.column, pattern.first), shape).tocsr()
 
 
+@checked
 def thermal_stresses(solid: Solid, temperature: ArrayLike, place: Place | None = None) -> Array:
     """Stresses at nodes that a temperature gives where all displacements are zero.
 
@@ -56,7 +59,7 @@ def thermal_stresses(solid: Solid, temperature: ArrayLike, place: Place | None =
     """
     nodes = _nodes(solid, place)
     row, share, _ = _rows(solid, nodes)
-    rise = np.asarray(temperature, dtype=float)
+    rise = solid.field("temperature", temperature, 1)[:, 0]
     sums = np.zeros((len(nodes), 6))
     for group in solid.groups:
         stress = solid.stresses(group, group.cell.stress, None, rise)

@@ -21,6 +21,7 @@ from .interfaces import InterfaceFrame, frame_motions
 from .node_dofs import NodeDofs
 from .response import admittance, free_motions, frequencies_of, impedance, reduced_modes
 from .surface import Surface
+from .values import numbers
 
 MAX_PRINTED = 12
 ISOTROPIC = 1e-8  # of the largest mass: what rounded texts leave
@@ -172,7 +173,10 @@ class SuperelementRecord:
         Args:
             about: Point that rotations leave where it is (3,) [m].
         """
-        blocks = [frame_motions(frame, np.asarray(about, float)) for frame in self.interfaces]
+        point = numbers("rigid_motions: about", about)
+        if point.shape != (3,) or not np.isfinite(point).all():
+            raise ArgumentError(f"rigid_motions: about={brief(about)}: give three finite numbers")
+        blocks = [frame_motions(frame, point) for frame in self.interfaces]
         return np.vstack([*blocks, np.zeros((self.n - self.n_boundary, 6))])
 
     @checked
@@ -303,7 +307,7 @@ class SuperelementRecord:
         return save(self, Path(path))
 
     def _coordinates(self, z: ArrayLike, who: str) -> Array:
-        values = np.asarray(z, dtype=float)
+        values = numbers(f"{who}: z", z)
         if not values.ndim or values.shape[-1] != self.n:
             raise ArgumentError(f"{who}: shape {values.shape}, expected (..., {self.n})")
         return values

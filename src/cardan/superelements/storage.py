@@ -21,11 +21,11 @@ from .checks import MassProperties, RigidCheck
 from .error_bounds import Residuals
 from .inertia import ProjectedInertia
 from .interfaces import SPIDERS, InterfaceFrame
-from .matrices import LARGEST
 from .methods import METHODS
 from .node_dofs import COMPONENTS, NodeDofs
 from .record import SuperelementRecord
 from .surface import MOST_POINTS, Surface, sampled
+from .values import LARGEST
 
 ABOUT = "about"
 # array -> its sizes: n coordinates, b motions of interfaces, 2 n of residuals
@@ -115,6 +115,10 @@ def save(record: SuperelementRecord, path: Path) -> Path:
         "geometric": [*record.geometric],
         "notes": [*record.notes],
     }
+    try:
+        _check_arrays(arrays, record.n_boundary)
+    except ValueError as error:
+        raise ModelError(f"{path}: the component cannot be saved: {error}") from None
     about["sha256"] = _digest(about, arrays)
     with replaced(path) as new:
         Path(new).write_bytes(packed({**arrays, ABOUT: np.array(json.dumps(about))}))
@@ -178,7 +182,9 @@ def _digest(about: Mapping[str, object], arrays: Mapping[str, Array | Integers])
     return hashed.hexdigest()
 
 
-def _record(about: Mapping[str, object], arrays: Mapping[str, Array]) -> SuperelementRecord:
+def _record(
+    about: Mapping[str, object], arrays: Mapping[str, Array | Integers]
+) -> SuperelementRecord:
     """The component of a file, every part of it checked.
 
     Raises:
@@ -236,7 +242,7 @@ def _record(about: Mapping[str, object], arrays: Mapping[str, Array]) -> Superel
     )
 
 
-def _check_arrays(arrays: Mapping[str, Array], n_boundary: int) -> None:
+def _check_arrays(arrays: Mapping[str, Array | Integers], n_boundary: int) -> None:
     """Refuse arrays whose shapes or numbers do not make a component.
 
     Raises:

@@ -7,7 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..arguments import checked
 from ..arrays import Array, Integers
+from ..errors import ModelError
 
 STRESSES = ("xx", "yy", "zz", "yz", "zx", "xy")
 
@@ -37,6 +39,7 @@ def nodal_rows(names: Sequence[str], ids: Integers) -> tuple[Integers, Integers]
     return np.array(chosen, dtype=np.intp)[complete], table[complete]
 
 
+@checked
 def von_mises(stress: ArrayLike) -> Array:
     """The equivalent stress of von Mises.
 
@@ -46,9 +49,14 @@ def von_mises(stress: ArrayLike) -> Array:
     Returns:
         Its value (...) [Pa].
 
+    Raises:
+        ModelError: another number of components.
+
     Source: O. C. Zienkiewicz, R. L. Taylor, The Finite Element Method, 5th ed., vol. 2, chapter 3.
     """
     s = np.asarray(stress, dtype=float)
+    if not s.ndim or s.shape[-1] != 6:
+        raise ModelError(f"von_mises: stress of shape {s.shape}, expected (..., 6)")
     normal = (
         (s[..., 0] - s[..., 1]) ** 2 + (s[..., 1] - s[..., 2]) ** 2 + (s[..., 2] - s[..., 0]) ** 2
     )

@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, brief, counted
-from .matrices import numbers
 from .node_dofs import NodeDofs
+from .values import numbers
 
 # of a picture, far more than a screen shows; meshes with more are coarsened
 MOST_TRIANGLES = 200_000

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeAlias, cast
 
@@ -77,6 +77,11 @@ def from_beams(
                 f"connected to, such as {{'root': '{names[0]}.start', 'tip': '{names[-1]}.end'}}"
             )
         interfaces = {"start": f"{names[0]}.start", "end": f"{names[0]}.end"}
+    if not isinstance(interfaces, Mapping):
+        raise ModelError(
+            f"interfaces={brief(interfaces)}: give them by name, such as {{'tip': "
+            f"'{names[0]}.end'}}"
+        )
     places = {
         name: _place(component, record, names, name, where) for name, where in interfaces.items()
     }
@@ -167,9 +172,9 @@ def reduced_with_cost(
 
 def _listed(value: object) -> list[object]:
     """One thing or several as a list."""
-    if isinstance(value, str | Beam | Body):
+    if isinstance(value, str | Beam | Body) or not isinstance(value, Iterable):
         return [value]
-    return [*cast("Sequence[object]", value)]
+    return [*value]
 
 
 def _name_of(scene: SceneRecord, who: str, beam: object) -> str:
@@ -251,7 +256,7 @@ def _at_station(
         if segment.name == beam
     ]
     length = segments[-1][0].stations[-1]
-    if not isinstance(where, float | int) or not 0 <= where <= 1:
+    if not isinstance(where, float | int) or isinstance(where, bool) or not 0 <= where <= 1:
         raise ModelError(f"{who}: {brief(where)} of beam '{beam}'; give a number from 0 to 1")
     every = np.concatenate([line.stations for line, _ in segments]) / length
     for line, nodes in segments:

@@ -10,6 +10,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import ModelError
 from ...number_file import unpacked
+from ..storage import ABOUT
 from .labeled import in_order
 from .matrix_files import ComponentMatricesRecord, MatrixReader
 from .records import assembled, integers
@@ -25,6 +26,8 @@ def _read(contents: Mapping[str, bytes], names: Mapping[str, str]) -> ComponentM
         arrays = unpacked(contents["stiffness"])
     except ValueError as error:
         raise ModelError(f"{file} is not a NumPy archive of numbers: {error}") from None
+    if ABOUT in arrays:
+        raise ModelError(f"{file} is a reduced component; cd.superelement.load reads it")
     M, K = _matrix(arrays, "M", file), _matrix(arrays, "K", file)
     if "nodes" in contents or "nodes" not in arrays:
         source = names.get("nodes", "")
