@@ -364,3 +364,28 @@ def test_what_can_be_reduced_can_be_saved_and_loaded(tmp_path: Any) -> None:
             assert scale in (1e-80, 1e80)
         else:
             np.testing.assert_array_equal(cd.superelement.load(file).M, record.M)
+
+
+def test_an_interface_of_many_nodes_takes_memory_for_these() -> None:
+    """A face of 20,000 nodes, whose motions would fill 29 GB if all directions were computed."""
+    nodes = np.random.default_rng(3).uniform(size=(20_000, 3)) * [0.0, 1.0, 1.0]
+    dofs = number_rows(nodes, 60_000)
+    connection = connect(dofs, {"face": np.arange(20_000)})
+    assert connection.n_boundary == 6
+    motions = connection.matrix.toarray()
+    np.testing.assert_allclose(motions[:, 3:], dofs.rigid(nodes.mean(axis=0))[:, 3:], atol=1e-12)
+
+
+def test_a_part_that_no_interface_holds_is_named() -> None:
+    """Of a mesh in two parts, as given and as meant."""
+    mesh = cd.superelement.mesh
+    cube = np.array([[x, y, z] for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))], float)
+    cells = {"hex8": np.arange(16).reshape(2, 8)}
+    two = mesh.from_arrays(
+        np.vstack([cube, cube + np.array([5.0, 0, 0])]), cells, scale=1.0, parts=2
+    )
+    steel = cd.material(E=210e9, nu=0.3, rho=7850)
+    with pytest.raises(cd.ModelError, match=r"node (8|9|1\d) [xyz] moves .* not held by the inter"):
+        cd.superelement.from_mesh(two, steel, {"a": [0, 3, 4, 7]}, modes=1)
+    both = {"a": [0, 3, 4, 7], "b": [8, 11, 12, 15]}
+    assert cd.superelement.from_mesh(two, steel, both, modes=1).n == 13

@@ -247,8 +247,9 @@ def _check_rank(
     """
     scale = np.array([1.0] * 3 + [1.0 / length] * 3)
     scaled = motions * scale
-    _, values, directions = np.linalg.svd(scaled[:, list(components)])
-    values = np.concatenate([values, np.zeros(len(components) - len(values))])
+    # with as many rows as columns at least, all directions; of many nodes, no more than these
+    padded = np.vstack([scaled[:, list(components)], np.zeros((len(components),) * 2)])
+    _, values, directions = np.linalg.svd(padded, full_matrices=False)
     lost = directions[values <= RANK * max(values[0], 1e-300)]
     if len(lost):
         weak = abs(lost).max(axis=0) > 0.3
