@@ -113,7 +113,6 @@ REFUSED: list[tuple[Callable[[], dict[str, Any]], Callable[..., None], str]] = [
     (solid, lambda d: d.update(M=d["M"] > 0), "M: entries of bool, expected real numbers"),
     (solid, lambda d: d.update(K=d["K"].astype(object)), "K: entries of object"),
     (solid, lambda d: d.update(K=csc_matrix(d["K"] > 0)), "K: entries of bool"),
-    (solid, lambda d: d.update(K=d["K"].astype(np.float16)), "K: the entry of .* is inf"),
     (solid, lambda d: d.update(K=np.ma.masked_greater(d["K"], 1e8)), "K: 684 entries are masked"),
     (solid, lambda d: d.update(K=damaged(d["K"], "indices")), "K: its sparse matrix is damaged"),
     (solid, lambda d: d.update(M=damaged(d["M"], "indptr")), "M: its sparse matrix is damaged"),
@@ -312,6 +311,7 @@ def test_parts_of_any_size_are_equally_accurate(size: float) -> None:
         np.testing.assert_allclose(other.modes(locked).frequencies, exact, rtol=1e-11)
 
 
+@pytest.mark.filterwarnings("ignore::cardan.errors.ModelWarning")
 def test_rounding_in_rows_without_force_is_no_support() -> None:
     """A beam along -x, whose matrices are turned by half a turn with what rounding leaves."""
     M, K, nodes = planar_beam(1.0, 4, 1e6, 100.0, 2.0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import pickle
 from pathlib import Path
 from typing import Any
 
@@ -55,6 +56,17 @@ def rigid(points: np.ndarray) -> np.ndarray:
 def saved(path: Path, record: Any) -> Any:
     record.save(path / "beam.npz")
     return cd.superelement.load(path / "beam.npz")
+
+
+def test_every_way_to_a_component_gives_one_that_can_be_drawn(tmp_path: Path) -> None:
+    scene = cd.Scene("boom", gravity=(0, 0, 0))
+    scene.beam("boom", (0, 0, 0), (1, 0, 0), cd.section.tube(0.03, 0.028), STEEL, elements=4)
+    records = [bar(), satellite(), beam(modes=2), scene.reduce("boom", modes=2, report=False)]
+    records += [cd.superelement.read(BAR).reduce(ENDS, modes=1), saved(tmp_path, bar())]
+    for record in records:
+        assert isinstance(record, cd.superelement.Superelement)
+        page = pickle.loads(pickle.dumps(record)).animate(1, tmp_path / "mode.html")
+        assert drawn(page)[1]["name"] == "component"
 
 
 @each("kind", KINDS)

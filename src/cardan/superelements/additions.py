@@ -56,7 +56,8 @@ class Additions:
             shapes: Displacements of the rows by the coordinates (rows, n).
             massless: Coordinates without mass.
         """
-        C = self.alpha * M + self.beta * K
+        with np.errstate(over="ignore"):
+            C = self.alpha * M + self.beta * K
         if self.C is not None:
             C = C + symmetric_part(shapes.T @ (self.C @ shapes))
         if len(self.ratios):

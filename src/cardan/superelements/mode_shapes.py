@@ -95,6 +95,6 @@ def _number(mode: int | str, count: int, noun: str) -> int:
     if isinstance(mode, str) or not 1 <= mode <= count:
         raise ModelError(
             f"mode={brief(mode)}: the component has {counted(count, noun)}; give a number from 1 "
-            f"to {count}"
+            f"to {count}, then the file"
         )
     return mode - 1
