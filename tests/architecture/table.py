@@ -33,7 +33,7 @@ ORDER = (
 )
 
 # a shipped model runs without the compiler half: these rooms know files and saved Functions only
-RUNNING = frozenset({"runtime", "analyses", "view"})
+RUNNING = frozenset({"runtime", "analyses", "view", "superelements"})
 RUNNING_MAY_IMPORT = RUNNING | {
     "arrays",
     "version",

@@ -10,8 +10,8 @@ from ..scene.body import Body
 from ..scene.frame import Place
 from ..scene.scene import SceneRecord
 from ..scene.superelement_arguments import FlexibleBody
-from ..superelements.record import Superelement
 from ..topology.drawing.graph_view import GraphView
+from .components import Superelement
 
 @final
 class Scene(SceneRecord):
@@ -83,6 +83,7 @@ class Scene(SceneRecord):
         damping: object = None,
         rayleigh: tuple[float, float] | None = None,
         static_shapes: Sequence[str] = (),
+        stiffening: str | None = None,
         report: bool = True,
     ) -> Superelement:
         """Beams of the scene as a superelement; what that costs is printed.
@@ -93,6 +94,7 @@ class Scene(SceneRecord):
             interfaces: Ends, nodes, bodies or frames by the names of interfaces; both ends by default.
             bodies: Rigid bodies that belong to the component.
             method, damping, rayleigh, static_shapes: As for ``cd.superelement.reduce``.
+            stiffening: As for ``cd.superelement.from_beams``.
             report: Whether ``cost`` of the record is printed.
 
         Returns:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..elements.superelement_joints import ROTATIONS, TRANSLATIONS
-from ..superelements.record import Superelement
+from ..superelements.record import SuperelementRecord
 
 MEAN, CHORD = "mean", "chord"
 
@@ -28,7 +28,7 @@ class PlacedSuperelement:
     """
 
     name: str
-    record: Superelement = field(repr=False)
+    record: SuperelementRecord = field(repr=False)
     joined: Mapping[str, str]
     frame: str
     weights: tuple[float, ...]

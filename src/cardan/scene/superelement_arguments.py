@@ -10,7 +10,7 @@ import numpy as np
 from ..arguments import checked
 from ..elements.superelement_joints import ROTATIONS
 from ..errors import ModelError, brief, near
-from ..superelements.record import Superelement
+from ..superelements.record import SuperelementRecord
 from . import checks
 from .beam import node
 from .frame import Place
@@ -35,7 +35,7 @@ class FlexibleBody:
 
     model: SceneRecord = field(repr=False)
     name: str
-    record: Superelement
+    record: SuperelementRecord
 
     def at(self, interface: str) -> Place:
         """An interface as a frame, which moves with the deformed body.
@@ -53,7 +53,7 @@ class FlexibleBody:
 def add_superelement(
     model: SceneRecord,
     name: str,
-    record: Superelement,
+    record: SuperelementRecord,
     interfaces: Mapping[str, Place | str] | None = None,
     *,
     frame: str | None = None,

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import TypeAlias, cast
 
 import numpy as np
@@ -14,8 +15,9 @@ from ...scene.beam import Beam
 from ...scene.body import Body
 from ...scene.frame import Frame, Place
 from ...scene.scene import SceneRecord
-from ...superelements.record import Superelement
+from ...superelements.record import SuperelementRecord
 from ...superelements.reduction import reduce
+from ...superelements.surface import Surface
 from ...topology.build import build
 from ..finite_elements.lowering import lowered
 from ..finite_elements.record import FiniteElementRecord
@@ -41,7 +43,7 @@ def from_beams(
     rayleigh: tuple[float, float] | None = None,
     static_shapes: Sequence[str] = (),
     stiffening: str | None = None,
-) -> Superelement:
+) -> SuperelementRecord:
     """Beams of a scene, reduced to motions of their ends and some modes.
 
     Matrices are those of the elements of the scene, at the values of its parameters, in the
@@ -79,6 +81,11 @@ def from_beams(
                 f"connected to, such as {{'root': '{names[0]}.start', 'tip': '{names[-1]}.end'}}"
             )
         interfaces = {"start": f"{names[0]}.start", "end": f"{names[0]}.end"}
+    if not isinstance(interfaces, Mapping):
+        raise ModelError(
+            f"interfaces={brief(interfaces)}: give them by name, such as {{'tip': "
+            f"'{names[0]}.end'}}"
+        )
     places = {
         name: _place(component, record, names, name, where) for name, where in interfaces.items()
     }
@@ -97,7 +104,7 @@ def from_beams(
             )
         fixed, _ = places[stiffening]
         geometric = spin_stiffness(record, matrices, q, rotations, positions, fixed)
-    return reduce(
+    reduced = reduce(
         matrices.M,
         matrices.K,
         positions,
@@ -111,6 +118,23 @@ def from_beams(
         static_shapes=static_shapes,
         geometric=geometric,
     )
+    return replace(reduced, surface=_centerlines(component, record, positions))
+
+
+def _centerlines(component: BeamSystem, record: FiniteElementRecord, positions: Array) -> Surface:
+    """Lines along the beams, from node to node."""
+    nodes, places, lines = [np.zeros(0, np.intp)], [np.zeros((0, 3))], []
+    count = 0
+    for segment, members in zip(component.system.segments, record.lines, strict=True):
+        nodes.append(np.asarray(members, np.intp))
+        # ends may lie beside the origin of the body that carries them
+        places.append(segment.line.positions)
+        first = count + np.arange(len(members) - 1)
+        lines.append(np.stack([first, first + 1], axis=1))
+        count += len(members)
+    every = np.concatenate(nodes)
+    arms = np.concatenate(places) - positions[every]
+    return Surface(every, arms, np.zeros((0, 3), np.intp), np.concatenate(lines).astype(np.intp))
 
 
 def reduced_with_cost(
@@ -126,7 +150,7 @@ def reduced_with_cost(
     static_shapes: Sequence[str] = (),
     stiffening: str | None = None,
     report: bool = True,
-) -> Superelement:
+) -> SuperelementRecord:
     """Beams of the scene as a superelement; what that costs is printed.
 
     Args:
@@ -164,9 +188,9 @@ def reduced_with_cost(
 
 def _listed(value: object) -> list[object]:
     """One thing or several as a list."""
-    if isinstance(value, str | Beam | Body):
+    if isinstance(value, str | Beam | Body) or not isinstance(value, Iterable):
         return [value]
-    return [*cast("Sequence[object]", value)]
+    return [*value]
 
 
 def _name_of(scene: SceneRecord, who: str, beam: object) -> str:
@@ -248,7 +272,7 @@ def _at_station(
         if segment.name == beam
     ]
     length = segments[-1][0].stations[-1]
-    if not isinstance(where, float | int) or not 0 <= where <= 1:
+    if not isinstance(where, float | int) or isinstance(where, bool) or not 0 <= where <= 1:
         raise ModelError(f"{who}: {brief(where)} of beam '{beam}'; give a number from 0 to 1")
     every = np.concatenate([line.stations for line, _ in segments]) / length
     for line, nodes in segments:

@@ -86,8 +86,8 @@ def _stiffness(
     from scipy.spatial.transform import Rotation
 
     moves = displacement.reshape(-1, U)
-    turned = Rotation.from_rotvec(moves[:, 3:]) * Rotation.from_matrix(rotations)
+    attitude = Rotation.from_rotvec(moves[:, 3:]) * Rotation.from_matrix(rotations)
     moved = q.reshape(-1, Q).copy()
-    moved[:, :4] = np.roll(turned.as_quat(), 1, axis=1)
+    moved[:, :4] = np.roll(attitude.as_quat(), 1, axis=1)
     moved[:, 4:] += moves[:, :3]
-    return element_matrices(record, moved.ravel(), turned.as_matrix()).K
+    return element_matrices(record, moved.ravel(), attitude.as_matrix()).K

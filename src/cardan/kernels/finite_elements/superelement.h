@@ -156,6 +156,7 @@ CARDAN_INLINE int cardan_superelement_balance(int n, int on_node, const double *
     real *const spun = work + 12 * n;
     real s[3], J[6], J_rate[6], pairs[6], h[3], f[3], moment[3], flow[3], spun_mass[3], part;
 
+    /* centrifugal forces */
     cardan_superelement_shape(&c, z, rate, s, H, J, bent, back, NULL);
     cardan_pairs_of(at.w, pairs);
     for (int k = 0; k < 6; ++k) {
@@ -165,6 +166,7 @@ CARDAN_INLINE int cardan_superelement_balance(int n, int on_node, const double *
         J_rate[k] = part * 2.0;
         cardan_add_scaled(n, &minus, bent + k * n, b);
     }
+    /* gyroscopic ones, and those of w' */
     for (int k = 0; k < 3; ++k) {
         const real minus = -at.w[k];
 

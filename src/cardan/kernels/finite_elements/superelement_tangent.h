@@ -84,6 +84,7 @@ CARDAN_INLINE void cardan_superelement_terms_of(const cardan_superelement *c, co
     const int n = c->n;
     real pairs[6], rates[6], flow[3], skew[9];
 
+    /* scratch, in the order in which it is cleared */
     is->rate = in->u + 6;
     is->second = in->udot + 6;
     is->H = work;
@@ -103,6 +104,7 @@ CARDAN_INLINE void cardan_superelement_terms_of(const cardan_superelement *c, co
         cardan_dot(n, is->bent + k * n, is->rate, rates + k);
         rates[k] *= 2.0;
     }
+    /* gyroscopic terms: products of z' and z'' with A_k, and of 2 w_l with j + S z */
     cardan_3_cross(at->w, is->s, is->spun);
     cardan_clear(9 * n, is->ahead);
     cardan_clear(3, flow);
@@ -122,6 +124,7 @@ CARDAN_INLINE void cardan_superelement_terms_of(const cardan_superelement *c, co
         cardan_dot(n, is->H + k * n, is->rate, is->momentum + k);
         is->spun[k] += 2.0 * flow[k];
     }
+    /* what the cross product with w takes of f and of the moment */
     cardan_3_add_symmetric(pairs, at->w, is->momentum);
     cardan_3_skew(at->w, 1.0, is->w_skew);
     cardan_3_skew(is->s, 1.0, is->s_skew);

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from ...superelements.record import Superelement
+from ...superelements.record import SuperelementRecord
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class PartOfSystem:
     """
 
     name: str
-    record: Superelement = field(repr=False)
+    record: SuperelementRecord = field(repr=False)
     frame: int
     joints: tuple[int, ...]
     rows: tuple[int, ...]
