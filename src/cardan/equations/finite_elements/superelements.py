@@ -21,11 +21,13 @@ from .nodal_scene import JOINT, NODE, Key, Scene
 from .record import BlockKind, Group, Kind, unique
 
 HEADERS = ("frame_motion.h", "rows.h", "superelement.h")
-TANGENT = "superelement_tangent.h"
+TANGENT = ("superelement_terms.h", "superelement_drift.h", "superelement_tangent.h")
 # pairs of axes in the order of the header
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1))
 NAMES = ("xx", "yy", "zz", "yz", "zx", "xy")
 DATA = (*(f"R{i}{j}" for i in "123" for j in "123"), *("px", "py", "pz"), *("gx", "gy", "gz"))
+# of the mass, below which its dependence on directions is rounding
+ISOTROPIC = 1e-12
 # work that the routines need, by coordinates
 ROOM, TANGENT_ROOM = 13, 37
 FORMULAS: Lines = (
@@ -116,7 +118,7 @@ def _data(scene: Scene, name: str, members: Sequence[PartOfSystem]) -> Function:
 def constants(part: PartOfSystem) -> Array:
     """Numbers of a record as ``superelement.h`` reads them, for its coordinates that move."""
     rows, record = list(part.rows), part.record
-    inertia, both = record.inertia, np.ix_(rows, rows)
+    inertia, both = part.inertia, np.ix_(rows, rows)
     spin = inertia.spin_modal[:, rows][:, :, rows]
     squares = np.array([_symmetric(inertia.spin_spin[k, m][both]) for k, m in PAIRS])
     if part.stiffening:
@@ -143,7 +145,16 @@ def constants(part: PartOfSystem) -> Array:
         spin.transpose(0, 2, 1),
         squares,
     ]
+    if drifts(part):
+        flat.append(inertia.drift[:, :, rows])
     return np.concatenate([np.ravel(np.asarray(x, dtype=float)) for x in flat]) + 0.0
+
+
+def drifts(part: PartOfSystem) -> bool:
+    """True when its inertia depends on the velocity of its frame."""
+    return bool(
+        np.abs(part.inertia.drift).max(initial=0.0) > ISOTROPIC * part.record.properties.mass
+    )
 
 
 def _symmetric(matrix: Array) -> Array:
@@ -164,6 +175,7 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
     letters["p"] = Block("p", DATA, ("",) * len(DATA))
     size = n + 6 * on_node
     unmoved = [i * size + j for i in range(size) for j in range(3, 6)] if on_node else []
+    still = [] if drifts(member.part) else unmoved
     damped = bool(member.part.record.C.any())
     # products with matrices (n, n) that a call makes
     results = {
@@ -171,7 +183,7 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
         "balance_tangent": (
             (
                 result(graph, "K", (size, size), unmoved),
-                result(graph, "C", (size, size), unmoved),
+                result(graph, "C", (size, size), still),
                 result(graph, "M", (size, size)),
             ),
             ("q", "u", "udot", "p"),
@@ -192,8 +204,8 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
             owners=(name,),
             about="Reduced flexible body in a frame that moves far.",
             call=f"cardan_superelement_{key.removeprefix('balance_')}",
-            headers=(*HEADERS, TANGENT) if key == "balance_tangent" else HEADERS,
-            sizes=(n, int(on_node)),
+            headers=(*HEADERS, *TANGENT) if key == "balance_tangent" else HEADERS,
+            sizes=(n, int(on_node), int(drifts(member.part))),
             constants=tuple(member.constants.tolist()),
             work=(TANGENT_ROOM * n + n * n if key == "balance_tangent" else ROOM * n),
             counts={"mul": products * n * n, "add": products * n * n},

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from ...superelements.inertia import ProjectedInertia
 from ...superelements.record import SuperelementRecord
 
 
@@ -20,6 +21,7 @@ class PartOfSystem:
             that of the modes.
         rows: Which of the coordinates of the record these are.
         stiffening: Whether its geometric stiffness by rotation counts.
+        inertia: Constants of its inertia.
     """
 
     name: str
@@ -28,3 +30,4 @@ class PartOfSystem:
     joints: tuple[int, ...]
     rows: tuple[int, ...]
     stiffening: bool
+    inertia: ProjectedInertia = field(repr=False)
