@@ -110,6 +110,31 @@ def test_small_motions_are_those_of_the_record(frame: str) -> None:
     np.testing.assert_allclose(np.sort(clamped), record.modes("root").frequencies, rtol=1e-8)
 
 
+def test_matrices_are_part_of_the_cached_code() -> None:
+    """Of two components that differ in nothing else."""
+    found = []
+    for scale in (1.0, 4.0):
+        M, K, nodes = brick_matrices()
+        record = cd.superelement.reduce(M, scale * K, nodes, faces(), modes=1)
+        scene = cd.Scene("clamped", gravity=(0, 0, 0))
+        scene.superelement("boom", record, {"root": scene.ground}, frame="root")
+        found.append(cd.compile(scene).modes().frequencies)
+    np.testing.assert_allclose(found[1], 2 * found[0], rtol=1e-9)
+
+
+@each("inertia", ("nodal", "projected", "corotated"))
+def test_every_form_of_the_inertia_obeys_the_laws(inertia: str) -> None:
+    """Of a beam, whose mass matrix depends on directions."""
+    beams = cd.Scene("beams", gravity=(0, 0, 0))
+    section = cd.section.general(EA=1e4, GA=1e4, GJ=1.0, EI=1.0, rhoA=1.0, rhoI=1e-2)
+    beams.beam("beam", beams.ground, (1.0, 0, 0), section, elements=4)
+    record = cd.superelement.from_beams(beams, "beam", modes=2)
+    scene = cd.Scene("flying")
+    boom = scene.superelement("boom", record, frame="end", inertia=inertia)
+    scene.joint("free", cd.Free(), scene.ground, boom.at("start"))
+    assert cd.compile(scene).verify(seed=2).worst < 1e-9
+
+
 @each("frame", FRAMES)
 def test_verified(frame: str) -> None:
     """Balances against energies, tangents against slopes of balances."""
