@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from superelements.components import beam, brick, brick_matrices, faces, reference
+from superelements.components import beam, brick, brick_matrices, faces, planar_beam, reference
 from superelements.corotational import Corotational
 from superelements.corotational_motion import accelerations
 from superelements.moving import FRAMES, free, soft_brick, state_of
@@ -157,6 +157,39 @@ def test_a_brick_on_a_spherical_joint() -> None:
     )
     tips = np.asarray(run.pose("arm.tip"))[1:, :3, 3]
     np.testing.assert_allclose(tips, [row["tip"] for row in rows], atol=1e-9)
+
+
+def test_a_slider_crank_with_a_flexible_rod() -> None:
+    """Whose values are those of the mass matrix as it is."""
+    from sympy import Symbol
+
+    given = reference("slider_crank_superelement_A")
+    data, rows = given["parameters"], given["reference"]["rows"][:2]
+    M, K, nodes = planar_beam(*(data[k] for k in ("rod", "elements", "EA", "EI", "rhoA")))
+    ends = {"pin": 0, "slider": data["elements"]}
+    modes = data["cb_modes"]
+    record = cd.superelement.reduce(M, K, nodes, ends, node_dofs="x y rz", modes=modes)
+    scene = cd.Scene("slider_crank", gravity=(0, 0, 0))
+    crank, slider = scene.body("crank"), scene.body("slider", data["slider_mass"])
+    turning = data["Omega"] * Symbol("t")
+    scene.joint("crank", cd.Revolute("z"), scene.ground, crank, prescribed=turning)
+    rod = scene.superelement("rod", record, frame="chord", inertia="projected")
+    scene.joint("pin", cd.Revolute("z"), crank.at(data["crank"]), rod.at("pin"))
+    scene.joint("slide", cd.Prismatic("x"), scene.ground, slider)
+    scene.joint("wrist", cd.Revolute("z"), rod.at("slider"), slider)
+    model = cd.compile(scene)
+    run = model.simulate([0, *(row["t"] for row in rows)], method="DOP853", rtol=1e-11)
+    names = [one.name for one in model.manifest.coordinates]
+    q = dict(zip(names, np.asarray(run.q).T[:, 1:], strict=True))
+    assert np.abs(np.asarray(run.q)[0, names.index("rod.slider.x")]) < 1e-12  # starts undeformed
+    for k, row in enumerate(rows):
+        angles = q["rod.pin.rz"][k], q["rod.slider.rz"][k]
+        np.testing.assert_allclose(angles, (row["theta1"], row["theta2"]), atol=1e-9)
+        stretch = q["rod.slider.x"][k] - q["rod.pin.x"][k]
+        np.testing.assert_allclose(stretch, row["elongation"], atol=1e-11)
+        eta = q["rod.mode1"][k], q["rod.mode2"][k]
+        np.testing.assert_allclose(np.abs(eta), np.abs(row["eta"]), atol=1e-11)
+        np.testing.assert_allclose(q["slide"][k], row["slider"], atol=1e-11)
 
 
 @each("modes", (0, 4, 10))

@@ -128,12 +128,10 @@ def constants(part: PartOfSystem) -> Array:
                 squares[pair] -= record.geometric[name][both] * (1.0 if k == m else 0.5)
     # (S X + e) against S_k Psi, symmetric in both axes
     bent = [(inertia.spin_angular[k, m] + inertia.spin_angular[m, k])[rows] / 2 for k, m in PAIRS]
-    first = inertia.first
     flat = [
         # planar components have none across their plane
         inertia.mass.diagonal().max(),
-        np.array([first[1, 2] - first[2, 1], first[2, 0] - first[0, 2], first[0, 1] - first[1, 0]])
-        / 2,
+        _first(inertia.first),
         np.array([inertia.second[k, m] for k, m in PAIRS]),
         inertia.momentum[:, rows],
         inertia.angular[:, rows],
@@ -155,6 +153,12 @@ def drifts(part: PartOfSystem) -> bool:
     return bool(
         np.abs(part.inertia.drift).max(initial=0.0) > ISOTROPIC * part.record.properties.mass
     )
+
+
+def _first(first: Array) -> Array:
+    """m c (3,) of -(m c)^; planar components have only entries of their plane."""
+    pairs = ((first[1, 2], -first[2, 1]), (first[2, 0], -first[0, 2]), (first[0, 1], -first[1, 0]))
+    return np.array([max(pair, key=abs) for pair in pairs])
 
 
 def _symmetric(matrix: Array) -> Array:
