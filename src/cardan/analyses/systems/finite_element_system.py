@@ -32,6 +32,7 @@ from .dynamic_system import Internal, Moment, OutputJacobians, Parameters, Rates
 from .rotating_frame import CorotatingMotion
 from .saddle_point import Dense, Saddle, Sparse
 from .sparse_saddle_point import SparseSaddle
+from .strained_elements import load_forces, load_tangent, refuse_mixed_forces, strain_energy
 
 Longs = NDArray[np.intp]
 REACH = 3.0  # radians or sizes: slender structures turn far in one step
@@ -48,14 +49,17 @@ class FiniteElementSystem(CompiledSystem):
     The rest is described in :class:`.dynamic_system.DynamicSystem`.
     """
 
-    def __init__(self, model: LoadedModel) -> None:
+    def __init__(self, model: LoadedModel, strain: bool = False) -> None:
         """Args:
         model: Compiled in absolute coordinates.
+        strain: Forces of strains and constraints alone.
         """
         self._meshes: dict[Any, Elements] = {}
         self.model = model
         self.tables = self._mesh(None).tables
-        super().__init__(model, self.tables.mp, _extent(model, self.tables))
+        super().__init__(model, self.tables.mp, _extent(model, self.tables), strain)
+        if strain:
+            refuse_mixed_forces(self.tables)
         rows = model.manifest.multipliers
         self.rows = np.array([1.0 if row.unit == "rad" else self.size for row in rows])
         self.reach = REACH
@@ -73,7 +77,7 @@ class FiniteElementSystem(CompiledSystem):
         return self._meshes[key]
 
     def _elements_and_state(self, at: Moment) -> tuple[Elements, State]:
-        state = State(at.q, at.u, at.udot, at.lam, at.t, at.r, at.z, at.s)
+        state = State(at.q, at.u, at.udot, at.lam, at.t, at.r, at.z if len(at.z) else None, at.s)
         if len(at.inner):
             state = replace(state, inner=at.inner, du=np.zeros(len(at.u)))
         return self._mesh(at.parameters), state
@@ -89,6 +93,7 @@ class FiniteElementSystem(CompiledSystem):
         with suppress(ModelError):
             x = start_of_search(model, x, q, locked, t, r)
         place, _, internal = model.parts_of(x)
+        internal = internal[: len(self.internals)]
         still, lam = np.zeros(model.nu), np.zeros(len(self.multipliers))
         return Moment(t, place, still, still, lam, r, internal, self.modes, p)
 
@@ -162,10 +167,7 @@ class FiniteElementSystem(CompiledSystem):
         return self._corotating_motion.rates(at.q, at.u, G, mesh.gamma(state))
 
     def steady_state_tangent(self, at: Moment, named: Mapping[str, object]) -> tuple[Any, Any]:
-        """Same as :meth:`DynamicSystem.steady_state_tangent`;
-
-        by central differences where axes may " "move.
-        """
+        """Same as :meth:`DynamicSystem.steady_state_tangent`."""
         if self._corotating_motion.shares_one_twist(at.q, at.u):
             return self._corotating_motion.tangents(at.q, at.u, at.udot)
 
@@ -197,22 +199,28 @@ class FiniteElementSystem(CompiledSystem):
     def balance(self, at: Moment) -> Array:
         """Same as :meth:`DynamicSystem.balance`."""
         mesh, state = self._elements_and_state(at)
-        return np.concatenate(mesh.mixed_balance(state) if len(at.inner) else mesh.balance(state))
+        force, *gaps = mesh.mixed_balance(state) if len(at.inner) else mesh.balance(state)
+        if self.strain:
+            force = force - load_forces(mesh, state)
+        return np.concatenate([force, *gaps])
 
     def tangents(self, at: Moment) -> Tangents:
         """Same as :meth:`DynamicSystem.tangents`."""
         mesh, state = self._elements_and_state(at)
         blocks = mesh.mixed_tangent(state) if len(at.inner) else mesh.tangent(state)
+        if self.strain:
+            blocks = {**blocks, "K": blocks["K"] - load_tangent(mesh, state)}
         return Tangents(*(csr_array(blocks[name]) for name in "KCMRG"))
 
     def loads(self, at: Moment) -> Array:
-        """Same as :meth:`DynamicSystem.loads`:
-
-        forces of all elements but joints, beams and springs.
-        """
+        """Same as :meth:`DynamicSystem.loads`: not of joints, beams and springs."""
         mesh, state = self._elements_and_state(at)
         loads: Array = mesh.loads(state) * self.columns
-        return loads
+        return 0 * loads if self.strain else loads
+
+    def strain_energy(self, at: Moment) -> float:
+        """Same as :meth:`DynamicSystem.strain_energy`."""
+        return strain_energy(*self._elements_and_state(at))
 
     def sizes(self, at: Moment) -> Array:
         """Same as :meth:`DynamicSystem.sizes`: of nodes the distance from the origin."""

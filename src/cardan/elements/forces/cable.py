@@ -64,7 +64,7 @@ class Cable(ForceElement):
         strain = (distance / length - 1.0).apply("max", 0.0)
         elastic = stiffness * strain
         energy = elastic * strain * length * 0.5
-        actions = [along_line(motion, a, b, along * elastic, energy if self._stores(at) else None)]
+        actions = [along_line(motion, a, b, along * elastic, energy, self._stores(at))]
         if not at.data["damping"].is_zero:
             rate = along.dot(motion.velocity(b) - motion.velocity(a)) / length
             actions.append(

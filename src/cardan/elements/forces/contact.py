@@ -52,6 +52,7 @@ class Contact(ForceElement):
     """
 
     kind: ClassVar[str] = "contact"
+    strained: ClassVar[bool] = False
     symbol_shapes: ClassVar[Shapes] = {"n_0": (3, 1)}
     units: ClassVar[Units] = {
         **{"radius": "m", "stiffness": "", "damping": "s/m", "exponent": RATIO, "normal": RATIO},
@@ -157,9 +158,8 @@ class Contact(ForceElement):
         # of places alone, whatever the mode
         d = select(deep, depth, 1)
         stored = data["stiffness"][0] * d.apply("pow", exponent + 1) / (exponent + 1)
-        energy = select(deep, stored, 0) if fixed else None
         return (
-            Action(self._pair(at, place, normal * elastic), potential=energy),
+            Action(self._pair(at, place, normal * elastic), (), select(deep, stored, 0), fixed),
             Action(self._pair(at, place, normal * (push - elastic) - sliding * drag)),
         )
 

@@ -133,9 +133,8 @@ class Drive(ForceElement):
 
         # a shaft that time or the motion changes works on the system and stores nothing
         fixed = constant(data["stiffness"], data["ratio"])
-        energy = spring * twist * 0.5 if fixed else None
         return (
-            Action(joint_loads=pair(spring), potential=energy),
+            Action((), pair(spring), spring * twist * 0.5, fixed),
             Action(joint_loads=pair(damper)),
             Action(joint_loads=(_load(motion, rotor, torque - friction * speed),)),
         )

@@ -108,12 +108,20 @@ class Action:
     Attributes:
         loads: Wrenches on frames.
         joint_loads: Forces along joint speeds.
-        potential: Its potential energy where it has one; then its power stays out of the ledger.
+        potential: Its potential energy at the present time and inputs, where it has one.
+        constant: Whether that depends on the position and parameters alone; then its power stays
+            out of the ledger.
     """
 
     loads: tuple[Load, ...] = ()
     joint_loads: tuple[JointLoad, ...] = ()
     potential: Scalar | None = None
+    constant: bool = True
+
+    @property
+    def stored(self) -> Scalar | None:
+        """The potential energy that the ledger counts."""
+        return self.potential if self.constant else None
 
 
 @dataclass(frozen=True)
@@ -153,6 +161,8 @@ class ForceElement(HasSource, ABC):
     units: ClassVar[Units] = {}
     # of what its formulas read; see :mod:`..formulas`
     symbol_shapes: ClassVar[Shapes] = {}
+    # True where its potential is the energy of a strain
+    strained: ClassVar[bool] = True
     # True where ``joint`` must have one coordinate
     _one_coordinate: ClassVar[bool] = False
 

@@ -54,9 +54,9 @@ class JointSpring(ForceElement):
         if not data["stiffness"].is_zero:
             turn = q - rest
             fixed = constant(data["stiffness"], data["rest"])
-            energy = stiffness * turn**2 * 0.5 if fixed else None
+            energy = stiffness * turn**2 * 0.5
             back = Matrix.vector(motion.graph, [-(stiffness * turn)])
-            actions.append(Action(joint_loads=(JointLoad(joint, back),), potential=energy))
+            actions.append(Action((), (JointLoad(joint, back),), energy, fixed))
         if not data["damping"].is_zero:
             drag = Matrix.vector(motion.graph, [-(damping * u)])
             actions.append(Action(joint_loads=(JointLoad(joint, drag),)))

@@ -118,7 +118,7 @@ def springs(
         y = pose.strain - unloaded
         stress = (stiffness @ y).note("stress")
         energy = y.dot(stress) * 0.5
-        actions.append(Action(pose.loads(stress), potential=energy if fixed else None))
+        actions.append(Action(pose.loads(stress), (), energy, fixed))
     if not damping.is_zero:
         stress = (damping @ pose.rate()).note("stress")
         actions.append(Action(pose.loads(stress)))

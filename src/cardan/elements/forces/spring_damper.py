@@ -65,7 +65,7 @@ class SpringDamper(ForceElement):
                 pull = direction(span, distance) * (stiffness * stretch)
                 energy = stiffness * stretch**2 * 0.5
             fixed = constant(data["stiffness"], data["rest_length"])
-            actions.append(along_line(motion, a, b, pull, energy if fixed else None))
+            actions.append(along_line(motion, a, b, pull, energy, fixed))
         if not data["damping"].is_zero:
             along = direction(span, norm(*span))
             rate = along.dot(motion.velocity(b) - motion.velocity(a))

@@ -24,6 +24,7 @@ class Gravitation(ForceElement):
     """
 
     symbol_shapes: ClassVar[Shapes] = {"c": (3, 1), "I": ("symmetric", 3)}
+    strained: ClassVar[bool] = False
     center: Any
     bodies: Any
 
@@ -73,8 +74,9 @@ class Gravitation(ForceElement):
             Load(body, pull.torque + com.cross(pull.force), pull.force, axes=body),
             Load(center, -self.torque_about_center(r, pull), -pull.force, axes=body),
         )
-        fixed = self.has_potential and constant(*(at.data[name] for name in self.quantities()))
-        return (Action(loads, potential=pull.potential if fixed else None),)
+        potential = pull.potential if self.has_potential else None
+        fixed = constant(*(at.data[name] for name in self.quantities()))
+        return (Action(loads, (), potential, fixed),)
 
 
 REACH: Lines = (
