@@ -101,6 +101,13 @@ def least_energy(problem: Problem, load: Load, start: object) -> Search:
         search = downhill(problem, search, load) if search.converged else search
     if not search.converged:
         raise SolveError(_unreachable(system, search, load))
+    stability = stand(problem, search.point, load)
+    if stability.negative:
+        raise SolveError(
+            "no position of least strain energy next to the start: the search ends at a saddle, "
+            f"from where the energy falls along {largest_motions(system, stability.direction)}. "
+            "Start elsewhere (start=)"
+        )
     return search
 
 
@@ -265,21 +272,24 @@ def rates(problem: Problem, way: Loading, row: LeastEnergy, slopes: Mapping[str,
         row: The position.
         slopes: Driver -> its rate.
     """
-    values = way.values(row.s)
-    sides = []
+    system, values, sides = problem.system, way.values(row.s), []
     for sign in (1, -1):
+        # forces depend on what is held through the position alone
         moved = {
-            name: np.array([value + sign * STEP * slopes[name]] * 2)
+            name: np.array([value + sign * STEP * slopes[name] * (way.kinds[name] != "locked")] * 2)
             for name, value in values.items()
         }
         load = replace(way, swept=moved, stations=None).at(0.0)
         sides.append(problem.residual(problem.under(row.point, load), load))
     force, gap = ((b - a) / (2 * STEP) for b, a in zip(*sides, strict=True))
+    for k, name in enumerate(row.load.locked, start=len(system.rows)):
+        if name in values:
+            gap[k] = -slopes[name] / system.columns[system.place(name)[1]]
     try:
         K, G = problem.tangent(row.point, row.load)
-        step = problem.system.saddle.solve(K, G, -force, -gap)[0]
+        step = system.saddle.solve(K, G, -force, -gap)[0]
     except SolveError:
         # where a path turns back there is no rate
-        return np.full(len(problem.system.columns), np.nan)
-    speeds: Array = step * problem.system.columns
+        return np.full(len(system.columns), np.nan)
+    speeds: Array = step * system.columns
     return speeds

@@ -1,0 +1,421 @@
+"""Kinematics by least strain energy: against closed forms, rigid links and other formulations."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq, minimize
+
+import cardan as cd
+from mechanisms.overconstrained import bennett, bennett_angles
+
+INERT: dict[str, Any] = {"mass": 1.0, "inertia": (1.0, 1.0, 1.0)}
+CRANK, COUPLER, ROCKER, GROUND = 0.1, 0.25, 0.2, 0.3
+SOFT = 10.0
+
+
+def four_bar(stiffness: float) -> cd.Scene:
+    """Coupler and rocker are bars that give way; a soft spring pulls their pin."""
+    scene = cd.Scene("four_bar", gravity=(0, 0, -9.81))
+    crank, slide, pin = (scene.body(name, **INERT) for name in ("crank", "slide", "pin"))
+    scene.joint("A", cd.Revolute("z"), scene.ground, crank)
+    scene.joint("x", cd.Prismatic("x"), scene.ground, slide)
+    scene.joint("y", cd.Prismatic("y"), slide, pin)
+    ends = {"coupler": (crank.at(CRANK, 0, 0), COUPLER)}
+    ends["rocker"] = (scene.ground.at(GROUND, 0, 0), ROCKER)
+    for name, (end, length) in ends.items():
+        scene.force(name, cd.SpringDamper(end, pin, stiffness=stiffness, rest_length=length))
+    soft = cd.SpringDamper(scene.ground.at(0, 0.5, 0), pin, stiffness=SOFT, rest_length=0.1)
+    scene.force("soft", soft)
+    return scene
+
+
+def rigid_pin(angle: np.ndarray) -> np.ndarray:
+    """Where the pin of rigid links is (n, 2): circles about the crank's end and the ground."""
+    crank = CRANK * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    span = np.array([GROUND, 0.0]) - crank
+    distance = np.linalg.norm(span, axis=1, keepdims=True)
+    along = span / distance
+    ahead = (COUPLER**2 - ROCKER**2 + distance**2) / (2 * distance)
+    aside = np.stack([-along[:, 1], along[:, 0]], axis=-1)
+    return np.asarray(crank + ahead * along + np.sqrt(COUPLER**2 - ahead**2) * aside)
+
+
+@pytest.mark.parametrize("coordinates", ["relative", "absolute"])
+def test_four_bar_tends_to_rigid_links(coordinates: str) -> None:
+    angles = np.linspace(0, 2 * math.pi, 25)
+    exact, errors = rigid_pin(angles), []
+    ratios = 10.0 ** np.arange(2, 13, 2)
+    for ratio in ratios:
+        model = cd.compile(four_bar(ratio * SOFT), coordinates=coordinates)
+        start = {"x": exact[0, 0], "y": exact[0, 1]}
+        swept = model.sweep("A", angles, by="strain_energy", start=start)
+        assert swept.success
+        assert all(swept.minimum)
+        errors.append(np.hypot(*(np.stack([swept["x"], swept["y"]], -1) - exact).T).max())
+        print(f"stiffness ratio {ratio:.0e}: pin off by {errors[-1]:.2e} m")
+    assert errors[-1] <= 1e-10
+    # by one over the ratio, once displacements are small
+    np.testing.assert_allclose(np.diff(np.log10(errors[1:])), -2, rtol=0, atol=0.01)
+
+
+def test_the_energy_is_that_of_a_minimizer() -> None:
+    model = cd.compile(four_bar(100.0))
+    found = model.assemble({"A": 0.7}, by="strain_energy", start={"x": 0.2, "y": 0.15})
+
+    def energy(pin: np.ndarray) -> float:
+        crank = CRANK * np.array([math.cos(0.7), math.sin(0.7)])
+        bars = [(100.0, crank, COUPLER), (100.0, (GROUND, 0.0), ROCKER), (SOFT, (0.0, 0.5), 0.1)]
+        return sum(0.5 * k * (np.linalg.norm(pin - end) - length) ** 2 for k, end, length in bars)
+
+    best = minimize(energy, [0.2, 0.15], tol=1e-14, method="Nelder-Mead", options={"xatol": 1e-12})
+    # a minimizer without derivatives knows the place to the root of rounding
+    assert [found["x"], found["y"]] == pytest.approx(best.x, abs=1e-7)
+    assert found.energy == pytest.approx(best.fun, rel=1e-12)
+    assert found.energy == pytest.approx(float(model.strain_energy(found.q)), rel=1e-14)
+    # the torque on the crank is the derivative of the energy
+    h = 1e-5
+    sides = [model.assemble({"A": 0.7 + s}, by="strain_energy", start=found.q) for s in (h, -h)]
+    slope = (sides[0].energy - sides[1].energy) / (2 * h)
+    assert found.holding_forces["A"] == pytest.approx(slope, rel=1e-8)
+    assert "least strain energy" in repr(found)
+
+
+def test_weights_and_loads_have_no_part_in_it() -> None:
+    scene = four_bar(1e3)
+    scene.force("load", cd.Force("pin", (0, 50.0, 0)))
+    scene.force("drag", cd.JointForce("y", -30.0))
+    start = {"x": 0.2, "y": 0.15}
+    loaded = cd.compile(scene).assemble({"A": 0.7}, by="strain_energy", start=start)
+    bare = cd.compile(four_bar(1e3)).assemble({"A": 0.7}, by="strain_energy", start=start)
+    np.testing.assert_allclose(loaded.q, bare.q, rtol=0, atol=1e-14)
+
+
+# a loop that is closed too often: it moves as Bennett found, or is strained
+
+
+def test_an_overconstrained_loop_with_a_flexible_joint() -> None:
+    """Bennett's linkage, its last hinge made of springs, and a spring that pulls it elsewhere."""
+    firsts = np.linspace(0.5, 2.0, 7)
+    errors = []
+    for stiffness in (1e4, 1e6, 1e8, 1e10):
+        scene = bennett(gravity=(0, 0, 0))
+        last = scene.joints.pop("j3")
+        scene.force(
+            "j3",
+            cd.Bushing(
+                last.parent, last.child, stiffness=(stiffness, stiffness, 0.0, *[stiffness] * 3)
+            ),
+        )
+        scene.force("pull", cd.JointSpring("j1", stiffness=1.0, rest=0.3))
+        model = cd.compile(scene)
+        start = {name: angle for name, angle in bennett_angles(firsts[0]).items() if name != "j3"}
+        swept = model.sweep("j0", firsts, by="strain_energy", start=start)
+        assert swept.success
+        away = [swept["j1"][k] - bennett_angles(a)["j1"] for k, a in enumerate(firsts)]
+        errors.append(np.abs(np.remainder(np.array(away) + 1, 2 * math.pi) - 1).max())
+        print(f"stiffness {stiffness:.0e}: angle off by {errors[-1]:.2e}")
+    np.testing.assert_allclose(np.diff(np.log10(errors)), -2, rtol=0, atol=0.05)
+
+
+# more freedoms than drivers: a chain of links with springs, one end led to the other
+
+
+def test_an_underdetermined_chain_takes_the_minimum() -> None:
+    n, L = 6, 0.2
+    scene = cd.Scene("chain", gravity=(0, 0, 0))
+    before: Any = scene.ground
+    for k in range(n):
+        link = scene.body(f"link{k}", **INERT)
+        scene.joint(f"h{k}", cd.Revolute("z"), before, link)
+        if k:
+            scene.force(f"s{k}", cd.JointSpring(f"h{k}", stiffness=2.0))
+        before = link.at(L, 0, 0)
+    guide = scene.body("guide", **INERT)
+    scene.joint("end", cd.Prismatic("x"), scene.ground, guide, q0=n * L)
+    scene.joint("pin", cd.Revolute("z"), before, guide)
+    model = cd.compile(scene)
+    place = 0.8
+    start = {"h0": 0.6, **{f"h{k}": -0.25 for k in range(1, n)}}
+    found = model.assemble({"end": place}, by="strain_energy", start=start)
+
+    def angles(x: np.ndarray) -> np.ndarray:
+        return np.cumsum(x)
+
+    constraints = [
+        {"type": "eq", "fun": lambda x: L * np.cos(angles(x)).sum() - place},
+        {"type": "eq", "fun": lambda x: L * np.sin(angles(x)).sum()},
+    ]
+    best = minimize(
+        lambda x: np.sum(x[1:] ** 2), [start[f"h{k}"] for k in range(n)], method="SLSQP",
+        constraints=constraints, options={"ftol": 1e-15, "maxiter": 200},
+    )  # fmt: skip
+    assert best.success
+    assert [found[f"h{k}"] for k in range(n)] == pytest.approx(best.x, abs=1e-6)
+    assert found.energy == pytest.approx(best.fun, rel=1e-10)
+    assert found.freedoms == 0
+
+
+# beams
+
+
+def strut(coordinates: str = "auto") -> cd.CompiledModel:
+    """A strip between the ground and a block on rails: clamped at both ends."""
+    scene = cd.Scene("strut", gravity=(0, 0, -9.81))
+    block = scene.body("block", **INERT)
+    scene.joint("slide", cd.Prismatic("x"), scene.ground.at(1, 0, 0), block)
+    section = cd.section.general(EA=1e6, GA=1e6, GJ=80, EI=100, rhoA=1, rhoI=1e-6)
+    scene.beam("beam", scene.ground, block, section, elements=4)
+    return cd.compile(scene, coordinates=coordinates)
+
+
+def test_a_strut_buckles_where_minima_are_followed() -> None:
+    model = strut()
+    values = -np.linspace(0, 0.04, 9)
+    with pytest.warns(cd.SolveWarning, match="not least: it falls along 'beam"):
+        straight = model.sweep("slide", values, by="strain_energy")
+    assert straight.success
+    assert straight.minimum == [True] + [False] * 8
+    np.testing.assert_allclose(straight.energy, 0.5e6 * values**2, rtol=1e-10, atol=1e-12)
+    bent = model.sweep("slide", values, by="strain_energy", snap=True)
+    assert bent.success
+    assert all(bent.minimum)
+    (snap,) = bent.snaps
+    # it begins to bend without a jump, at the critical load of the mesh, 2.7 % below Euler's
+    critical = -snap.values["slide"] * 1e6
+    assert 0 < snap.released < 1e-3 * bent.energy[-1]
+    assert critical == pytest.approx(4 * math.pi**2 * 100, rel=0.03)
+    statics = model.equilibrium(
+        q=bent.q[-1], locked={"slide": values[-1]}, parameters={"gravity.z": 0.0}
+    )
+    np.testing.assert_allclose(bent.q[-1], statics.q, rtol=0, atol=1e-9)
+    force = bent["slide.holding_force"][-1]
+    assert force == pytest.approx(statics.holding_forces["slide"], rel=1e-9)
+    # in other coordinates too; assembled by itself it is bent as well
+    other = strut("absolute").assemble({"slide": values[-1]}, by="strain_energy")
+    assert other.energy == pytest.approx(bent.energy[-1], rel=1e-9)
+
+
+# snaps
+
+
+BAR, RISE, PUSH = 2000.0, 0.3, 20.0
+
+
+def pushed_bar() -> cd.CompiledModel:
+    """The apex of a shallow truss on a rail, pushed through a soft spring."""
+    scene = cd.Scene("truss", gravity=(0, 0, 0))
+    carriage, apex = (scene.body(name, **INERT) for name in ("carriage", "apex"))
+    scene.joint("drive", cd.Prismatic("z"), scene.ground, carriage)
+    scene.joint("apex", cd.Prismatic("z"), scene.ground, apex)
+    scene.parameter("stiffness", PUSH)
+    length = math.hypot(1, RISE)
+    foot = scene.ground.at(1, 0, 0)
+    scene.force("bar", cd.SpringDamper(foot, apex, stiffness=BAR, rest_length=length))
+    push = cd.SpringDamper(carriage.at(0, 0, 1), apex, stiffness=PUSH, rest_length=1.0)
+    scene.force("push", push)
+    return cd.compile(scene)
+
+
+def bar_force(z: float) -> float:
+    length = math.hypot(1, z)
+    return BAR * (length - math.hypot(1, RISE)) * z / length
+
+
+def bar_stiffness(z: float) -> float:
+    length = math.hypot(1, z)
+    return BAR * ((z / length) ** 2 + (length - math.hypot(1, RISE)) / length**3)
+
+
+def test_a_snap_is_told_and_passed_where_asked() -> None:
+    model = pushed_bar()
+    values = np.linspace(RISE, -0.6, 46)
+    # the minimum ends where the spring is as soft as the truss is unstable
+    fold = brentq(lambda z: bar_stiffness(z) + PUSH, 0.0, RISE, xtol=1e-15)
+    drive = fold + bar_force(fold) / PUSH
+    after = brentq(lambda z: bar_force(z) + PUSH * (z - drive), -1, -0.2, xtol=1e-15)
+    with pytest.warns(
+        cd.SolveWarning, match="minimum of the strain energy ends there along 'apex'"
+    ):
+        stopped = model.sweep("drive", values, by="strain_energy", start={"apex": RISE})
+    assert stopped.status == "singular"
+    assert len(stopped) == np.sum(values > drive)
+    assert f"{drive:.6g}" in stopped.message
+    with pytest.raises(cd.SolveError, match="snap=True goes on"):
+        model.sweep("drive", values, by="strain_energy", start={"apex": RISE}, check=True)
+    swept = model.sweep("drive", values, by="strain_energy", start={"apex": RISE}, snap=True)
+    assert swept.success
+    assert all(swept.minimum)
+    (snap,) = swept.snaps
+    place = model.coordinates.index("apex")
+    assert snap.values["drive"] == pytest.approx(drive, abs=1e-10)
+    # at a fold the position is known to the root of what the load is
+    assert snap.before[place] == pytest.approx(fold, abs=1e-5)
+    assert snap.after[place] == pytest.approx(after, abs=1e-5)
+    length = math.hypot(1, RISE)
+    energies = [
+        0.5 * BAR * (math.hypot(1, z) - length) ** 2 + 0.5 * PUSH * (z - drive) ** 2
+        for z in (fold, after)
+    ]
+    assert snap.released == pytest.approx(energies[0] - energies[1], abs=1e-5)
+    balance = [bar_force(z) + PUSH * (z - v) for z, v in zip(swept["apex"], values, strict=True)]
+    np.testing.assert_allclose(balance, 0, atol=1e-10)
+    assert "snap at drive" in repr(swept)
+
+
+# lengths that are driven, cables that go slack
+
+
+def test_a_parameter_drives_and_rates_follow() -> None:
+    model = pushed_bar()
+    lengths = np.linspace(1.0, 1.05, 6)
+    swept = model.sweep(
+        "push.rest_length", lengths, by="strain_energy", locked={"drive": RISE}, rate=2.0,
+        start={"apex": RISE},
+    )  # fmt: skip
+    assert swept.success
+    # force balance of the apex, and its derivative: (k_bar + k) z' = -k l'
+    z = swept["apex"]
+    balance = [bar_force(a) + PUSH * (a - RISE - 1 + L) for a, L in zip(z, lengths, strict=True)]
+    np.testing.assert_allclose(balance, 0, atol=1e-10)
+    slopes = [-PUSH / (bar_stiffness(a) + PUSH) * 2.0 for a in z]
+    np.testing.assert_allclose(swept["apex.u"], slopes, rtol=1e-8)
+    assert swept["drive.holding_force"] == pytest.approx(-PUSH * (z - RISE - 1 + lengths))
+
+
+@pytest.mark.parametrize("coordinates", ["relative", "absolute"])
+def test_prestressed_cables_hold_a_mast_and_go_slack(coordinates: str) -> None:
+    """A mast between two cables, shorter than their distance: both pull until one is slack."""
+    EA, width, height = 1e4, 0.5, 1.0
+    taut = math.hypot(width, height)
+    length = 0.98 * taut
+    scene = cd.Scene("mast", gravity=(0, 0, 0))
+    mast = scene.body("mast", **INERT)
+    scene.joint("foot", cd.Revolute("y"), scene.ground, mast)
+    for name, side in (("left", -width), ("right", width)):
+        anchor = scene.ground.at(side, 0, 0)
+        scene.force(name, cd.Cable(anchor, mast.at(0, 0, height), EA=EA, length=length))
+    model = cd.compile(scene, coordinates=coordinates)
+    angles = np.linspace(-0.3, 0.3, 13)
+    swept = model.sweep("foot", angles, by="strain_energy")
+    energy = np.zeros(len(angles))
+    for side in (-width, width):
+        top = height * np.stack([np.sin(angles), np.cos(angles)])
+        strain = np.hypot(top[0] - side, top[1]) / length - 1
+        energy += 0.5 * EA * length * np.maximum(strain, 0) ** 2
+    np.testing.assert_allclose(swept.energy, energy, rtol=1e-10, atol=1e-10)
+    # one of the cables is slack at the ends
+    assert np.hypot(height * math.sin(0.3) - width, height * math.cos(0.3)) < length
+    upright = model.assemble(by="strain_energy", start={"foot": 0.1})
+    assert upright["foot"] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_an_input_may_be_a_length() -> None:
+    scene = cd.Scene("actuator", gravity=(0, 0, 0))
+    arm = scene.body("arm", **INERT)
+    scene.joint("hinge", cd.Revolute("z"), scene.ground, arm)
+    length = scene.input("length", default=1.0)
+    tip = arm.at(1, 0, 0)
+    scene.force("rod", cd.SpringDamper(scene.ground.at(0, -1, 0), tip, stiffness=1e3,
+                                       rest_length=length))  # fmt: skip
+    model = cd.compile(scene)
+    lengths = np.linspace(1.2, 1.6, 5)
+    swept = model.sweep("length", lengths, by="strain_energy", start={"hinge": -0.3})
+    # nothing else pulls: the rod has its length
+    exact = 2 * np.arcsin(lengths / 2) - math.pi / 2
+    np.testing.assert_allclose(swept["hinge"], exact, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(swept.energy, 0, atol=1e-14)
+    with pytest.raises(cd.ModelError, match="changes with time or inputs"):
+        cd.compile(scene, coordinates="absolute").assemble(by="strain_energy")
+
+
+# what is refused, and what is told
+
+
+def test_free_motions_are_named() -> None:
+    scene = four_bar(1e3)
+    loose = scene.body("loose", **INERT)
+    scene.joint("swing", cd.Revolute("z"), scene.ground, loose)
+    with pytest.warns(cd.SolveWarning, match="nothing that is strained resists 'swing'"):
+        found = cd.compile(scene).assemble({"A": 0.7}, by="strain_energy")
+    assert found.freedoms == 1
+
+
+def test_refusals() -> None:
+    model = cd.compile(four_bar(1e3))
+    rigid = cd.Scene("rigid")
+    rigid.joint("swing", cd.Revolute("y"), rigid.ground, rigid.body("bob", **INERT))
+    for call, message in (
+        (lambda: model.assemble(by="energy"), "'constraints' or 'strain_energy'"),
+        (lambda: model.assemble({"B": 1.0}, by="strain_energy"), "'B' is not a coordinate"),
+        (lambda: model.assemble({"pin": [0, 0, 0]}, by="strain_energy"), "'pin' is not a coord"),
+        (lambda: model.assemble({"A": 1.0}, branch={"x": "+"}, by="strain_energy"), "branch="),
+        (lambda: model.sweep("B", [0, 1], by="strain_energy"), "no coordinate 'B'"),
+        (lambda: model.sweep("A", [0, 1], snap=True), "snap=True goes with by='strain_energy'"),
+        (lambda: cd.compile(rigid).assemble(by="strain_energy"), "nothing of 'rigid' is strained"),
+    ):
+        with pytest.raises(cd.ModelError, match=message):
+            call()
+    with pytest.raises(cd.SolveError, match="one finite number"):
+        model.assemble({"A": math.nan}, by="strain_energy")
+
+
+def test_values_out_of_reach_are_named() -> None:
+    """A rigid crank cannot lead its slider further than its two links are long."""
+    scene = cd.Scene("crank", gravity=(0, 0, 0))
+    crank, rod, slider = (scene.body(name, **INERT) for name in ("crank", "rod", "slider"))
+    scene.joint("A", cd.Revolute("z"), scene.ground, crank)
+    scene.joint("B", cd.Revolute("z"), crank.at(0.1, 0, 0), rod)
+    scene.joint("guide", cd.Prismatic("x"), scene.ground, slider)
+    scene.joint("C", cd.Revolute("z"), rod.at(0.3, 0, 0), slider)
+    scene.force("spring", cd.JointSpring("A", stiffness=1.0))
+    model = cd.compile(scene)
+    with pytest.raises(cd.ModelError, match="guide"):
+        model.assemble({"guide": 0.5}, by="strain_energy")
+    with pytest.warns(cd.SolveWarning, match="the sweep stops at 'guide' = 0.4"):
+        swept = model.sweep("guide", [0.3, 0.35, 0.39, 0.45], by="strain_energy", start={"A": 0.8})
+    assert len(swept) == 3
+
+
+def test_progress_and_ctrl_c() -> None:
+    model = cd.compile(four_bar(1e3))
+    shares: list[float] = []
+
+    def interrupt(share: float) -> None:
+        shares.append(share)
+        if len(shares) == 3:
+            raise KeyboardInterrupt
+
+    for by in ("strain_energy", "constraints"):
+        shares.clear()
+        locked = {"x": 0.2, "y": 0.15} if by == "constraints" else None
+        start = {"x": 0.2, "y": 0.15}
+        with pytest.warns(cd.SolveWarning, match="interrupted"):
+            swept = model.sweep(
+                "A", np.linspace(0, 1, 9), by=by, locked=locked, start=start, progress=interrupt
+            )
+        assert swept.status == "interrupted"
+        assert 3 <= len(swept) <= 4
+        assert shares == sorted(shares)
+
+
+def test_beams_whose_energy_holds_their_loads_are_refused() -> None:
+    scene = cd.Scene("loaded", gravity=(0, 0, -9.81))
+    section = cd.section.circle(0.01)
+    material = cd.material(E=2e11, nu=0.3, rho=7800)
+    scene.beam("beam", scene.ground, (1, 0, 0), section, material, elements=2,
+               element="hellinger_reissner_loaded")  # fmt: skip
+    with pytest.raises(cd.ModelError, match="carries a load"):
+        cd.compile(scene).assemble(by="strain_energy")
+
+
+def test_no_warning_without_reason() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        cd.compile(four_bar(1e3)).sweep(
+            "A", np.linspace(0, 1, 3), by="strain_energy", start={"x": 0.2, "y": 0.15}
+        )
