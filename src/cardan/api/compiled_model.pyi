@@ -380,7 +380,7 @@ class CompiledModel(LoadedModel):
                 strain energy also parameters, such as the length of a spring, and inputs.
             values: Of the one driver (n,).
             rate, acceleration: Derivatives of the driver over time, for speeds and accelerations; of
-                several drivers those of the first, the excluded follow in proportion.
+                several drivers those of the first, the others follow in proportion.
             locked: Further coordinates or frames that keep a value, as ``assemble`` takes them.
             start: Coordinates near those of the first position; branch: as ``assemble`` takes it.
             t, r: Time [s] and inputs, where something is prescribed.

@@ -31,6 +31,7 @@ from .mechanism import Mechanism
 from .sweep import SweepRecord, driver_slopes, driver_values
 
 INTERRUPTED, SINGULAR = "interrupted", "singular"
+MOST_NAMED = 3  # motions that nothing resists
 
 
 def _prescribed_load(
@@ -81,12 +82,12 @@ def assemble_by_strain_energy(
 
 def _warn_of_freedoms(system: DynamicSystem, solution: LeastEnergy) -> None:
     """Warn of motions along which the energy does not change."""
-    free = solution.stability.free_motions
+    free = list(dict.fromkeys(solution.stability.free_motions))
     if free:
+        named = " and ".join(free[:MOST_NAMED]) + " and more" * (len(free) > MOST_NAMED)
         warn(
-            f"by='strain_energy': nothing that is strained resists {' and '.join(free)} of "
-            f"'{system.name}', where the position is one of many. Hold a coordinate of it, or add "
-            "a spring",
+            f"by='strain_energy': nothing that is strained resists {named} of '{system.name}', "
+            "where the position is one of many. Hold a coordinate of it, or add a spring",
             SolveWarning,
         )
 

@@ -11,11 +11,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import TypeVar
+from typing import TypeAlias, TypeVar
 
 import numpy as np
 
-from .continuation_step import Crossing, Place, Step, ahead
+from .continuation_step import Crossing, Place, Step, by_load
 from .critical_load import limit_load
 from .equilibrium import DIRECT
 from .load_path import Loading
@@ -29,6 +29,7 @@ SMALLEST = 2.0**-20
 SHORT = 2.0**-6  # steps in which critical loads are passed; of those that are asked for
 
 Row = TypeVar("Row")
+Predictor: TypeAlias = Callable[[Problem, Place, Loading, float], Step]
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +60,7 @@ def follow(
     rows: list[tuple[float, Row]],
     crossed: list[Crossing],
     leaves: Callable[[Place], bool] = _never,
+    predicted: Predictor = by_load,
 ) -> EarlyEnd | None:
     """Note rows of a path and the critical loads between them.
 
@@ -69,6 +71,7 @@ def follow(
         row: Makes a row of an equilibrium.
         rows, crossed: Take (place, row) and critical loads as they come.
         leaves: True of a place at which the path is not to be followed any more.
+        predicted: Makes the step from a place to another one.
 
     Returns:
         Where it ended early; None where it reached its end.
@@ -81,12 +84,14 @@ def follow(
             s = min(goal, here.s + length)
             s = goal if goal - s < 1e-12 else s
             load = way.at(s)
-            step = ahead(problem, here, load)
+            step = predicted(problem, here, way, s)
             search = with_modes(
                 problem, here.point, load, equilibrium_search(problem, step.point, load, DIRECT)
             )
             shortest = 0.5 * length < SMALLEST / steps
             there = _next_place(step, search, way, s, length * steps <= SHORT, shortest)
+            if there is not None and not (shortest or _returns(step, there, way, predicted)):
+                there = None
             # accepted: note what changed in between, and take longer steps where Newton was quick
             if there is not None:
                 crossed += step.crossings(there)
@@ -124,7 +129,12 @@ def _next_place(
     # critical loads are passed in short steps, for other branches not to be taken for this one
     if step.crosses(there) and not (short and step.surely(search.point)):
         return None
-    return there if step.returns(there, way.at(step.start.s)) else None
+    return there
+
+
+def _returns(step: Step, there: Place, way: Loading, predicted: Predictor) -> bool:
+    """True when the way back from a place leads to where the step began."""
+    return predicted(step.problem, there, way, step.start.s).follows(step.start.point)
 
 
 def _goals(way: Loading, steps: int, start: float) -> Iterator[float]:

@@ -24,7 +24,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import ModelError, SolveError, counted
 from ..systems.dynamic_system import DynamicSystem
-from .continuation_step import Crossing, Place, first
+from .continuation_step import Crossing, Place, by_rate, first
 from .equilibrium import WAYS, downhill
 from .load_path import Loading
 from .newton import Search, equilibrium_search
@@ -142,7 +142,8 @@ def _unreachable(system: DynamicSystem, search: Search, load: Load) -> str:
     return (
         f"no position of least strain energy with {values or 'nothing held'}: the search left"
         f"{where} after {counted(search.iterations, 'iteration')}. The constraints may not reach "
-        "these values: give others, or start= nearer"
+        "these values, or nothing strained holds a part, such as a node of a slack cable. Give "
+        "other values, or start= nearer"
     )
 
 
@@ -183,7 +184,9 @@ def path_of_least_energy(
     failure, interrupted = "", False
     try:
         while True:
-            end = follow(problem, way, here, SHORT_STEPS, row, rows, path.crossings, leaves)
+            end = follow(
+                problem, way, here, SHORT_STEPS, row, rows, path.crossings, leaves, by_rate
+            )
             if end is None:
                 break
             there = _snapped(problem, way, end) if snap else None

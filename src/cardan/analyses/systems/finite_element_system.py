@@ -35,6 +35,7 @@ from .sparse_saddle_point import SparseSaddle
 from .strained_elements import load_forces, load_tangent, refuse_mixed_forces, strain_energy
 
 Longs = NDArray[np.intp]
+LATEST = 3  # other sets of parameters that a step of a path needs
 REACH = 3.0  # radians or sizes: slender structures turn far in one step
 OPEN = 1e-9  # of speeds: constraints of speeds that hold
 
@@ -51,8 +52,7 @@ class FiniteElementSystem(CompiledSystem):
 
     def __init__(self, model: LoadedModel, strain: bool = False) -> None:
         """Args:
-        model: Compiled in absolute coordinates.
-        strain: Forces of strains and constraints alone.
+        model, strain: Compiled in absolute coordinates; for forces of strains alone.
         """
         self._meshes: dict[Any, Elements] = {}
         self.model = model
@@ -67,11 +67,12 @@ class FiniteElementSystem(CompiledSystem):
         self.saddle: Saddle = Sparse(blockwise, blockwise.counted)
 
     def _mesh(self, parameters: Parameters) -> Elements:
-        """The elements with values of parameters; the first and the last ones are kept."""
+        """The elements with values of parameters; those of the model and the last ones stay."""
         key = tuple(sorted((parameters or {}).items()))
         if key not in self._meshes:
             model = self.model.with_parameters(dict(parameters)) if parameters else self.model
-            meshes = {k: mesh for k, mesh in self._meshes.items() if k == ()}
+            keys = [*self._meshes]
+            meshes = {k: self._meshes[k] for k in (*keys[:1], *keys[-LATEST:])}
             mesh: Elements = model._source.results(model).mesh  # type: ignore[attr-defined]
             self._meshes = {**meshes, key: mesh}
         return self._meshes[key]
@@ -214,8 +215,7 @@ class FiniteElementSystem(CompiledSystem):
 
     def loads(self, at: Moment) -> Array:
         """Same as :meth:`DynamicSystem.loads`: not of joints, beams and springs."""
-        mesh, state = self._elements_and_state(at)
-        loads: Array = mesh.loads(state) * self.columns
+        loads: Array = Elements.loads(*self._elements_and_state(at)) * self.columns
         return 0 * loads if self.strain else loads
 
     def strain_energy(self, at: Moment) -> float:
