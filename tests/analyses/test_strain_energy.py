@@ -236,3 +236,46 @@ def test_no_warning_without_reason() -> None:
         cd.compile(four_bar(1e3)).sweep(
             "A", np.linspace(0, 1, 3), by="strain_energy", start={"x": 0.2, "y": 0.15}
         )
+
+
+# the functions of a model that it rests on
+
+
+def tethered(rotation: str) -> cd.Scene:
+    """A free body on a bushing, a spring and a cable, with a slide on it."""
+    scene = cd.Scene("tethered", gravity=(0, 0, 0))
+    bodies = [scene.body(name, **INERT) for name in ("base", "rider")]
+    scene.joint("base", cd.Free(rotation=rotation), scene.ground, bodies[0])
+    scene.joint("slide", cd.Cylindrical("x"), *bodies)
+    mount = bodies[0].at(0.1, 0.2, 0.3)
+    scene.force("mount", cd.Bushing(scene.ground, mount, stiffness=(1, 2, 3, 4, 5, 6)))
+    anchors = scene.ground.at(2, 0, 0), scene.ground.at(0, 0, 3)
+    scene.force("spring", cd.SpringDamper(anchors[0], mount, stiffness=3.0, rest_length=0.4))
+    scene.force("rope", cd.Cable(anchors[1], bodies[1], EA=30.0, length=0.4))
+    return scene
+
+
+@pytest.mark.parametrize("rotation", ["quaternion", "XYZ", "mrp"])
+def test_forces_are_the_gradient_of_the_energy(rotation: str) -> None:
+    model = cd.compile(tethered(rotation))
+    q = model.random_state(1)[: model.nq]
+    slope = model.derivative("strain_energy", "q")(q)
+    h, ways = 1e-5, np.eye(model.nu)
+    ends = [
+        np.array([model.strain_energy(model.integrate(q, sign * h * way)) for way in ways])
+        for sign in (1, -1)
+    ]
+    np.testing.assert_allclose(slope, (ends[0] - ends[1]) / (2 * h), rtol=1e-7, atol=1e-8)
+    # strains are all that is stored without gravity
+    total = model.energy(q, np.zeros(model.nu)).potential
+    assert float(model.strain_energy(q)) == pytest.approx(float(total), rel=1e-13)
+
+
+def test_a_build_is_checked() -> None:
+    model = cd.compile(tethered("quaternion"))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", cd.SolveWarning)
+        model.assemble(by="strain_energy")
+    checks = {check.function: check.error for check in model.verify().checks}
+    names = ("strain_energy", "strain_balance", "derivative('strain_balance: q')")
+    assert all(checks[name] <= 1e-9 for name in names)
