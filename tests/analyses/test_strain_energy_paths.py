@@ -195,3 +195,19 @@ def test_beams_whose_energy_holds_their_loads_are_refused() -> None:
                element="hellinger_reissner_loaded")  # fmt: skip
     with pytest.raises(cd.ModelError, match="carries a load"):
         cd.compile(scene).assemble(by="strain_energy")
+
+
+def test_time_drives_a_prescribed_motion() -> None:
+    """A stiff spring leads an arm behind another one, a soft one holds it back."""
+    scene = cd.Scene("arms", gravity=(0, 0, 0))
+    leader, follower = (scene.body(name, **INERT) for name in ("leader", "follower"))
+    scene.joint("leader", cd.Revolute("z"), scene.ground, leader, prescribed=0.3 * cd.t)
+    scene.joint("follower", cd.Revolute("z"), scene.ground, follower)
+    tie = cd.Bushing(leader, follower, stiffness=(0, 0, 100.0, 0, 0, 0))
+    scene.force("tie", tie)
+    scene.force("back", cd.JointSpring("follower", stiffness=1.0))
+    times = np.linspace(0, 2, 5)
+    swept = cd.compile(scene).sweep("t", times, by="strain_energy", check=True)
+    np.testing.assert_allclose(swept["follower"], 0.3 * times * 100 / 101, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(swept["follower.u"], 0.3 * 100 / 101, rtol=1e-9)
+    np.testing.assert_array_equal(swept.t, times)

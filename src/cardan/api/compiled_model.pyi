@@ -377,7 +377,7 @@ class CompiledModel(LoadedModel):
 
         Args:
             driver: Coordinate that is driven, or several with their values: they go together. By
-                strain energy also parameters, such as the length of a spring, and inputs.
+                strain energy also parameters, such as the length of a spring, inputs and ``"t"``.
             values: Of the one driver (n,).
             rate, acceleration: Derivatives of the driver over time, for speeds and accelerations; of
                 several drivers those of the first, the others follow in proportion.

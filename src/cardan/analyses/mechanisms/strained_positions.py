@@ -13,7 +13,7 @@ from ...runtime.trajectory.solver_info import FINISHED
 from ..simulation.progress import Show
 from ..statics.continuation_step import first
 from ..statics.equilibrium import read
-from ..statics.load_path import Loading
+from ..statics.load_path import TIME, Loading
 from ..statics.static_problem import Load, Problem
 from ..statics.strain_energy import (
     EnergyPath,
@@ -113,7 +113,7 @@ def sweep_by_strain_energy(
     """
     system = dynamic_system_of(model, strain=True)
     kinds = dict.fromkeys(system.places, "locked") | dict.fromkeys(model.inputs, "input")
-    kinds |= dict.fromkeys(model.parameters, "parameter")
+    kinds |= dict.fromkeys(model.parameters, "parameter") | {TIME: "t"}
     drivers = driver_values(driver, values, [*kinds], model)
     if not isinstance(locked, Mapping | None):
         raise ModelError(f"sweep: locked={brief(locked)}: give coordinates with their values")
