@@ -191,6 +191,18 @@ def test_refusals() -> None:
         model.assemble({"A": math.nan}, by="strain_energy")
 
 
+def test_what_the_motion_changes_has_no_strain_energy() -> None:
+    """A free length that follows a coordinate works on the system: its force has no potential."""
+    scene = cd.Scene("led", gravity=(0, 0, 0))
+    slide = scene.body("slide", **INERT)
+    scene.joint("x", cd.Prismatic("x"), scene.ground, slide, q0=0.5)
+    length = 0.2 + scene.q("x") ** 2
+    spring = cd.SpringDamper(scene.ground, slide, stiffness=3.0, rest_length=length)
+    scene.force("spring", spring)
+    with pytest.raises(cd.ModelError, match="nothing of 'led' is strained"):
+        cd.compile(scene).assemble(by="strain_energy")
+
+
 def test_values_out_of_reach_are_named() -> None:
     """A rigid crank cannot lead its slider further than its two links are long."""
     scene = cd.Scene("crank", gravity=(0, 0, 0))

@@ -72,7 +72,7 @@ class Bushing(ForceElement):
     def act(self, at: Places) -> tuple[Action, ...]:
         graph, data = at.motion.graph, at.data
         stiffness, damping = (square(graph, data[name]) for name in ("stiffness", "damping"))
-        return springs(at, stiffness, damping, data["rest"], self._stores(at))
+        return springs(at, stiffness, damping, data["rest"])
 
     def formulas(self, at: Places) -> Lines:
         terms = [

@@ -21,6 +21,7 @@ from .force import (
     RotorBody,
     constant,
     one_coordinate,
+    potential,
 )
 
 
@@ -132,9 +133,9 @@ class Drive(ForceElement):
             return _load(motion, joint, shaft), _load(motion, rotor, -(shaft / ratio))
 
         # a shaft that time or the motion changes works on the system and stores nothing
-        fixed = constant(data["stiffness"], data["ratio"])
+        stored = potential(spring * twist * 0.5, data["stiffness"], data["ratio"])
         return (
-            Action((), pair(spring), spring * twist * 0.5, fixed),
+            Action((), pair(spring), *stored),
             Action(joint_loads=pair(damper)),
             Action(joint_loads=(_load(motion, rotor, torque - friction * speed),)),
         )

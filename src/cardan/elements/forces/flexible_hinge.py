@@ -63,7 +63,7 @@ class FlexibleHinge(ForceElement):
         stiffness = self._stiffness(at)
         damping = stiffness * at.data["damping"][0]
         unloaded = Matrix.zeros(stiffness.graph, 6)
-        return springs(at, stiffness, damping, unloaded, self._stores(at))
+        return springs(at, stiffness, damping, unloaded)
 
     def _stiffness(self, at: Places) -> Matrix:
         """k (6, 6): t n nᵀ + s (1 - n nᵀ) of rotations and of displacements."""

@@ -314,10 +314,29 @@ class ForceElement(HasSource, ABC):
         return {}
 
 
-def constant(*quantities: Matrix) -> bool:
-    """True where all quantities depend on parameters alone, so that a potential may hold them."""
+def constant(*quantities: Matrix, blocks: Sequence[str] = ("p",)) -> bool:
+    """True where all quantities depend on parameters alone, so that a potential may hold them.
+
+    Args:
+        quantities: What is asked.
+        blocks: On which they may depend.
+    """
     leaves = (x.graph.nodes[i] for x in quantities for i in live(x.graph, x.nodes))
-    return all(n[0] != "atom" and (n[0] != "var" or n[1] == "p") for n in leaves)
+    return all(n[0] != "atom" and (n[0] != "var" or n[1] in blocks) for n in leaves)
+
+
+def potential(energy: Scalar, *quantities: Matrix) -> tuple[Scalar | None, bool]:
+    """The potential energy of an action, and whether that is constant.
+
+    There is none where the motion itself changes what the energy is made of: such a force works on
+    the system. Where time or inputs do, it is that at the present time.
+
+    Args:
+        energy: Of the strain.
+        quantities: What it is made of besides the strain.
+    """
+    independent = constant(*quantities, blocks=("p", "t", "r"))
+    return (energy if independent else None), constant(*quantities)
 
 
 # cure for joints with several coordinates

@@ -9,7 +9,7 @@ from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...spatial.exponential import exp, log, tangent
 from ..formulas import HALFWAY, MEASURES, TANGENT, Lines, Shapes
-from .force import Action, Load, Places
+from .force import Action, Load, Places, potential
 
 SHAPES: Shapes = {"y_0": (6, 1), "k": ("symmetric", 6)}
 DIRECTIONS = ("rx", "ry", "rz", "x", "y", "z")
@@ -102,23 +102,20 @@ class RelativePose:
         return Load(a, on_a, force, a), Load(b, -moment, -force, a)
 
 
-def springs(
-    at: Places, stiffness: Matrix, damping: Matrix, unloaded: Matrix, fixed: bool
-) -> tuple[Action, ...]:
+def springs(at: Places, stiffness: Matrix, damping: Matrix, unloaded: Matrix) -> tuple[Action, ...]:
     """Actions of linear springs and dampers, (6, 6) each.
 
     Args:
         at: Its frames a and b.
         stiffness, damping: By the strain and its rate.
         unloaded: Strain without load (6, 1).
-        fixed: True where the springs have a potential.
     """
     pose, actions = RelativePose.of(at), []
     if not stiffness.is_zero:
         y = pose.strain - unloaded
         stress = (stiffness @ y).note("stress")
-        energy = y.dot(stress) * 0.5
-        actions.append(Action(pose.loads(stress), (), energy, fixed))
+        stored = potential(y.dot(stress) * 0.5, stiffness, unloaded)
+        actions.append(Action(pose.loads(stress), (), *stored))
     if not damping.is_zero:
         stress = (damping @ pose.rate()).note("stress")
         actions.append(Action(pose.loads(stress)))

@@ -9,7 +9,7 @@ from typing import Any, ClassVar, TypeAlias
 from ....errors import ModelError, brief
 from ....ir.matrix import Matrix
 from ...formulas import Lines, Shapes
-from ..force import FRAME, Action, ForceElement, Load, Places, constant
+from ..force import FRAME, Action, ForceElement, Load, Places, potential
 from .fields import Pull
 
 # a vector in axes of the center -> in those in which a mass is told
@@ -74,9 +74,10 @@ class Gravitation(ForceElement):
             Load(body, pull.torque + com.cross(pull.force), pull.force, axes=body),
             Load(center, -self.torque_about_center(r, pull), -pull.force, axes=body),
         )
-        potential = pull.potential if self.has_potential else None
-        fixed = constant(*(at.data[name] for name in self.quantities()))
-        return (Action(loads, (), potential, fixed),)
+        if not self.has_potential:
+            return (Action(loads),)
+        quantities = (at.data[name] for name in self.quantities())
+        return (Action(loads, (), *potential(pull.potential, *quantities)),)
 
 
 REACH: Lines = (
