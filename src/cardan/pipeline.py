@@ -166,10 +166,11 @@ def _relative(
     Raises:
         DerivationError: beams, or a formalism that does not take the system.
     """
-    if system.segments:
+    flexible = [s.name for s in system.segments] + [s.name for s in system.superelements]
+    if flexible:
         raise DerivationError(
-            f"beam '{system.segments[0].name}': relative coordinates take rigid bodies only. A "
-            "scene with beams needs coordinates='absolute'"
+            f"'{flexible[0]}' is flexible: relative coordinates take rigid bodies only. Leave "
+            "out coordinates='relative'"
         )
     system = with_branches(system) if system.closures else system
     chosen: tuple[Named, ...] = ()
@@ -239,7 +240,7 @@ def compile(
         BuildError: no compiler, or a build that failed its check.
     """
     if coordinates is None and not isinstance(scene, (EquationRecord, FiniteElementRecord)):
-        coordinates = coordinates_with(functions, bool(scene.beams))
+        coordinates = coordinates_with(functions, bool(scene.beams or scene.superelements))
     equations = _derived(
         scene,
         coordinates=coordinates,

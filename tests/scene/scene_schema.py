@@ -7,6 +7,7 @@ from typing import Any
 
 from cardan.elements.flexible import BEAMS, INERTIAS
 from cardan.elements.forces import FORCES
+from cardan.elements.forces.relative_springs import DIRECTIONS
 from cardan.elements.joints import JOINTS
 from cardan.elements.tables import KINDS as CURVES
 from cardan.elements.validation import AXES
@@ -113,6 +114,11 @@ KINDS: dict[str, Schema] = {
     "text": TEXT,
     "texts": NAMES,
     "members": one_or(TEXT),
+    "curves": {
+        "type": "object",
+        "properties": dict.fromkeys(DIRECTIONS, TEXT),
+        "additionalProperties": False,
+    },
     "names": {**NAMES, "minItems": 1, "maxItems": 6},
     "mesh": TEXT,
     "flag": {"type": "boolean"},

@@ -18,6 +18,7 @@ from .. import processes, regular_file
 from ..errors import CodegenError, ModelError
 from ..ir.function import Function
 from ..ir.recursion import Recursion
+from ..ir.routine import Routine
 from ..ir.serialize import to_dict
 from ..schema import kernel_files
 from ..schema.c_functions import FunctionRow
@@ -129,7 +130,8 @@ def add_functions(directory: Path, texts: Sequence[tuple[CFile, Function | Recur
     Raises:
         CodegenError: :func:`write_model` was not called before.
     """
-    saved = [(cfile.name, to_dict(function)) for cfile, function in texts]
+    # what a routine computes has no expressions
+    saved = [(c.name, to_dict(f)) for c, f in texts if not isinstance(f, Routine)]
 
     def added(manifest: Manifest) -> Manifest:
         hashes = dict(manifest.sha256)

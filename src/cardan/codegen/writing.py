@@ -10,11 +10,12 @@ from .. import passes
 from ..ir.function import Function, Output
 from ..ir.graph import ZERO, collector_paused
 from ..ir.recursion import Recursion
+from ..ir.routine import Routine
 from ..schema.blocks import ORDER
 from ..schema.c_functions import FunctionRow, ResultRow
 from .languages import LANGUAGES
 from .program import loops
-from .program.lowering import lower
+from .program.lowering import lower, lower_routine
 from .program.parts import LONGEST
 from .program.program import Program
 
@@ -60,22 +61,30 @@ def generate(
         CodegenError: the name is none for C.
         ValueError: the expressions break a rule of the grammar.
     """
+    if isinstance(function, Routine):
+        return _file(function, lower_routine(function, model, notes), of)
     parts = (function,) if isinstance(function, Function) else function.steps
     names = [passes.standard(part) if chosen is None else tuple(chosen) for part in parts]
     used = dict.fromkeys(name for pass_names in names for name in pass_names)
     notes = (*notes, f"passes: {', '.join(used) or 'none'}")
-    language = LANGUAGES["c"]
     with collector_paused():
         staged = [passes.optimize(*pair) for pair in zip(parts, names, strict=True)]
         if isinstance(function, Function):
             program = lower(staged[0], model, notes, longest)
         else:
             program = loops.lower(function, staged, model, notes)
-        text = language.write(program)
+        return _file(function, program, of)
+
+
+def _file(function: Function | Recursion, program: Program, of: str | None) -> CFile:
+    """A program as text, with what the manifest says about it."""
+    language = LANGUAGES["c"]
+    text = language.write(program)
     text += language.sizes(function.name, _sizes(function, program))
     file = function.name + language.SUFFIX
     entry = _entry(function, program, file, text, of)
-    return CFile(function.name, text, entry, program.includes, program.prepare_operations)
+    includes = (*program.includes, *program.late_includes)
+    return CFile(function.name, text, entry, includes, program.prepare_operations)
 
 
 def _entry(
@@ -95,7 +104,7 @@ def _entry(
         prepared_size=program.prepared_size,
         lanes=[1, 2, 4, 8],
         operations=program.operations,
-        headers=list(program.includes),
+        headers=[*program.includes, *program.late_includes],
         sha256=hashlib.sha256(text.encode()).hexdigest(),
     )
 

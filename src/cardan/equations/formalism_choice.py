@@ -176,6 +176,8 @@ def element_reason(system: System, cables: Iterable[HasElements], chosen: bool) 
     """
     if system.segments:
         return counted(len(system.segments), "beam"), True
+    if system.superelements:
+        return counted(len(system.superelements), "superelement"), True
     several = sum(cable.elements for cable in cables if cable.elements > 1)
     if several:
         return f"cables of {several} elements", True

@@ -52,6 +52,7 @@ def check_distinguishable(model: Any) -> None:
     named |= {
         "beam": model.beams,
         "cable": model.cables,
+        "superelement": model.superelements,
         "joint": model.joints,
         "force": model.forces,
     }

@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from ..elements.centerlines import Centerline
     from ..elements.material import Material
     from ..elements.sections import Section
+    from .superelement import PlacedSuperelement
 
 
 class SceneRecord(Vocabulary):
@@ -49,10 +50,10 @@ class SceneRecord(Vocabulary):
 
     Attributes:
         ground: The body that does not move.
-        bodies, joints, beams, cables, forces: By name, in the order of declaration.
+        bodies, joints, beams, cables, superelements, forces: By name, in the order of declaration.
         frames: By name; those made by ``at`` of bodies and frames.
-        nodes: By name; start, end and :meth:`Beam.at` of the beams, all nodes of cables. Where an
-            end is joined to a frame, that frame.
+        nodes: By name; start, end and :meth:`Beam.at` of the beams, all nodes of cables, interfaces
+            of superelements. Where an end is joined to a frame, that frame.
         parameters, inputs, outputs, constraints: By name.
         original: The scene that this one was copied from for a build, else itself.
         of_robot: Read from a file that describes a robot: impossible numbers are warned of there.
@@ -72,6 +73,7 @@ class SceneRecord(Vocabulary):
         self.joints: dict[str, Joint] = {}
         self.beams: dict[str, Beam] = {}
         self.cables: dict[str, Cable] = {}
+        self.superelements: dict[str, PlacedSuperelement] = {}
         self.nodes: dict[str, Place] = {}
         self.forces: dict[str, Force] = {}
         self.frames: dict[str, Frame] = {}

@@ -32,6 +32,7 @@ from .loops.closed_forms import closed_forms
 from .loops.legs import Axes
 from .rotors import with_rotors, with_rotors_on
 from .structural_parameters import BuiltIn
+from .superelements.superelement_parts import parts_of_system, with_superelements
 from .system import Atom, Closure, Cut, Force, Joint, Named, System
 from .tree import rooted_tree
 
@@ -66,7 +67,7 @@ def build(
         independent_joints = (independent,) if isinstance(independent, str) else independent or ()
         checks.check_distinguishable(model)
         cables = tuple(model.cables.values())
-        model = with_cables(model, _assembled)
+        model = with_superelements(with_cables(model, _assembled))
         return _build(model, cables, BuiltIn.of(specialize), branches, independent_joints)
     except ZeroDivisionError as problem:
         raise ModelError(
@@ -151,6 +152,7 @@ def _build(
         closures=closures,
         closable=closable,
         constraints=constraints,
+        superelements=parts_of_system(scene, assembly),
         segments=tuple(replace(one, fields=fields.get(one.name, ())) for one in beams),
         ground_parts=tuple(assembly.ground.parts),
         fixed=tuple(assembly.fixed),

@@ -17,6 +17,7 @@ from ..elements.joints.joint import Joint as JointElement
 from ..elements.limits import NumberLimits
 from ..ir.graph import ZERO, Graph
 from .beams.segment_tables import Segment
+from .superelements.part_of_system import PartOfSystem
 
 Nodes = tuple[int, ...]
 GROUND = -1
@@ -329,6 +330,7 @@ class System:
     closable: tuple[Closure, ...] = field(default=(), repr=False)
     constraints: tuple[Named, ...] = ()
     segments: tuple[Segment, ...] = ()
+    superelements: tuple[PartOfSystem, ...] = ()
     ground_parts: tuple[Part, ...] = ()
     fixed: tuple[str, ...] = ()
     shapes: tuple[tuple[int, Mapping[str, object]], ...] = ()

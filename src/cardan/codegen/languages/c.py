@@ -15,6 +15,7 @@ from ..program.program import (
     Call,
     Declare,
     Dispatch,
+    KernelCall,
     Loop,
     Place,
     Program,
@@ -78,7 +79,7 @@ def write(program: Program) -> str:
     writer: _Writer | None = None
     for routine in program.routines:
         if LANES not in lines and not routine.kind.startswith("prepare"):
-            lines.extend(["", LANES])
+            lines.extend(["", LANES, *(f'#include "{name}"' for name in program.late_includes)])
         # the parts of a routine share its expressions
         if writer is None or writer.scope is not routine.scope:
             writer = _Writer(routine.scope, program)
@@ -230,6 +231,12 @@ class _Writer:
         status = "" if kind.startswith("prepare") else "status |= "
         return f"{status}{routine}({', '.join(ARGUMENTS[kind])});"
 
+    def _kernel_call(self, s: KernelCall, indent: str, lines: list[str]) -> None:
+        self.touched.update(RUNS)
+        self.checked = True
+        arguments = (*map(str, s.sizes), s.constants, *RUNS)
+        lines.append(f"{indent}status |= {s.name}({', '.join(arguments)});")
+
     def _dispatch(self, s: Dispatch, indent: str, lines: list[str]) -> None:
         lines.append(f"{indent}const int *const at = {s.table} + {s.width} * {s.counter};")
         if len(s.steps) == 1:
@@ -321,6 +328,7 @@ _WRITERS: dict[type, Callable[[_Writer, Any, str, list[str]], None]] = {
     Section: _Writer._section,
     Call: _Writer._call,
     Dispatch: _Writer._dispatch,
+    KernelCall: _Writer._kernel_call,
     StridedLoop: _Writer._strided,
     Solve: _Writer._solve,
     Loop: _Writer._loop,

@@ -7,10 +7,12 @@ from collections.abc import Sequence
 
 from ...errors import CodegenError
 from ...ir.function import Function, Output, Staged
+from ...ir.routine import Routine
 from . import parts
 from .file_head import Cost, head, operations
 from .naming import RESERVED, comment
-from .program import Place, Program, Table
+from .program import Assign, KernelCall, Place, Program, Scope, Table
+from .program import Routine as CRoutine
 from .routines import Built, Result, Stage, build, headers
 from .values import Values
 
@@ -54,6 +56,40 @@ def lower(
         prepare_operations=counts[1],
         work_size=body.length,
         prepared_size=prepare.length,
+    )
+
+
+def lower_routine(function: Routine, model: str = "", notes: Sequence[str] = ()) -> Program:
+    """The program of a function that a header of the kernels computes; w is p.
+
+    Args:
+        function, model, notes: As of :func:`lower`.
+
+    Raises:
+        CodegenError: the name is none for C.
+    """
+    check_name(function.name)
+    count = sum(len(block) for block in function.inputs if block.name == "p")
+    scope = Scope(function.graph, (), {}, file=function.name)
+    copies = tuple(Assign(Place("w", k), Place("p", k)) for k in range(count))
+    constants = f"constants_of_{function.name}"
+    call = KernelCall(function.call, function.sizes, constants)
+    counts = dict(function.counts)
+    read = [block.name for block in function.inputs]
+    return Program(
+        name=function.name,
+        head=head(function, model, notes, read, Cost(function.work, count, counts, {})),
+        includes=("cardan.h",),
+        late_includes=function.headers,
+        tables=(Table(constants, function.constants),),
+        routines=(
+            CRoutine(f"prepare_{function.name}", "prepare", "", scope, copies),
+            CRoutine(function.name, "function", function.about, scope, (call,)),
+        ),
+        blocks=tuple(read),
+        operations=counts,
+        work_size=function.work,
+        prepared_size=count,
     )
 
 

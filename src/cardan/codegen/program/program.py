@@ -103,6 +103,20 @@ class Solve(NamedTuple):
     comment: str
 
 
+class KernelCall(NamedTuple):
+    """A routine of a header of the kernels gives the results.
+
+    Attributes:
+        name: In C.
+        sizes: Its first arguments.
+        constants: Name of the array that follows.
+    """
+
+    name: str
+    sizes: tuple[int, ...]
+    constants: str
+
+
 class Loop(NamedTuple):
     """Statements repeated for ``counter`` = 0 ... times - 1; their expressions have a scope."""
 
@@ -152,7 +166,7 @@ class Section(NamedTuple):
 
 
 Statement: TypeAlias = (
-    Declare | Assign | Angles | Call | Dispatch | StridedLoop | Solve | Loop | Section
+    Declare | Assign | Angles | Call | Dispatch | KernelCall | StridedLoop | Solve | Loop | Section
 )
 
 
@@ -228,6 +242,7 @@ class Program:
         name: Name of the function it is for.
         head: Paragraphs for the reader at the top.
         includes: Headers.
+        late_includes: Headers of routines, which work on what ``real`` is for states.
         tables: Constant arrays.
         routines: Functions, every one before those that call it.
         blocks: Input blocks that are read, p by the parameter stage.
@@ -246,3 +261,4 @@ class Program:
     work_size: int
     prepared_size: int
     prepare_operations: dict[str, int] = field(default_factory=dict)
+    late_includes: tuple[str, ...] = ()

@@ -250,7 +250,9 @@ class ForceElement(HasSource, ABC):
         Raises:
             ModelError: one is.
         """
-        judge(self.title, self.limits(), vars(self))
+        # of a field that is several quantities each has limits of its own
+        parts = {name: quantity.value for name, quantity in self.quantities().items()}
+        judge(self.title, self.limits(), {**vars(self), **parts})
 
     def misfit(self, sliding: bool) -> str:
         """Why it does not fit a joint that slides, or one that turns; "" if it does."""

@@ -26,6 +26,7 @@ from .planarity import check, planes
 from .record import BlockKind, FiniteElementRecord, Frames, Group, Kind, Places, unique
 from .segments import beamed
 from .states import states
+from .superelements import refuse_plane, superelements
 
 
 def lowered(
@@ -57,6 +58,8 @@ def lowered(
 def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
     """A scene in space, or in the plane across an axis of the ground."""
     system = scene.system
+    if normal is not None:
+        refuse_plane(scene)
     bodies, lines = (None, ()) if normal is None else planes(scene, normal)
     block_table = holds(scene, bodies, lines)
     at = {key: k for k, key in enumerate(scene.places)}
@@ -71,6 +74,7 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
     results = _names(sorted_parts, "outputs", lambda part: part.results)
     powers = _names(sorted_parts, "power", lambda part: part.powers)
     beams = beamed(scene, at, block_table, powers, taken)
+    reduced = tuple(superelements(scene, at, block_table, powers, taken))
     names = [*(scene.name(key) for key in scene.places), *beams.names]
     kinds, every = _numbered(
         [block_table.node] * (bodies is None), [*block_table.here.values(), *beams.kinds]
@@ -94,7 +98,7 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
     return FiniteElementRecord(
         system=system,
         places=Places(names, kinds, every),
-        groups=(*groups, *beams.groups),
+        groups=(*groups, *beams.groups, *reduced),
         frames=_frames(scene, at, numbered),
         tree_joints=tuple(system.joints[i].name for i in sorted(scene.in_trees)),
         joints={part.name: at for part, at in numbered if part.joint},

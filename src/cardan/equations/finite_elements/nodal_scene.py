@@ -167,9 +167,11 @@ def ends_with_nodes(system: System) -> frozenset[int]:
     """Bodies at ends of beams that have a node of their own, held by rows of constraints.
 
     The others are carried by joints, and the first element of the beam has the coordinates of
-    these joints. That takes no prescribed ones, and pays up to some number of speeds.
+    these joints. That takes no prescribed ones, and pays up to some number of speeds. What carries
+    the frame of a superelement always has a node.
     """
-    return frozenset(i for i in ends_of_beams(system) if not _short_path(system, i))
+    carriers = {system.frames[one.frame].body for one in system.superelements} - {GROUND}
+    return frozenset(carriers).union(i for i in ends_of_beams(system) if not _short_path(system, i))
 
 
 def _short_path(system: System, body: int) -> bool:

@@ -13,7 +13,7 @@ from ...errors import ModelError
 from ...regular_file import content
 from .abaqus import ABAQUS
 from .calculix import CALCULIX
-from .matrix_files import MOST_BYTES, ComponentMatrices, MatrixReader
+from .matrix_files import MOST_BYTES, ComponentMatricesRecord, MatrixReader
 from .matrix_market import MATRIX_MARKET
 from .nastran import NASTRAN
 from .npz import NPZ
@@ -25,7 +25,7 @@ MARKED = b"%%matrixmarket"
 @checked
 def read(
     path: Path, mass: Path | None = None, nodes: Path | None = None, dofs: Path | None = None
-) -> ComponentMatrices:
+) -> ComponentMatricesRecord:
     """Mass and stiffness of a component out of files.
 
     Args:

@@ -201,6 +201,9 @@ def massless_tips(system: System) -> list[tuple[str, str]]:
         system.frames[f].body for c in system.closing for f in (c.parent_frame, c.child_frame)
     }
     constrained |= {system.frames[f].body for s in system.segments for f in (s.frame_a, s.frame_b)}
+    constrained |= {
+        i for one in system.superelements for i in (system.frames[one.frame].body, *one.joints)
+    }
     heavy = [
         bool(b.mass or any(b.inertia)) or i in constrained for i, b in enumerate(system.bodies)
     ]

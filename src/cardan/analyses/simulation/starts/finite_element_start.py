@@ -109,6 +109,10 @@ class _Start:
         self.m.nodes_named = self._names_nodes(names)
         if self._gap(begin) <= CLOSED * self.scale and not self._missed(names, begin):
             return begin, True
+        with suppress(ModelError):
+            if undeformed := self._undeformed("q"):
+                goals = read(self.m, {**undeformed, **names})
+                return self.m.carry(assembled(self.m, goals, begin).q), True
         goals = read(self.m, names)
         try:
             return self.m.carry(assembled(self.m, goals, begin).q), True
@@ -203,6 +207,9 @@ class _Start:
             m, near = self.m.unlinked(), self.u0
             if m.closing.rows:
                 refuse_singular(m, q)
+            if undeformed := self._undeformed("u"):
+                with suppress(ModelError):
+                    near = m.state(q, speeds(m, q, {**undeformed, **names}, near))[1]
             if self.m.links:
                 # beams move as they are, if what is named lets them
                 with suppress(ModelError):
@@ -273,6 +280,16 @@ class _Start:
         names = self.model.coordinates if letter == "q" else self.model.speeds
         places = self.model.manifest.slots(letter)
         return {k: v for k, v in named.items() if staying.isdisjoint(names[places[k]])}
+
+    def _undeformed(self, letter: str) -> dict[str, object]:
+        """Coordinates or speeds of superelements without deformation.
+
+        They are there before anything is deformed, which closed loops may ask for.
+        """
+        entries = self.model.coordinates if letter == "q" else self.model.speeds
+        joints = [one for one in self.model.manifest.joints if one.kind in ("elastic", "modal")]
+        slots = (one.slot(letter) for one in joints)
+        return {entries[k]: 0.0 for first, count in slots for k in range(first, first + count)}
 
     def _names_nodes(self, names: Mapping[str, object]) -> bool:
         """True when a name belongs to a node that joints carry."""

@@ -89,7 +89,8 @@ def _elements(model: LoadedModel, results: Results, at: State, with_errors: bool
             run()
             single, lanes = (math.nan, spent) if code.lanes > 1 else (spent, math.nan)
             several = unpacked(out, code.lanes)[: len(group)]
-            error = _error(saved[symbol], inputs, several) if with_errors else None
+            expressions = saved.get(symbol) if with_errors else None
+            error = _error(expressions, inputs, several) if expressions else None
             operations = code.entry.total_operations
             yield Row(symbol, operations, math.nan, single, lanes, code.lanes, error)
 

@@ -163,6 +163,7 @@ _KINDS = {
     "JointName": "text",
     "BeamName": "text",
     "LocalNames": "names",
+    "Curves": "curves",
     "bool": "flag",
     "str": "text",
     "Sequence[Value]": "vector",

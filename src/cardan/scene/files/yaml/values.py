@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ....elements.material import material
+from ....elements.tables import Interpolation
 from ....errors import near
 from ....spatial.numbers import check_axes, check_orthonormal
 from ...beam import Beam
@@ -39,7 +40,7 @@ class Values:
         self.version = version
         self.meshes = meshes
         self.snap = snap
-        self.tables: dict[str, Any] = {}
+        self.tables: dict[str, Interpolation] = {}
         self.scope = FIXED
         self.local: tuple[str, ...] = ()
         self.frames: dict[int, Place] = {}
@@ -150,6 +151,16 @@ class Values:
         """Names of own coordinates; the expressions beside them may have them."""
         self.local = tuple(self.texts(item))
         return self.local
+
+    def curves(self, item: Item) -> dict[str, Interpolation]:
+        """Tables of the scene by direction."""
+        curves = {}
+        for name, entry in item.items("tables by direction").items():
+            if entry.text() not in self.tables:
+                listed = near(entry.text(), self.tables).replace(" Known:", " Tables:")
+                raise entry.error(f"there is no table '{entry.text()[:80]}'.{listed}")
+            curves[name] = self.tables[entry.text()]
+        return curves
 
     def flag(self, item: Item) -> bool:
         if not item.is_text or item.text() not in ("true", "false"):

@@ -286,6 +286,8 @@ class _Writer:
             return names[0] if len(names) == 1 else names
         if kind == "flag":
             return bool(value)
+        if kind == "curves":
+            return {name: self.expressions.table(points) for name, points in value}
         if kind == "direction":
             letters = [name for name, axis in AXES.items() if axis == value]
             return letters[0] if letters else self.value(value, where)

@@ -1,0 +1,1 @@
+"""Superelements as bodies, joints and what they are made of."""

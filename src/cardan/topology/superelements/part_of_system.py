@@ -1,0 +1,33 @@
+"""A superelement in the system graph."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from ...superelements.inertia import ProjectedInertia
+from ...superelements.record import SuperelementRecord
+
+
+@dataclass(frozen=True)
+class PartOfSystem:
+    """A superelement in the system graph.
+
+    Attributes:
+        name: Its own.
+        record: Its matrices.
+        frame: Index in ``System.frames`` of its axes and origin, where they are without
+            deformation.
+        joints: Numbers of the joints whose coordinates are its own, interface by interface, then
+            that of the modes.
+        rows: Which of the coordinates of the record these are.
+        stiffening: Whether its geometric stiffness by rotation counts.
+        inertia: Constants of its inertia.
+    """
+
+    name: str
+    record: SuperelementRecord = field(repr=False)
+    frame: int
+    joints: tuple[int, ...]
+    rows: tuple[int, ...]
+    stiffening: bool
+    inertia: ProjectedInertia = field(repr=False)

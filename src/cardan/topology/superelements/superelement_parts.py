@@ -1,0 +1,154 @@
+"""Scenes with superelements: their interfaces become bodies that elastic joints place.
+
+The frame of a superelement is fixed to one of its interfaces, or is a body of its own that the
+others leave no freedom: see :func:`...scene.superelement.frame_condition`. From there elastic
+joints lead to the interfaces, and a joint that moves nothing has the modal coordinates. None of
+these bodies has a mass: the inertia is that of one element, which reads all of these coordinates.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Sequence
+
+from ...elements.joints.fixed import Fixed
+from ...elements.superelement_joints import Elastic, Modal
+from ...errors import ModelError
+from ...scene.body import Body
+from ...scene.connections import Joint
+from ...scene.frame import Frame
+from ...scene.parameters import Constraint
+from ...scene.scene import SceneRecord
+from ...scene.superelement import CHORD, MEAN, PlacedSuperelement, frame_condition
+from ..assembly import Assembly
+from .part_of_system import PartOfSystem
+
+# rows of the condition of a frame whose coefficients are smaller than this part of the largest
+# one say nothing
+ROUNDING = 1e-14
+ROWS = ("px", "py", "pz", "rx", "ry", "rz")
+
+
+def with_superelements(model: SceneRecord) -> SceneRecord:
+    """The scene with the bodies, joints and relations of its superelements.
+
+    Returns:
+        The scene itself where there are none, else a copy.
+
+    Raises:
+        ModelError: a name is taken.
+    """
+    if not model.superelements:
+        return model
+    extended = copy.copy(model)
+    extended.bodies, extended.joints = dict(model.bodies), dict(model.joints)
+    extended.frames, extended.constraints = dict(model.frames), dict(model.constraints)
+    for superelement in model.superelements.values():
+        _add(extended, superelement)
+    return extended
+
+
+def _add(model: SceneRecord, superelement: PlacedSuperelement) -> None:
+    record, name = superelement.record, superelement.name
+    carrier = model.nodes[superelement.carrier].body
+    names = [superelement.place_name(one.name) for one in record.interfaces]
+    for each in superelement.places:
+        _enter(model.bodies, each, model.nodes[each].body, superelement)
+    here = (0.0, 0.0, 0.0)
+    if superelement.carrier in names:
+        here = record.interfaces[names.index(superelement.carrier)].position
+    axes = _frame(model, carrier, tuple(-x for x in here), f"{name}.axes")
+    for one in record.interfaces:
+        if one.name == superelement.frame:
+            continue
+        label = superelement.place_name(one.name)
+        side = _frame(model, carrier, one.position, f"{label}.undeformed", axes)
+        joint = Joint(label, Elastic(one.components), side, model.nodes[label])
+        _enter(model.joints, label, joint, superelement)
+    if modes := record.n - record.n_boundary:
+        body = Body(model, f"{name}.modes", 0, (0, 0, 0), (0,) * 6)
+        _enter(model.bodies, body.name, body, superelement)
+        _enter(model.joints, name, Joint(name, Modal(modes), axes, body), superelement)
+    for interface, place in superelement.joined.items():
+        label = superelement.place_name(interface)
+        parent = model.place(f"superelement '{name}'", place)
+        joint = Joint(f"{label}.fixed", Fixed(), parent, model.nodes[label])
+        _enter(model.joints, joint.name, joint, superelement)
+    if superelement.frame in (MEAN, CHORD):
+        _add_condition(model, superelement)
+
+
+def _frame(
+    model: SceneRecord, body: Body, position: Sequence[float], name: str, base: Frame | None = None
+) -> Frame:
+    x, y, z = (float(value) + 0.0 for value in position)
+    frame = Frame(body, (x, y, z), None, name, True, base)
+    model.frames[name] = frame
+    return frame
+
+
+def _enter(table: dict, name: str, value: object, superelement: PlacedSuperelement) -> None:  # type: ignore[type-arg]
+    if name in table:
+        raise ModelError(
+            f"superelement '{superelement.name}': the name '{name}' of one of its parts is taken"
+        )
+    table[name] = value
+
+
+def _add_condition(model: SceneRecord, superelement: PlacedSuperelement) -> None:
+    """The relations that hold a frame among the interfaces."""
+    from sympy import Float, Symbol
+
+    rows = frame_condition(superelement)
+    motions = [
+        Symbol(f"{superelement.place_name(one.name)}.{motion}")
+        for one in superelement.record.interfaces
+        for motion in one.components
+    ]
+    most = abs(rows).max()
+    for row, label in zip(rows, ROWS, strict=True):
+        terms = [
+            Float(float(c)) * motion
+            for c, motion in zip(row, motions, strict=True)
+            if abs(c) > ROUNDING * most
+        ]
+        # a planar component has no motion that leaves its plane
+        if not terms:
+            continue
+        name = f"{superelement.carrier}.{label}"
+        unit = "m" if label.startswith("p") else "m^2"
+        _enter(model.constraints, name, Constraint(name, sum(terms), unit), superelement)
+
+
+def parts_of_system(model: SceneRecord, assembly: Assembly) -> tuple[PartOfSystem, ...]:
+    """The superelements, their joints and axes by number.
+
+    Args:
+        model: The scene with their parts.
+        assembly: Its bodies, frames and joints.
+    """
+    parts = []
+    for name, superelement in model.superelements.items():
+        record, joints, rows, at = superelement.record, list[int](), list[int](), 0
+        for one in record.interfaces:
+            if one.name != superelement.frame:
+                joints.append(assembly.joint_number[superelement.place_name(one.name)])
+                rows += range(at, at + len(one.components))
+            at += len(one.components)
+        if record.n > at:
+            joints.append(assembly.joint_number[name])
+            rows += range(at, record.n)
+        axes = model.frames[f"{name}.axes"]
+        frame = assembly.frame(axes, axes.name)
+        parts.append(
+            PartOfSystem(
+                name=name,
+                record=record,
+                frame=frame,
+                joints=tuple(joints),
+                rows=tuple(rows),
+                stiffening=superelement.stiffening,
+                inertia=superelement.constants,
+            )
+        )
+    return tuple(parts)
