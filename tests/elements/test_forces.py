@@ -211,11 +211,14 @@ def test_next_to_the_meeting_point_the_force_has_its_full_size(away: float) -> N
     ],
 )
 def test_a_spring_that_is_driven_has_no_potential(element: ForceElement, name: str) -> None:
-    """A parameter keeps it; a coordinate or time in it works on the system."""
+    """A parameter keeps it; a coordinate or time in it works on the system. With time it has one at
+    every instant."""
     bench = Bench(element)
-    for source, stored in (("p", True), ("q0", False), ("t", False)):
+    for source, stored, instant in (("p", True, True), ("q0", False, False), ("t", False, True)):
         bench.data[name] = block(bench.motion.graph, source, 1)
-        assert [action.potential is not None for action in bench.act()] == [stored]
+        (action,) = bench.act()
+        assert (action.stored is not None) == stored
+        assert (action.potential is not None) == instant
 
 
 # messages

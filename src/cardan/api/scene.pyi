@@ -45,6 +45,7 @@ class Scene(SceneRecord):
         frame: str | None = None,
         weights: Sequence[float] | None = None,
         stiffening: bool = False,
+        inertia: str = "nodal",
     ) -> FlexibleBody:
         """Add a flexible body that was reduced from finite elements: see ``cd.superelement``.
 
@@ -63,6 +64,12 @@ class Scene(SceneRecord):
             weights: Of the interfaces in the mean, equal ones by default.
             stiffening: Whether the centrifugal forces of its rotation stiffen it; needs a record with
                 the geometric stiffness by these.
+            inertia: ``"nodal"``: of all nodes, whatever the velocity of the frame; ``"projected"``:
+                by projection of the mass matrix as it is, which for beams and shells depends on that
+                velocity a little; ``"corotated"``: by the velocities of interfaces and modal rates
+                alone, the simpler form of the source. Its modal coordinates feel neither their
+                centrifugal force nor that the frame moves, so that a spin beside a velocity of the
+                body bends it.
 
         Returns:
             The superelement; ``at`` gives its interfaces as frames.

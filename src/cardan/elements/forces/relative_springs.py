@@ -10,7 +10,7 @@ from ...ir.matrix import Matrix
 from ...ir.table import Table
 from ...spatial.exponential import exp, log, tangent
 from ..formulas import HALFWAY, MEASURES, TANGENT, Lines, Shapes
-from .force import Action, Load, Places
+from .force import Action, Load, Places, potential
 
 SHAPES: Shapes = {"y_0": (6, 1), "k": ("symmetric", 6)}
 DIRECTIONS = ("rx", "ry", "rz", "x", "y", "z")
@@ -138,7 +138,8 @@ def springs(at: Places, law: SpringLaw) -> tuple[Action, ...]:
         energy = y.dot(linear) * 0.5
         for direction, table in law.tables:
             energy = energy + _value(y, direction, table.integral())
-        actions.append(Action(pose.loads(stress), potential=energy if law.fixed else None))
+        stored = potential(energy, law.stiffness, law.unloaded)
+        actions.append(Action(pose.loads(stress), (), *stored))
     # what gives heat, and what is given back later
     terms = [stiffness @ (y - flow) for stiffness, flow in law.branches]
     if not law.damping.is_zero:
