@@ -3,7 +3,7 @@
 #   make test              linters, types, tests; make slow: the rest of those that take long
 #   make bench             speed beside error and beside other programs, docs/performance; QUICK=1
 #   make hard              every integrator on every hard case, docs/hard_cases.md
-#   make browser           the page in Chromium; make picture: the picture of the README
+#   make browser           the page in Chromium; make picture: the pictures of the documents
 #   make wheel             source archive and wheel in dist, checked as a package index wants them
 #   make PYTHON=python3.12 choose the interpreter;  make test PYTEST_ARGS="tests/ir -x" choose tests
 
@@ -95,7 +95,7 @@ $(VENV)/.installed-browser: $(VENV)/.installed-test
 browser: $(VENV)/.installed-browser
 	$(BIN)/python -m pytest tests/view/test_browser.py
 
-# docs/page.png, the picture of the README
+# docs/page.png of the README, docs/mode.png
 picture: $(VENV)/.installed-browser
 	$(BIN)/python tests/view/picture.py
 

@@ -24,7 +24,7 @@ __version__ = VERSION
 _PUBLIC: dict[str, str] = {
     "Scene": "api.scene",
     "load": "api.scene_file",
-    "examples": "api.examples",
+    "examples": "api.scene_file",
     "from_dh": "scene.dh",
     "from_sympy": "scene.sympy_import",
     "t": "scene",

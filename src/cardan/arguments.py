@@ -281,7 +281,7 @@ KINDS: dict[str, Kind] = {
 }  # fmt: skip
 # Any, and other names of types that are not classes: their functions know what they are
 _UNCHECKED = {"Any", "Array", "Key", "LockedValues", "Place", "JointElement", "Provide"}
-_UNCHECKED |= {"Direction", "Rows", "Value"}
+_UNCHECKED |= {"AnyMaterial", "Direction", "Rows", "Value"}
 
 # class that functions take -> the one of it that users have
 OF_USERS = {

@@ -33,7 +33,7 @@ ORDER = (
 )
 
 # a shipped model runs without the compiler half: these rooms know files and saved Functions only
-RUNNING = frozenset({"runtime", "analyses", "view"})
+RUNNING = frozenset({"runtime", "analyses", "view", "superelements"})
 RUNNING_MAY_IMPORT = RUNNING | {
     "arrays",
     "version",
@@ -97,7 +97,7 @@ FAMILIES: dict[str, frozenset[str]] = {
         }
     ),
     "elements.joints": frozenset({"joint", "hinge", "guided", "rolling"}),
-    "elements.forces": frozenset({"force", "line", "relative_springs"}),
+    "elements.forces": frozenset({"bushing_laws", "force", "line", "relative_springs"}),
     "elements.forces.gravity": frozenset({"gravitation", "fields"}),
     "superelements.methods": frozenset({"method", "free_interface"}),
     "superelements.readers": frozenset({"matrix_files", "records", "labeled"}),

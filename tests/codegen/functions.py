@@ -5,7 +5,8 @@ from __future__ import annotations
 import random
 
 from cardan.ir.function import Block, Function, Output
-from cardan.ir.graph import Graph, Table
+from cardan.ir.graph import Graph
+from cardan.ir.table import Table
 
 # what leaves every number what IEEE arithmetic makes of it: C and Python agree to the bit
 EXACT = "add add sub sub mul mul div neg sqrt abs sign min max floor lt le eq and or not select"

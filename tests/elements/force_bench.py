@@ -20,6 +20,11 @@ from spatial.numbers_of import block, numbers
 # of a symmetric positive definite stiffness
 _ROOT = np.random.default_rng(3).uniform(-1, 1, (6, 6))
 COUPLED = _ROOT @ _ROOT.T + np.diag((2.0, 3.0, 4.0, 20.0, 30.0, 25.0))
+# moment and force over the strain, farther than the strain of the bench
+MEASURED = {
+    "ry": cd.table([-2.0, -0.5, 0.0, 0.5, 2.0], [-9.0, -1.0, 0.0, 0.8, 7.0]),
+    "z": cd.table([-2.0, -1.0, -0.2, 0.0, 0.2, 2.0], [-90.0, -9.0, -1.0, 0.0, 2.0, 60.0], "pchip"),
+}
 INSTANCES: dict[str, ForceElement] = {
     "force": cd.Force("A", (1.0, -2.0, 0.5)),
     "force in axes": cd.Force("A", (1.0, -2.0, 0.5), in_="B"),
@@ -37,6 +42,25 @@ INSTANCES: dict[str, ForceElement] = {
     ),
     "bushing and damper": cd.Bushing("A", "B", stiffness=COUPLED, damping=0.05 * COUPLED),
     "damper in six directions": cd.Bushing("A", "B", damping=(0.3, 0.2, 0.1, 3.0, 4.0, 5.0)),
+    "bushing of tables": cd.Bushing("A", "B", tables=MEASURED),
+    "coupled bushing of tables": cd.Bushing(
+        "A", "B", stiffness=COUPLED, rest=(0.1, 0.0, -0.2, 0.3, 0.1, 0.0), tables=MEASURED
+    ),
+    "bushing of branches": cd.Bushing(
+        "A",
+        "B",
+        damping=(0.3, 0.2, 0.1, 3.0, 4.0, 5.0),
+        branches=[((1.0, 0.0, 2.0, 0.0, 0.0, 9.0), 0.2)],
+    ),
+    "bushing of everything": cd.Bushing(
+        "A",
+        "B",
+        stiffness=COUPLED,
+        damping=0.05 * COUPLED,
+        rest=(0.1, 0.0, -0.2, 0.3, 0.1, 0.0),
+        tables=MEASURED,
+        branches=[(0.5 * COUPLED, 0.2), ((0.0, 0.0, 2.0, 0.0, 7.0, 0.0), 3.0)],
+    ),
     "flexible hinge": cd.FlexibleHinge("A", "B", (1, -2, 0.5), 0.5, 80.0, 90.0, 70.0),
     "damped flexible hinge": cd.FlexibleHinge("A", "B", "z", 0.5, 80.0, 90.0, 70.0, damping=0.1),
     "cable": cd.Cable("A", "B", EA=300.0, length=0.9),

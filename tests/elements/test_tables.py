@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ from cardan.ir.forms.sympy_bridge import from_sympy
 from cardan.ir.function import Block, Function, Output
 from cardan.ir.graph import Graph
 from cardan.ir.interpreter import evaluate
+from cardan.ir.numbers import FLOATS
 from table import each
 
 X = [-1.0, 0.0, 0.5, 2.0, 3.0, 4.5]
@@ -36,6 +38,25 @@ def test_values_are_those_of_scipy(kind: str) -> None:
     np.testing.assert_allclose([curve(x) for x in X], Y, rtol=1e-14)
     assert curve(AT.reshape(1, -1)).shape == (1, len(AT))
     assert isinstance(curve(0.3), float)
+
+
+@pytest.mark.parametrize("kind", SCIPY)
+def test_integrals_are_those_of_scipy(kind: str) -> None:
+    """From 0 on, inside and beyond the ends; differentiated, the curve itself."""
+    curve = cd.table(X, Y, kind)
+    for shift in (0.0, 20.0, -20.0):
+        # 0 lies inside, before and behind the points
+        breaks = tuple(x + shift for x in X)
+        moved = replace(curve.data, breaks=breaks)
+        integral = moved.integral()
+        exact = interpolate.PPoly(np.transpose(moved.coefficients), breaks).antiderivative()
+        for x in (*AT + shift, X[0] + shift - 0.7, X[-1] + shift + 0.7):
+            area = float(exact(x) - exact(0.0))
+            largest = abs(float(exact(0.0))) + abs(float(exact(x)))
+            assert FLOATS.table(integral, 0, x) == pytest.approx(area, abs=1e-14 * largest)
+            assert FLOATS.table(integral, 1, x) == pytest.approx(
+                FLOATS.table(moved, 0, x), rel=1e-13, abs=1e-13
+            )
 
 
 def test_a_periodic_table_ends_as_it_begins() -> None:

@@ -126,6 +126,22 @@ A cantilever of 8 elements at a stop takes 0.22 ms a step, 0.12 ms while it is f
 contact instead. Without either it takes 0.09 ms. Values of events that read reactions cost a solution
 each.
 
+## Structures that buckle and snap
+
+Where elastic members hold a mechanism, `model.sweep(..., by="strain_energy")` follows
+[positions of least strain energy](closed_loops.md#members-that-give-way-least-strain-energy). Against closed forms:
+
+| case | what is hard | error |
+|---|---|---|
+| truss bay of three longerons | the load falls, pulls and rises again | load 4e-14 of it, limit points 2e-12 m |
+| truss pushed through by a soft spring | the minimum ends at a fold | place of the fold 1e-10 m |
+| strut of beams that is shortened | the straight minimum becomes a saddle | none that shows beside `statics` |
+| four-bar of bars and a soft spring | stiffness ratio 1e12 | 7e-13 m from rigid links |
+| mast between prestressed cables | one goes slack | energy 1e-10 J |
+
+`snap=True` goes on from a fold or a saddle to the next minimum. Without it the sweep stops at a fold and says so, and
+keeps saddles with a warning. A slack cable of several pieces has nodes that nothing holds: make it one element.
+
 ## When to use another approach
 
 - Contact of arbitrary shapes: cardan has no meshes and no collision search. Use a program such as

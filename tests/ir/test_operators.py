@@ -8,8 +8,9 @@ import mpmath
 import pytest
 
 from cardan.ir.derivative import forward, gradient
-from cardan.ir.graph import ONE, Graph, Table
+from cardan.ir.graph import ONE, Graph
 from cardan.ir.ops import OPERATORS
+from cardan.ir.table import Table
 from ir.expressions import function, y
 from table import each
 

@@ -8,8 +8,9 @@ import pytest
 from hypothesis import given, settings
 
 from cardan.ir.function import Function
-from cardan.ir.graph import ONE, ZERO, Graph, Table
+from cardan.ir.graph import ONE, ZERO, Graph
 from cardan.ir.rewrite import rebuild, rebuild_function
+from cardan.ir.table import Table
 from ir.expressions import function, functions, y
 
 

@@ -10,10 +10,11 @@ import pytest
 from hypothesis import given, settings
 
 from cardan.ir.function import Function
-from cardan.ir.graph import Graph, Table
+from cardan.ir.graph import Graph
 from cardan.ir.matrix import Matrix
 from cardan.ir.serialize import from_dict, to_dict
 from cardan.ir.solve import solve
+from cardan.ir.table import Table
 from ir.expressions import function, functions, y
 from table import each
 

@@ -11,12 +11,13 @@ from hypothesis import given, settings
 
 from cardan.errors import SolveError
 from cardan.ir.function import Function
-from cardan.ir.graph import Graph, Table
+from cardan.ir.graph import Graph
 from cardan.ir.interpreter import evaluate
 from cardan.ir.matrix import Matrix
 from cardan.ir.ops import OPERATORS
 from cardan.ir.solve import KINDS, solve
 from cardan.ir.straight_line import read, straight_line
+from cardan.ir.table import Table
 from ir.expressions import STATE, function, functions, y
 from table import each
 

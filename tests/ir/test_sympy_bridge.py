@@ -12,9 +12,10 @@ from cardan.errors import ModelError
 from cardan.ir.arithmetic import Scalar
 from cardan.ir.forms.sympy_bridge import from_sympy, to_sympy, to_sympy_shared
 from cardan.ir.function import Block, Function, Output
-from cardan.ir.graph import Graph, Table
+from cardan.ir.graph import Graph
 from cardan.ir.matrix import Matrix
 from cardan.ir.solve import solve
+from cardan.ir.table import Table
 from ir.expressions import STATE, function, functions, y
 from table import each
 

@@ -222,6 +222,13 @@ def _elements() -> Iterator[Call]:
         "Torque": {"frame": "a", "torque": (0, 0, 1)},
         "SpringDamper": {"frame_a": "a", "frame_b": "b", "stiffness": 1.0},
         "Maxwell": {"frame_a": "a", "frame_b": "b", "stiffness": 1.0, "damping": 1.0},
+        "Bushing": {
+            "frame_a": "a",
+            "frame_b": "b",
+            "stiffness": (1.0,) * 6,
+            "tables": {"z": cd.table((-1, 0, 1), (-2, 0, 3))},
+            "branches": ((1.0,) * 6, 0.1),
+        },
         "JointSpring": {"joint": "hinge", "stiffness": 1.0},
         "JointForce": {"joint": "hinge", "force": 1.0},
         "JointDamper": {"joint": "hinge", "damping": 1.0},

@@ -55,6 +55,13 @@ def entries(record: Any) -> Iterator[tuple[str, str, Callable[[float], Any], flo
                     return replace(record, **{n: (*v[:k], x, *v[k + 1 :])})
 
                 yield entry.name, f"{entry.name}.{label}", changed, value[k]
+        elif entry.name == "branches":
+            for k, (stiffness, time) in enumerate(value):
+
+                def with_time(x: float, k: int = k, s: Any = stiffness, v: Any = value) -> Any:
+                    return replace(record, branches=(*v[:k], (s, x), *v[k + 1 :]))
+
+                yield entry.name, f"branches.{k}.time", with_time, time
 
 
 def limits_of(system: System) -> ParameterLimits:

@@ -164,7 +164,11 @@ def planar_arm(kind: str) -> cd.Scene:
             contact = cd.Contact(ball, floor, 0.05, 1e4, exponent=1.0, damping=0.2)
             scene.force("floor", contact)
         else:
-            mount = cd.Bushing(ball, scene.ground.at(1.5, 0, 0), (5, 5, 5, 90, 90, 90), (0.1,) * 6)
+            tables = {"x": cd.table([-2, -0.5, 0, 0.5, 2], [-9, -1, 0, 2, 12])}
+            branches = [((2, 2, 2, 40, 40, 40), 0.05)]
+            ends = ball, scene.ground.at(1.5, 0, 0)
+            stiffness, damping = (5, 5, 5, 90, 90, 90), (0.1,) * 6
+            mount = cd.Bushing(*ends, stiffness, damping, tables=tables, branches=branches)
             scene.force("mount", mount)
     return scene
 

@@ -64,12 +64,14 @@ def springs() -> cd.Scene:
 
 
 def mounts() -> cd.Scene:
-    """A coupled bushing between links, a flexible hinge to the ground, and a taut cable."""
+    """A coupled bushing with a curve between links, a flexible hinge, and a taut cable."""
     scene = two_links("mounts")
     first, second = scene.bodies["first"], scene.bodies["second"]
     coupled = [[9 - abs(i - j) + 20 * (i == j) for j in range(6)] for i in range(6)]
     ends = (first.at(0.4, 0, 0, rotation=("XYZ", 0.2, 0.3, -0.1)), second.at(0.02, 0, 0))
-    scene.force("mount", cd.Bushing(*ends, stiffness=coupled, rest=(0, 0.1, 0, 0, 0, 0.05)))
+    curve = cd.table([-2.0, -0.3, 0.0, 0.2, 2.0], [-30.0, -2.0, 0.0, 3.0, 40.0])
+    rest = (0, 0.1, 0, 0, 0, 0.05)
+    scene.force("mount", cd.Bushing(*ends, stiffness=coupled, rest=rest, tables={"rx": curve}))
     hinge = cd.FlexibleHinge(scene.ground, first.at(0, 0, 0.1), (0, 3, 4), 2.0, 30.0, 50.0, 40.0)
     scene.force("hinge", hinge)
     anchor, tip = scene.ground.at(0.3, 0.8, 0.2), second.at(0, 0.1, -0.4)

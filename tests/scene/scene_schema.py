@@ -7,6 +7,7 @@ from typing import Any
 
 from cardan.elements.flexible import BEAMS, INERTIAS
 from cardan.elements.forces import FORCES
+from cardan.elements.forces.relative_springs import DIRECTIONS
 from cardan.elements.joints import JOINTS
 from cardan.elements.tables import KINDS as CURVES
 from cardan.elements.validation import AXES
@@ -17,6 +18,7 @@ from cardan.scene.dh import KINDS as DH_TYPES
 from cardan.scene.files.yaml import keys
 from cardan.scene.files.yaml.keys import Key
 from cardan.scene.files.yaml.superelements import SOURCES
+from cardan.scene.superelement import INERTIAS as FORMS
 from cardan.schema.integrators import INTEGRATORS
 from cardan.superelements import METHODS
 from cardan.version import SCENE
@@ -116,6 +118,11 @@ KINDS: dict[str, Schema] = {
     "text": TEXT,
     "texts": NAMES,
     "members": one_or(TEXT),
+    "curves": {
+        "type": "object",
+        "properties": dict.fromkeys(DIRECTIONS, TEXT),
+        "additionalProperties": False,
+    },
     "names": {**NAMES, "minItems": 1, "maxItems": 6},
     "mesh": TEXT,
     "flag": {"type": "boolean"},
@@ -204,7 +211,10 @@ KINDS |= {
     "solid_mesh": record(keys.SOLID_MESH, method=METHOD),
 }
 KINDS["superelements"] = by_name(
-    {**record(keys.SUPERELEMENT), "oneOf": [{"required": [source]} for source in SOURCES]}
+    {
+        **record(keys.SUPERELEMENT, inertia={"enum": list(FORMS)}),
+        "oneOf": [{"required": [source]} for source in SOURCES],
+    }
 )
 KINDS["cables"] = by_name(record(keys.CABLE))
 KINDS["beams"] = by_name(

@@ -144,7 +144,7 @@ FITTING: dict[str, dict[str, Any]] = {
     "controller": {"states": ["a"], "changes": [1.5], "force": 2.0, "start": [0.5], "sample": 0.1},
     "friction": {"mu": None, "radius": None},
     "bushing": {"stiffness": [1, 2, 3, 4, 5, 6], "damping": np.diag([1, 2, 3, 4, 5, 6.5]).tolist()}
-    | {"rest": [0, 0.1, 0, 0, 0, 1]},
+    | {"rest": [0, 0.1, 0, 0, 0, 1], "tables": None, "branches": [[[0, 0, 3, 0, 1, 0], 0.2]]},
     "flexible_hinge": {"axis": [0, 1, 2]},
     "stop": {"lower": -1.0, "restitution": 0.5},
     "lock": {"locked": True},

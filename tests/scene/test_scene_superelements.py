@@ -54,7 +54,7 @@ def crane() -> cd.Scene:
     rope = scene.beam("mast", first.at("tip"), (3, 0, 1), tube, steel, elements=2)
     second = scene.superelement("a/b c", other, {"root": rope.end}, weights=(0.1, 0.6))
     scene.beam("end", second.at("tip").at(0, 0, 0.1), (6, 0, 1), tube, steel, elements=2)
-    third = scene.superelement("third", record, frame="chord")
+    third = scene.superelement("third", record, frame="chord", inertia="corotated")
     tool = scene.body("tool", 1.0, inertia=(0.1, 0.1, 0.1))
     scene.joint("hinge", cd.Revolute("y"), "end.end", third.at("root"))
     place = third.at("tip").at(0.1, 0, 0)
@@ -75,7 +75,9 @@ def test_saved_and_read_again(tmp_path: Path) -> None:
     for name, one in scene.superelements.items():
         again = loaded.superelements[name]
         assert_same_record(again.record, one.record)
-        assert (again.joined, again.frame, again.weights) == (one.joined, one.frame, one.weights)
+        for key in ("joined", "frame", "weights", "stiffening", "inertia"):
+            assert getattr(again, key) == getattr(one, key)
+        assert isinstance(again.record, cd.superelement.Superelement)
     assert fingerprint(cd.derive(loaded)) == fingerprint(cd.derive(scene))
     loaded.save(tmp_path / "second.yaml")
     text = (tmp_path / "second.yaml").read_text(encoding="utf-8")
@@ -140,7 +142,8 @@ def test_a_mesh_beside_the_scene(tmp_path: Path) -> None:
     material = "{E: 70e9, nu: 0.3, rho: 2700, expansion: 2.3e-5}"
     section = (
         f"lug: {{mesh: {{file: lug.inp, scale: 1e-3, material: {material}, modes: 2, "
-        "interfaces: {base: root, pin: hole}, stress: root, stiffening: base}}"
+        "interfaces: {base: root, pin: hole}, stress: root, stiffening: base}, "
+        "frame: base, stiffening: true}"
     )
     path = written(tmp_path, section)
     assert complaints(document(path)) == []
@@ -153,7 +156,11 @@ def test_a_mesh_beside_the_scene(tmp_path: Path) -> None:
         stiffening="base",
         scale=1e-3,
     )
-    assert_same_record(cd.load(path).superelements["lug"].record, record)
+    placed = cd.load(path).superelements["lug"]
+    assert_same_record(placed.record, record)
+    assert placed.stiffening
+    cd.load(path).save(tmp_path / "saved.yaml")
+    assert cd.load(tmp_path / "saved.yaml").superelements["lug"].stiffening
     with pytest.raises(cd.ModelError, match=r"meshes are reduced where cardan\.load reads"):
         from_text(path.read_text(encoding="utf-8"), name="scene.yaml", folder=tmp_path)
 
@@ -191,12 +198,14 @@ REFUSED = {
     "a: {file: part.npz, weights: [1]}": "give 2 numbers of at least 0",
     "a: {file: part.npz, weights: [1, -1]}": "give 2 numbers of at least 0",
     "a: {file: part.npz, weights: [1, x]}": "x",
+    "a: {file: part.npz, inertia: nodl}": "Did you mean 'nodal'?",
+    "a: {file: part.npz, frame: root, stiffening: true}": "stiffening",
     "a: {file: part.npz, stiffening: 1}": "true or false is wanted",
     "a: {matrices: bar.sti}": "matrices such as {file: ..., interface: ...} is wanted",
     "a: {matrices: {file: bar.sti}}": "matrices needs the key 'interface'",
     f"a: {{matrices: {{file: bar.sti, mass: x.mas, {INTERFACE}}}}}": "no file 'x.mas'",
     f"a: {{matrices: {{file: alone.sti, {INTERFACE}}}}}": "no file alone.mas beside it; give mass=",
-    f"a: {{matrices: {{file: part.npz, {INTERFACE}}}}}": "no positions of nodes in the files",
+    f"a: {{matrices: {{file: part.npz, {INTERFACE}}}}}": "is a reduced component",
     f"a: {{matrices: {{file: bar.sti, {INTERFACE}, modes: 2.5}}}}": "an integer is wanted",
     f"a: {{matrices: {{file: bar.sti, {INTERFACE}, modes: -1}}}}": "give 0 or more",
     f"a: {{matrices: {{file: bar.sti, {INTERFACE}, modes: 999999}}}}": "999999",

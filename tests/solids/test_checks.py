@@ -49,7 +49,7 @@ def touching():
 
 
 FAULTS = {
-    "no numbers": (("x", ONE), r"points must be numbers"),
+    "no numbers": (("x", ONE), r"mesh: points='x': give real numbers"),
     "plane": ((TET[:, :2], ONE), r"points have the shape \(4, 2\), expected \(nodes, 3\)"),
     "empty": ((np.zeros((0, 3)), ONE), r"points have the shape \(0, 3\)"),
     "nan": ((np.where(TET == 1, np.nan, TET), ONE), r"node 1 lies at .*nan.*\(and 2 more nodes\)"),
@@ -160,7 +160,7 @@ def test_scale_is_a_length() -> None:
 
 def test_cells_that_fold_at_a_corner_are_warned_of() -> None:
     points, cells = moved("hex8", 6, (0.65, 0.65, 0.65))
-    with pytest.warns(cd.ModelWarning, match=r"1 cell of hex8, .* number 0, fold over at a corner"):
+    with pytest.warns(cd.ModelWarning, match=r"1 cell of hex8, .* number 0, fold over at a node"):
         fem.from_arrays(points, cells, scale=1.0)
 
 

@@ -180,6 +180,18 @@ def test_a_count_beyond_the_file_is_refused_at_once(tmp_path: Path) -> None:
         fem.read(written(tmp_path, text, "many.msh"))
 
 
+@pytest.mark.parametrize(
+    "lines",
+    ["*NSET, NSET=A, GENERATE\n" + "1, 9000000, 1\n" * 200, "*NSET, NSET=root\nroot\n" * 60],
+    ids=["ranges", "itself"],
+)
+def test_a_few_lines_do_not_fill_the_memory(tmp_path: Path, lines: str) -> None:
+    """Ranges again and again, and a set that doubles with every line."""
+    deck = (FILES / "lug.inp").read_text() + "\n" + lines
+    with pytest.raises(cd.ModelError, match=r"more than 10000000 labels in all sets; leave some"):
+        fem.read(written(tmp_path, deck, "deck.inp"), scale=1e-3)
+
+
 def test_wedges_are_refused_by_name(tmp_path: Path) -> None:
     meshio = pytest.importorskip("meshio")
     points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]], float)

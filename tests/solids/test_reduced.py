@@ -18,7 +18,7 @@ ALUMINIUM = cd.material(E=70e9, nu=0.3, rho=2700, expansion=2.3e-5)
 
 def test_a_link_from_its_file() -> None:
     """Frequencies with the root fixed, static stiffness, stress under a load at the hole."""
-    link = fem.from_mesh(
+    link = cd.superelement.from_mesh(
         LUG, ALUMINIUM, {"base": "root", "pin": "hole"}, modes=12, stress="root", scale=1e-3
     )
     mesh = fem.read(LUG, scale=1e-3)
@@ -61,7 +61,7 @@ def test_a_link_from_its_file() -> None:
 def test_heat_of_a_free_body_is_free_of_stress() -> None:
     mesh = block("hex20", (3, 1, 1), (0.3, 0.1, 0.1))
     ends = [np.flatnonzero(abs(mesh.points[:, 0] - x) < 1e-9) for x in (0, 0.3)]
-    link = fem.from_mesh(
+    link = cd.superelement.from_mesh(
         mesh,
         cd.material(E=70e9, nu=0.3, rho=2700, expansion=2e-5),
         {"a": ends[0], "b": ends[1]},
@@ -83,7 +83,7 @@ def test_frequencies_of_a_beam_of_solids() -> None:
     ends = {
         name: np.flatnonzero(abs(mesh.points[:, 0] - x) < 1e-9) for name, x in (("a", 0), ("b", 1))
     }
-    link = fem.from_mesh(mesh, ALUMINIUM, ends, method="rubin", rigid="rbe3", modes=10)
+    link = cd.superelement.from_mesh(mesh, ALUMINIUM, ends, method="rubin", rigid="rbe3", modes=10)
     K, M = body.stiffness().toarray(), body.mass().toarray()
     exact = np.sqrt(eigh(K, M, eigvals_only=True, subset_by_index=(6, 9)))
     assert link.frequencies[:4] == pytest.approx(exact, rel=1e-7)
@@ -97,9 +97,9 @@ def test_faults_are_named() -> None:
         ({"a": [99]}, r"there is no node 99"),
     ):
         with pytest.raises(cd.ModelError, match=says):
-            fem.from_mesh(mesh, ALUMINIUM, interfaces)
+            cd.superelement.from_mesh(mesh, ALUMINIUM, interfaces)
     with pytest.raises(cd.ModelError, match=r"scale=0.001: the mesh is one already"):
-        fem.from_mesh(mesh, ALUMINIUM, {"a": [0]}, scale=1e-3)
+        cd.superelement.from_mesh(mesh, ALUMINIUM, {"a": [0]}, scale=1e-3)
 
 
 # first flap frequency of a rotating blade by w (rho A l^4 / E I)^(1/2), both over the same unit:
@@ -116,7 +116,7 @@ def test_a_spinning_blade_by_its_geometric_stiffness() -> None:
         name: np.flatnonzero(abs(mesh.points[:, 0] - x) < 1e-9)
         for name, x in (("root", 0), ("tip", length))
     }
-    blade = fem.from_mesh(mesh, metal, ends, modes=8, stiffening="root")
+    blade = cd.superelement.from_mesh(mesh, metal, ends, modes=8, stiffening="root")
     assert set(blade.geometric) == {"xx", "yy", "zz", "yz", "zx", "xy"}
     unit = np.sqrt(E * h * h / 12 / rho) / length**2
     moving = slice(6, None)
@@ -147,4 +147,4 @@ def test_nodes_on_a_line_hold_nothing() -> None:
     with pytest.raises(cd.ModelError, match=r"body that spins is singular.*do not lie on a line"):
         fem.spin_stiffness(body, edge)
     with pytest.raises(cd.ModelError, match=r"stiffening='rot': .*Did you mean 'root'"):
-        fem.from_mesh(mesh, ALUMINIUM, {"root": edge}, stiffening="rot")
+        cd.superelement.from_mesh(mesh, ALUMINIUM, {"root": edge}, stiffening="rot")

@@ -13,6 +13,7 @@ import sympy
 import cardan as cd
 from cardan.equations.finite_elements.superelements import PAIR_NAMES, PAIRS
 from cardan.equations.reading.energy_expressions import _symbols_of
+from cardan.scene.superelement import INERTIAS
 from elements.formula_values import column, computed, motions, poses, skew
 from superelements.components import brick, brick_matrices, faces
 from table import each
@@ -29,12 +30,12 @@ def record() -> cd.superelement.Superelement:
     return cd.superelement.reduce(M, 1e-4 * K, nodes, faces(), modes=3, damping=0.1)
 
 
-def scene(on_ground: bool) -> cd.Scene:
+def scene(on_ground: bool, inertia: str = "nodal") -> cd.Scene:
     one = cd.Scene("one", gravity=GRAVITY)
     if on_ground:
         one.superelement("body", record(), {"root": one.ground.at(*ROOT)}, frame="root")
     else:
-        body = one.superelement("body", record(), frame="root")
+        body = one.superelement("body", record(), frame="root", inertia=inertia)
         one.joint("free", cd.Free(), one.ground, body.at("root"))
     return one
 
@@ -42,10 +43,10 @@ def scene(on_ground: bool) -> cd.Scene:
 ROOT = (0.0, 0.15, 0.05)
 
 
-def constants(rows: slice) -> dict[str, Any]:
+def constants(rows: slice, form: str = "nodal") -> dict[str, Any]:
     """Numbers that formulas read, out of the record, for the coordinates that move."""
     r = record()
-    inertia, size = r.inertia, len(r.M)
+    inertia, size = INERTIAS[form](r), len(r.M)
     at = np.arange(size)[rows]
     both = np.ix_(at, at)
     first, second = inertia.first, inertia.second
@@ -59,6 +60,8 @@ def constants(rows: slice) -> dict[str, Any]:
         "K": r.K[both],
         "D": r.C[both],
     }
+    for k, m in np.ndindex(3, 3):
+        values[f"E_{k + 1}{m + 1}"] = inertia.drift[k, m, at][:, None]
     for k in range(3):
         values[f"h_{k + 1}"] = inertia.angular[k, at][:, None]
         values[f"A_{k + 1}"] = inertia.spin_modal[k][both]
@@ -93,12 +96,15 @@ def kinetic_energy_of_all_nodes(z: Any, rate: Any, frame: dict[str, Any]) -> flo
     return float(velocity @ (M @ velocity)) / 2
 
 
-@each("on_ground", (True, False))
-def test_balance_and_energy_are_those_of_the_compiled_element(on_ground: bool) -> None:
-    model = cd.compile(scene(on_ground), functions=("residual", "energy"))
-    kind = cd.derive(scene(on_ground)).kinds["superelement"].kinds[0]
+@each("on_ground, inertia", [(True, "nodal"), (False, "nodal"), (False, "corotated")])
+def test_balance_and_energy_are_those_of_the_compiled_element(
+    on_ground: bool, inertia: str
+) -> None:
+    model = cd.compile(scene(on_ground, inertia), functions=("residual", "energy"))
+    kind = cd.derive(scene(on_ground, inertia)).kinds["superelement"].kinds[0]
+    assert ("G = " in str(kind.formulas)) == (inertia == "corotated")
     rng, own = np.random.default_rng(4), slice(6, 15)
-    given = constants(own)
+    given = constants(own, inertia)
     nodes = 0 if on_ground else 1
     for _ in range(3):
         z, (rate, second) = 0.05 * rng.normal(size=9), rng.normal(size=(2, 9))
@@ -114,7 +120,7 @@ def test_balance_and_energy_are_those_of_the_compiled_element(on_ground: bool) -
         frame = frame_of(pose, *fast) if nodes else frame_of([1, 0, 0, 0, *ROOT], resting, resting)
         moving = {"z": column(z), "zdot": column(rate), "zddot": column(second)}
         spin = {f"omega_{k + 1}": float(x) for k, x in enumerate(frame["omega"].ravel())}
-        shown = computed(kind.formulas, given | frame | moving | spin)
+        shown = computed(kind.formulas, given | frame | moving | spin, "nu")
         b = shown["b"].ravel()
         if nodes:
             # the moment about the node
@@ -124,6 +130,8 @@ def test_balance_and_energy_are_those_of_the_compiled_element(on_ground: bool) -
         np.testing.assert_allclose(expected, b, atol=ROUNDING * np.abs(b).max())
         energy = model.energy(q, u)
         np.testing.assert_allclose(energy.kinetic, shown["T"], rtol=ROUNDING)
+        if inertia != "nodal":
+            continue
         by_nodes = kinetic_energy_of_all_nodes(z, rate, frame)
         np.testing.assert_allclose(shown["T"], by_nodes, rtol=ROUNDING)
         np.testing.assert_allclose(energy.potential, shown["V"], rtol=ROUNDING)

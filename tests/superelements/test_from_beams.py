@@ -176,6 +176,13 @@ def hinged() -> Any:
             "2 beams have several ends",
         ),
         (straight, {"modes": 500}, "modes=500"),
+        (straight, {"beams": 3}, "there is no beam '3'"),
+        (straight, {"beams": None}, "there is no beam 'None'"),
+        (straight, {"bodies": 3}, "body.*3"),
+        (straight, {"interfaces": ["boom.end"]}, r"interfaces=\['boom.end'\]: give them by name"),
+        (straight, {"interfaces": {"a": ("boom", True)}}, "give a number from 0 to 1"),
+        (straight, {"interfaces": {"a": ("boom", float("nan"))}}, "give a number from 0 to 1"),
+        (straight, {"interfaces": {"\ud800": "boom.end"}}, "is not a name"),
     ],
 )
 def test_bad_input(make: Any, arguments: dict[str, Any], message: str) -> None:

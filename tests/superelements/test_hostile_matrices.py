@@ -91,6 +91,13 @@ def _listed(data: dict[str, Any]) -> None:
     data["node_dofs"] = None
 
 
+def damaged(matrix: np.ndarray, part: str) -> csc_matrix:
+    """A sparse matrix one of whose places lies far outside."""
+    sparse = csc_matrix(matrix)
+    getattr(sparse, part)[3] = 10**6
+    return sparse
+
+
 REFUSED: list[tuple[Callable[[], dict[str, Any]], Callable[..., None], str]] = [
     # entries
     (solid, put("K", (3, 7), 1e9), r"K is not symmetric: node 1\d \w and node 1\d \w have .*K\.T"),
@@ -103,6 +110,12 @@ REFUSED: list[tuple[Callable[[], dict[str, Any]], Callable[..., None], str]] = [
     (solid, lambda d: d.update(M=d["M"] * 0), "M is zero"),
     (solid, lambda d: d.update(M=d["M"].astype(complex)), "M: entries of complex128"),
     (solid, lambda d: d.update(M=d["K"], K=-d["M"]), r"K has .* on the diagonal at node"),
+    (solid, lambda d: d.update(M=d["M"] > 0), "M: entries of bool, expected real numbers"),
+    (solid, lambda d: d.update(K=d["K"].astype(object)), "K: entries of object"),
+    (solid, lambda d: d.update(K=csc_matrix(d["K"] > 0)), "K: entries of bool"),
+    (solid, lambda d: d.update(K=np.ma.masked_greater(d["K"], 1e8)), "K: 684 entries are masked"),
+    (solid, lambda d: d.update(K=damaged(d["K"], "indices")), "K: its sparse matrix is damaged"),
+    (solid, lambda d: d.update(M=damaged(d["M"], "indptr")), "M: its sparse matrix is damaged"),
     # sizes
     (solid, lambda d: d.update(M=d["M"][:57, :57]), "M is 57 x 57, expected 60 x 60"),
     (solid, lambda d: d.update(K=d["K"][:57]), r"K: shape \(57, 60\), expected a square matrix"),
@@ -112,6 +125,9 @@ REFUSED: list[tuple[Callable[[], dict[str, Any]], Callable[..., None], str]] = [
     (planar, say(node_dofs="x y theta"), "node_dofs='x y theta': give names out of x, y, z"),
     (solid, lambda d: d.update(nodes=d["nodes"][:, :2]), r"nodes: shape \(20, 2\).*give z = 0"),
     (solid, put("nodes", (4, 1), np.nan), r"the position of node 21 is \[.*nan"),
+    (solid, put("nodes", (4, 1), 1e200), r"node 21 is .*give finite numbers below 1e\+30"),
+    (solid, lambda d: d.update(nodes=d["nodes"] > 0), "nodes=array.*give real numbers"),
+    (solid, lambda d: d.update(nodes=np.ma.masked_less(d["nodes"], 0.1)), "entries are masked"),
     (solid, lambda d: d["node_ids"].__setitem__(3, 11), "node 11 is there twice"),
     (planar, _listed, "dofs: node 16 y is there twice"),
     (planar, say(dofs=5), r"dofs=5: give a list such as"),
@@ -139,6 +155,11 @@ REFUSED: list[tuple[Callable[[], dict[str, Any]], Callable[..., None], str]] = [
     (solid, say(interface={"root": "left"}), "'root': 'left'; give a node or nodes"),
     (solid, say(interface={}), "give a node or nodes for at least one"),
     (solid, say(interface={"a.b": [11, 12, 13]}), "give a name without a dot"),
+    (solid, say(interface={"a\n": [11, 12, 13]}), r"interface: 'a\\n' is not a name"),
+    (solid, say(interface={"\ud800": [11, 12, 13]}), "is not a name; give 1 to 200 letters"),
+    (solid, say(interface={"a" * 999: [11, 12, 13]}), "is not a name; give 1 to 200 letters"),
+    (solid, say(interface={"a": list(ENDS["root"]), "b": list(ENDS["root"])}), "node 11 belongs"),
+    (solid, say(at={"root": (1e9, 0, 0)}), r"at: 'root' lies 1e\+09 m from its nodes"),
     (solid, lambda d: d["interface"].update(mid=[14, 21, 22]), "node 14 belongs to .* 'root' too"),
     (solid, say(rigid="rbe4"), "rigid='rbe4': give 'rbe2' or 'rbe3'"),
     (solid, say(at={"rot": (0, 0, 0)}), r"at: there is no interface 'rot'.*Did you mean 'root'"),
@@ -157,6 +178,17 @@ REFUSED: list[tuple[Callable[[], dict[str, Any]], Callable[..., None], str]] = [
     (solid, say(rayleigh=(-1, 0)), "rayleigh=.*give two numbers that are 0 or more"),
     (solid, say(loads={"heat": np.ones(3)}), r"'heat' has shape \(3,\), expected \(60,\)"),
     (solid, say(loads={"heat": np.full(60, np.nan)}), "'heat' is nan at node 11 x"),
+    (solid, say(loads={"heat": np.full(60, 1e300)}), r"'heat' is 1e\+300 at node 11 x"),
+    (solid, say(loads={"gravity": np.ones(60)}), "'gravity' is the weight.*rename yours"),
+    (solid, say(loads={"a\t": np.ones(60)}), "loads: 'a.*t' is not a name"),
+    (solid, say(damping=1e300), r"C: damping=\[1e\+300\] .* give ratios such as 0.01"),
+    (solid, say(rayleigh=(1e300, 1e300)), r"C: .*rayleigh=\(1e\+300, 1e\+300\)"),
+    (solid, say(damping=[0.01, np.nan]), r"damping=\[0.01, nan\]: give a ratio"),
+    (solid, say(stress=np.ones((2, 2, 60))), r"stress: shape \(2, 2, 60\), expected"),
+    (solid, say(stress=csc_matrix(np.ones((2, 60)) > 0)), "stress: entries of bool"),
+    (solid, say(stress=csc_matrix(np.ones((2, 60)) * 1j)), "stress: entries of complex128"),
+    (solid, say(stress=np.ones((1, 60)), stress_names=["\ud800"]), "stress_names: .* not a name"),
+    (solid, say(geometric={"": np.eye(60)}), "geometric: '' is not a name"),
     (solid, say(stress=np.ones((2, 3))), r"stress: shape \(2, 3\), expected \(components, 60\)"),
     (solid, say(stress=np.full((2, 60), np.inf)), "stress: an entry is not finite"),
     (solid, say(stress=np.ones((2, 60)), stress_names=["a"]), "1 names for 2 rows"),
@@ -264,3 +296,96 @@ def test_sparse_and_dense_matrices_are_one() -> None:
     for kind in (csc_matrix, lambda x: csc_matrix(x).tocoo(), np.ndarray.tolist):
         other = cd.superelement.reduce(**{**data, "M": kind(data["M"]), "K": kind(data["K"])})
         np.testing.assert_array_equal(other.M, dense.M)
+
+
+@each("size", [1e3, 1e-2, 1e-4, 1e-6])
+@pytest.mark.filterwarnings("ignore::cardan.errors.ModelWarning")
+def test_parts_of_any_size_are_equally_accurate(size: float) -> None:
+    """Frequencies of similar bodies of one material go with the inverse of their size."""
+    data, small = solid(), solid()
+    small["K"], small["M"] = small["K"] * size, small["M"] * size**3
+    small["nodes"] = small["nodes"] * size
+    one, other = cd.superelement.reduce(**data), cd.superelement.reduce(**small)
+    for locked in ([], ["root"], ["root", "tip"]):
+        exact = one.modes(locked).frequencies / size
+        np.testing.assert_allclose(other.modes(locked).frequencies, exact, rtol=1e-11)
+
+
+@pytest.mark.filterwarnings("ignore::cardan.errors.ModelWarning")
+def test_rounding_in_rows_without_force_is_no_support() -> None:
+    """A beam along -x, whose matrices are turned by half a turn with what rounding leaves."""
+    M, K, nodes = planar_beam(1.0, 4, 1e6, 100.0, 2.0)
+    dofs = [(k // 3, ("x", "y", "rz")[k % 3]) for k in range(15)] + [(k, "rx") for k in range(5)]
+    torsion = 50.0 * (2 * np.eye(5) - np.eye(5, k=1) - np.eye(5, k=-1))
+    torsion[0, 0] = torsion[4, 4] = 50.0
+    K, M = block_diag(K, torsion), block_diag(M, np.eye(5))
+    # 1e-15 of the stiffness along the beam between torsion and bending
+    K[15, 2] = K[2, 15] = 4e-9
+    supported = K.copy()
+    supported[15, 2] = supported[2, 15] = 1.0
+    with pytest.raises(cd.ModelError, match="K resists a rigid"):
+        cd.superelement.reduce(M, supported, nodes, {"root": 0}, dofs=dofs, modes=2)
+    record = cd.superelement.reduce(M, K, nodes, {"root": 0}, dofs=dofs, modes=2)
+    assert max(record.check.residual) < 1e-5
+
+
+@each(
+    "call, message",
+    [
+        (lambda r: r.displacements("x"), "displacements: z='x': give real numbers"),
+        (lambda r: r.displacements(np.ones(14) * 1j), "displacements: z=.*give real numbers"),
+        (lambda r: r.stresses(np.ones(14)), "the component has none; give stress="),
+        (lambda r: r.surface_displacements(np.ones(3)), r"shape \(3,\), expected \(\.\.\., 14\)"),
+        (lambda r: r.rigid_motions((1, 2)), r"about=\(1, 2\): give three finite numbers"),
+        (lambda r: r.rigid_motions("x"), "about='x': give real numbers"),
+        (lambda r: r.impedance([1e300]), r"below 1e\+30 rad/s"),
+        (lambda r: r.impedance([np.nan]), "finite numbers"),
+        (lambda r: r.modes("rot"), "there is no interface 'rot'.*Did you mean 'root'"),
+    ],
+)
+def test_what_a_component_is_asked_for_is_checked(call: Any, message: str) -> None:
+    record = cd.superelement.reduce(**solid())
+    with pytest.raises((cd.ModelError, cd.ArgumentError), match=message):
+        call(record)
+
+
+@pytest.mark.filterwarnings("ignore::cardan.errors.ModelWarning")
+def test_what_can_be_reduced_can_be_saved_and_loaded(tmp_path: Any) -> None:
+    """Or the file is refused when it is written, not when it is read."""
+    file = tmp_path / "part.npz"
+    for scale in (1e-80, 1e-12, 1.0, 1e12, 1e80):
+        data = solid()
+        data["K"], data["M"] = data["K"] * scale, data["M"] * scale
+        record = cd.superelement.reduce(**data)
+        try:
+            record.save(file)
+        except cd.ModelError as error:
+            assert "cannot be saved: " in str(error)  # noqa: PT017
+            assert scale in (1e-80, 1e80)
+        else:
+            np.testing.assert_array_equal(cd.superelement.load(file).M, record.M)
+
+
+def test_an_interface_of_many_nodes_takes_memory_for_these() -> None:
+    """A face of 20,000 nodes, whose motions would fill 29 GB if all directions were computed."""
+    nodes = np.random.default_rng(3).uniform(size=(20_000, 3)) * [0.0, 1.0, 1.0]
+    dofs = number_rows(nodes, 60_000)
+    connection = connect(dofs, {"face": np.arange(20_000)})
+    assert connection.n_boundary == 6
+    motions = connection.matrix.toarray()
+    np.testing.assert_allclose(motions[:, 3:], dofs.rigid(nodes.mean(axis=0))[:, 3:], atol=1e-12)
+
+
+def test_a_part_that_no_interface_holds_is_named() -> None:
+    """Of a mesh in two parts, as given and as meant."""
+    mesh = cd.superelement.mesh
+    cube = np.array([[x, y, z] for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))], float)
+    cells = {"hex8": np.arange(16).reshape(2, 8)}
+    two = mesh.from_arrays(
+        np.vstack([cube, cube + np.array([5.0, 0, 0])]), cells, scale=1.0, parts=2
+    )
+    steel = cd.material(E=210e9, nu=0.3, rho=7850)
+    with pytest.raises(cd.ModelError, match=r"node (8|9|1\d) [xyz] moves .* not held by the inter"):
+        cd.superelement.from_mesh(two, steel, {"a": [0, 3, 4, 7]}, modes=1)
+    both = {"a": [0, 3, 4, 7], "b": [8, 11, 12, 15]}
+    assert cd.superelement.from_mesh(two, steel, both, modes=1).n == 13

@@ -103,8 +103,8 @@ def test_a_forged_component_is_refused(tmp_path: Path) -> None:
         file = forged(tmp_path, change)
         with pytest.raises(cd.ModelError, match=r"forged\.npz is not a superelement"):
             cd.superelement.load(file)
-    newer = forged(tmp_path, lambda arrays, about: about.update(superelement=2, cardan="9"))
-    with pytest.raises(cd.ModelError, match=r"superelement format 2.*reduce its matrices again"):
+    newer = forged(tmp_path, lambda arrays, about: about.update(superelement=3, cardan="9"))
+    with pytest.raises(cd.ModelError, match=r"superelement format 3.*reduce its matrices again"):
         cd.superelement.load(newer)
 
 

@@ -1,6 +1,8 @@
-"""The picture of the README, ``docs/page.png``: the page of the Panda arm as Chromium shows it.
+"""Pictures of the documents: pages as Chromium shows them.
 
-``make picture`` writes it; it needs Chromium and the package playwright.
+``docs/page.png`` of the README is the Panda arm, ``docs/mode.png`` a mode of a superelement.
+``make picture`` writes them, with names of pictures only those; it needs Chromium and the package
+playwright.
 """
 
 from __future__ import annotations
@@ -11,6 +13,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+import numpy as np
+
 import cardan as cd
 from cardan.cli.demo import PACKAGE, SCENES, locate
 
@@ -18,19 +22,33 @@ ROOT = Path(__file__).parents[2]
 OPTIONS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 
 
-def page(folder: Path) -> Path:
+def panda(folder: Path) -> str:
     """The page of the demo."""
     scene = SCENES["panda"]
     file = locate("panda")
     packages = [parent for parent in file.parents if parent.name == PACKAGE]
     model = cd.compile(cd.load(file, packages=packages, limits="stop", friction=True))
     motion = model.simulate(3.0, q=scene.q)
-    shown = motion.animate(folder / "page.html", show="reactions", traces="panda_hand_tcp")
-    return shown.saved()
+    page = motion.animate(folder / "page.html", show="reactions", traces="panda_hand_tcp")
+    return page.saved().as_uri() + "#t=0.3"
+
+
+def mode(folder: Path) -> str:
+    """A mode of the lug of the tests with its root fixed."""
+    lug = ROOT / "tests" / "solids" / "files" / "lug.inp"
+    aluminium = cd.material(E=70e9, nu=0.3, rho=2700)
+    ends = {"base": "root", "pin": "hole"}
+    record = cd.superelement.from_mesh(lug, aluminium, ends, modes=6, scale=1e-3)
+    quarter = np.pi / 2 / record.modes("base").frequencies[1]
+    page = record.animate(2, folder / "mode.html", locked=["base"], title="Mode 2, base fixed")
+    return f"{page.saved().as_uri()}#t={quarter}"
+
+
+PICTURES = {"page": (panda, (1280, 720)), "mode": (mode, (960, 480))}
 
 
 def main() -> int:
-    """Write the picture. Returns the exit status."""
+    """Write the pictures. Returns the exit status."""
     from playwright.sync_api import sync_playwright
 
     chromium = os.environ.get("CHROMIUM") or shutil.which("chromium")
@@ -39,11 +57,13 @@ def main() -> int:
         return 1
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as started:
         browser = started.chromium.launch(executable_path=chromium, args=OPTIONS)
-        shown = browser.new_page(viewport={"width": 1280, "height": 720})
-        shown.goto(page(Path(folder)).as_uri() + "#t=0.3")
-        shown.wait_for_selector("body[data-ready]")
-        shown.wait_for_timeout(500)
-        shown.screenshot(path=ROOT / "docs" / "page.png")
+        for name in sys.argv[1:] or PICTURES:
+            address, (width, height) = PICTURES[name]
+            page = browser.new_page(viewport={"width": width, "height": height})
+            page.goto(address(Path(folder)))
+            page.wait_for_selector("body[data-ready]")
+            page.wait_for_timeout(500)
+            page.screenshot(path=ROOT / "docs" / f"{name}.png")
         browser.close()
     return 0
 

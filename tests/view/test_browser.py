@@ -351,3 +351,40 @@ def test_what_is_hidden_has_no_name_under_the_pointer(browser: Any, tmp_path: Pa
         shown.page.uncheck("#layer-springs")
         shown.page.click("#list")
         assert names() == {True}
+
+
+def test_a_surface_bends_and_is_colored(browser: Any, tmp_path: Path) -> None:
+    """Points and colors in the page against those of the component, by displacement and stress."""
+    viridis = pytest.importorskip("matplotlib").colormaps["viridis"]
+    matrices = cd.superelement.mesh
+    points = np.array([[x, y, z] for x in range(4) for y in range(2) for z in range(2)]) * 0.1
+    ring = ((0, 0), (1, 0), (1, 1), (0, 1))
+    cells = [[4 * (i + a) + 2 * b + k for k in range(2) for a, b in ring] for i in range(3)]
+    mesh = matrices.from_arrays(points, {"hex8": cells})
+    record = cd.superelement.from_mesh(
+        mesh, cd.material(E=70e9, nu=0.3, rho=2700), {"a": [0, 1, 2, 3]}, modes=3, stress=range(16)
+    )
+    modes = record.modes(["a"])
+    exact = record.surface_displacements(modes.shapes[:, 1])
+    stress = matrices.von_mises(record.stresses(modes.shapes[:, 1]).reshape(-1, 6))
+    quarter = np.pi / 2 / modes.frequencies[1]
+    for color, values in (("displacement", np.linalg.norm(exact, axis=1)), ("stress", stress)):
+        page = record.animate(2, tmp_path / "mode.html", color=color, scale=0.01)
+        with Shown(browser, f"{page.saved().as_uri()}#t=0", bypass_csp=True) as shown:
+            shown.tell(f"seek({quarter})")
+            for k in (0, 5, 9, 12, 15):
+                place, tone = shown.tell(f"point('component', {k})")
+                # the picture is within half a step of time of the largest deflection
+                np.testing.assert_allclose(
+                    place, record.surface_points[k] + 0.01 * exact[k], atol=2e-4
+                )
+                # colors of the script, in linear light, are those of Matplotlib at nine values
+                bright = np.clip(12.92 * np.array(tone), 0, None)
+                rgb = np.where(
+                    np.array(tone) <= 0.0031308, bright, 1.055 * np.array(tone) ** (1 / 2.4) - 0.055
+                )
+                stops = np.linspace(0.0, 1.0, 9)
+                tones = viridis(stops)[:, :3].T
+                right = [np.interp(values[k] / values.max(), stops, one) for one in tones]
+                np.testing.assert_allclose(rgb, right, atol=0.02)
+            assert not [said for said in shown.complaints if "GPU stall" not in said]

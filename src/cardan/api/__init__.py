@@ -3,6 +3,10 @@
 from .faces import FACES
 
 FACES |= {
+    "cardan.superelements.record:SuperelementRecord": "cardan.api.components:Superelement",
+    "cardan.superelements.readers.matrix_files:ComponentMatricesRecord": (
+        "cardan.api.components:ComponentMatrices"
+    ),
     "cardan.scene.scene:SceneRecord": "cardan.api.scene:Scene",
     "cardan.equations.record:EquationRecord": "cardan.api.equations:Equations",
     "cardan.equations.finite_elements.record:FiniteElementRecord": (

@@ -42,8 +42,8 @@ class CompiledModel(LoadedModel):
 
     # mechanisms
 
-    assemble = verb("cardan.analyses.mechanisms.assemble:assemble")
-    sweep = verb("cardan.analyses.mechanisms.sweep:sweep")
+    assemble = verb("cardan.analyses.mechanisms.kinematics:assemble")
+    sweep = verb("cardan.analyses.mechanisms.kinematics:sweep")
     singular_positions = verb("cardan.analyses.mechanisms.singular_positions:singular_positions")
     workspace = verb("cardan.analyses.mechanisms.workspace:workspace")
     redundancy = verb("cardan.analyses.mechanisms.redundancy:redundancy")

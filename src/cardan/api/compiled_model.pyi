@@ -325,6 +325,7 @@ class CompiledModel(LoadedModel):
         seed: Seed = 0,
         t: float = 0.0,
         r: State | None = None,
+        by: str = "constraints",
     ) -> Assembly:
         """A position at which all loops close, next to a start, with some of it given.
 
@@ -341,15 +342,19 @@ class CompiledModel(LoadedModel):
             starts: Searches: the first from ``start``, the others from random coordinates.
             seed: Of the random ones.
             t, r: Time [s] and inputs, where something is prescribed.
+            by: ``"constraints"``; or ``"strain_energy"``: targets are coordinates, and all else has
+                the position next to the start at which the energy of springs, bushings, cables and
+                beams is least, without loads and weights. It takes ``targets``, ``start``, t and r.
 
         Raises:
             ModelError: the loops cannot be assembled, inconsistent targets, no position
-                on the branch, unknown names.
-            ArgumentError, SolveError: values of a wrong shape, or not finite.
+                on the branch, unknown names; by strain energy, nothing that is strained.
+            ArgumentError, SolveError: values of a wrong shape, or not finite; by strain energy, no
+                position that has the values.
 
         Warns:
             SolveWarning: two positions are equally near to the start; or Ctrl-C ended the searches
-                once one had met the targets.
+                once one had met the targets; by strain energy, nothing strained resists some motion.
         """
     def sweep(
         self,
@@ -363,27 +368,40 @@ class CompiledModel(LoadedModel):
         branch: Mapping[str, object] | None = None,
         t: float = 0.0,
         r: State | None = None,
+        by: str = "constraints",
+        snap: bool = False,
         check: bool = False,
+        progress: bool | Callable[[float], None] | None = None,
     ) -> Sweep:
         """Drive a mechanism through given values and keep its branch.
 
         Args:
-            driver: Coordinate that is driven, or several with their values: they go together.
+            driver: Coordinate that is driven, or several with their values: they go together. By
+                strain energy also parameters, such as the length of a spring, inputs and ``"t"``.
             values: Of the one driver (n,).
             rate, acceleration: Derivatives of the driver over time, for speeds and accelerations; of
                 several drivers those of the first, the others follow in proportion.
             locked: Further coordinates or frames that keep a value, as ``assemble`` takes them.
             start: Coordinates near those of the first position; branch: as ``assemble`` takes it.
             t, r: Time [s] and inputs, where something is prescribed.
+            by: ``"constraints"``; or ``"strain_energy"``: what is not driven has the position at which
+                the energy of springs, bushings, cables and beams is least, without loads and weights.
+            snap: By strain energy: where minima end, or become saddles, go downhill to another one and
+                on from there, instead of stopping, or keeping the saddles.
             check: Raise where the mechanism cannot follow, instead of warning.
+            progress: True, False or a function of the fraction done; None: a bar in long sweeps.
 
         Returns:
-            The positions reached, each next to the one before.
+            The positions reached, each next to the one before; as far as they were before Ctrl-C.
 
         Raises:
             ModelError: unknown names, a first position that cannot be assembled, freedoms left.
             ArgumentError: values of a wrong shape. SolveError: values that are not finite; with
                 ``check``, a mechanism that cannot follow.
+
+        Warns:
+            SolveWarning: the mechanism cannot follow; by strain energy, its energy is no longer least,
+                or nothing strained resists some motion.
         """
     def singular_positions(
         self,

@@ -10,8 +10,8 @@ from ..scene.body import Body
 from ..scene.frame import Place
 from ..scene.scene import SceneRecord
 from ..scene.superelement_arguments import FlexibleBody
-from ..superelements.record import Superelement
 from ..topology.drawing.graph_view import GraphView
+from .components import Superelement
 
 @final
 class Scene(SceneRecord):
@@ -46,6 +46,7 @@ class Scene(SceneRecord):
         frame: str | None = None,
         weights: Sequence[float] | None = None,
         stiffening: bool = False,
+        inertia: str = "nodal",
     ) -> FlexibleBody:
         """Add a flexible body that was reduced from finite elements: see ``cd.superelement``.
 
@@ -64,6 +65,12 @@ class Scene(SceneRecord):
             weights: Of the interfaces in the mean, equal ones by default.
             stiffening: Whether the centrifugal forces of its rotation stiffen it; needs a record with
                 the geometric stiffness by these.
+            inertia: ``"nodal"``: of all nodes, whatever the velocity of the frame; ``"projected"``:
+                by projection of the mass matrix as it is, which for beams and shells depends on that
+                velocity a little; ``"corotated"``: by the velocities of interfaces and modal rates
+                alone, the simpler form of the source. Its modal coordinates feel neither their
+                centrifugal force nor that the frame moves, so that a spin beside a velocity of the
+                body bends it.
 
         Returns:
             The superelement; ``at`` gives its interfaces as frames.
@@ -84,6 +91,7 @@ class Scene(SceneRecord):
         damping: object = None,
         rayleigh: tuple[float, float] | None = None,
         static_shapes: Sequence[str] = (),
+        stiffening: str | None = None,
         report: bool = True,
     ) -> Superelement:
         """Beams of the scene as a superelement; what that costs is printed.
@@ -94,6 +102,7 @@ class Scene(SceneRecord):
             interfaces: Ends, nodes, bodies or frames by the names of interfaces; both ends by default.
             bodies: Rigid bodies that belong to the component.
             method, damping, rayleigh, static_shapes: As for ``cd.superelement.reduce``.
+            stiffening: As for ``cd.superelement.from_beams``.
             report: Whether ``cost`` of the record is printed.
 
         Returns:

@@ -99,7 +99,7 @@ def locate(name: str) -> Path:
         BuildError: the package that ships it is not installed.
     """
     if name == "acrobat":
-        from ..scene.example_files import example_files
+        from ..api.scene_file import example_files
 
         return example_files()[name]
     try:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from ..equations.finite_elements.record import FiniteElementRecord
 from ..equations.record import EquationRecord
 from ..errors import lasting
+from ..ir.routine import Routine
 from ..version import VERSION
 from .finite_elements import model_folder
 
@@ -43,7 +44,10 @@ def _choices(equations: EquationRecord | FiniteElementRecord) -> tuple[Any, ...]
     """Options of the derivation, besides the system."""
     if isinstance(equations, FiniteElementRecord):
         planes = [kind.plane for kind in equations.places.kinds]
-        return "absolute", planes, model_folder.numbers(equations)
+        every = (f for kind in equations.kinds for f in kind.functions.values())
+        # what these compute does not show in the system
+        routines = [(f.name, f.call, f.sizes, f.constants) for f in every if isinstance(f, Routine)]
+        return "absolute", planes, model_folder.numbers(equations), routines
     return equations.method, equations.rewrites, equations.chosen, equations.treatment
 
 

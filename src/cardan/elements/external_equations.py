@@ -159,6 +159,7 @@ class WrittenForces(ForceElement):
     """
 
     kind: ClassVar[str] = "written"
+    strained: ClassVar[bool] = False
     joint: JointName
     inertia: Ready
     forces: Ready

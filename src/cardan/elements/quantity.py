@@ -25,6 +25,7 @@ Bodies = Any  # a body or its name, several, or () for all that have mass
 JointName = str  # the name of a joint
 BeamName = Any  # a beam or its name
 LocalNames = Any  # names of the element's own coordinates
+Curves = Any  # measured functions by direction
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,8 @@ from itertools import pairwise
 from typing import Any
 
 from ..errors import ModelError, brief, near
-from ..ir.graph import Table
 from ..ir.numbers import FLOATS
+from ..ir.table import Table
 
 
 def table(x: Sequence[float], y: Sequence[float], kind: str = "akima") -> Interpolation:
@@ -77,6 +77,12 @@ class Interpolation:
     data: Table = field(repr=False)
     kind: str
     y: tuple[float, ...] = field(repr=False)
+
+    @property
+    def name(self) -> str:
+        """A name that depends on the data, not on the process; equal tables share it."""
+        data = (self.data.breaks, self.data.coefficients)
+        return f"table_{sha256(repr(data).encode()).hexdigest()[:8]}"
 
     def __call__(self, x: Any) -> Any:
         """Value at a number or at every entry of an array; expression of an expression."""
@@ -149,10 +155,9 @@ def _symbolic(points: Interpolation, derivative: int) -> Any:
         higher = derivative + 1
         return sympy.Integer(0) if higher >= data.order else _symbolic(points, higher)(self.args[0])
 
-    # the name orders arguments of sums: it depends on the data, not on the process
-    digest = sha256(repr((data.breaks, data.coefficients)).encode()).hexdigest()[:8]
+    # the name orders arguments of sums
     return type(
-        f"table_{digest}" + (f"_d{derivative}" if derivative else ""),
+        points.name + (f"_d{derivative}" if derivative else ""),
         (sympy.Function,),
         {
             "nargs": 1,

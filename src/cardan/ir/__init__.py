@@ -7,10 +7,11 @@ import from the modules. Nothing here loads SymPy, NumPy or mpmath before it is 
 from .arithmetic import Scalar
 from .derivative import forward, gradient, jacobian
 from .function import Block, Function, Output, Staged
-from .graph import Graph, Table
+from .graph import Graph
 from .interpreter import evaluate
 from .matrix import Matrix
 from .serialize import from_dict, to_dict
+from .table import Table
 
 __all__ = [
     "Block",

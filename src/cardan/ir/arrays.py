@@ -12,8 +12,8 @@ import numpy as np
 
 from ..errors import SolveError
 from . import numbers
-from .graph import Table
 from .numbers import Numbers, Operators
+from .table import Table
 
 
 @dataclass(frozen=True)

@@ -9,15 +9,14 @@ from __future__ import annotations
 import gc
 import math
 import re
-from bisect import bisect_right
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 from ..errors import DerivationError, StructuralZero
 from .ops import COMMUTATIVE, OPERATORS
+from .table import Table
 
 Node = tuple[Any, ...]
 Origin = tuple[str, str]
@@ -28,32 +27,6 @@ NAMED_ALREADY = frozenset({"const", "var", "atom", "sin", "cos"})
 NO_ORIGIN: Origin = ("", "")
 # of a docstring: ``omega = Rᵀ omega_parent + S_w u``
 FORMULA = re.compile(r"``(\w+) = ([^`]+)``")
-
-
-@dataclass(frozen=True)
-class Table:
-    """A piecewise polynomial of measured data; its first and last piece continue outside.
-
-    Attributes:
-        breaks: Increasing abscissae, (n+1,).
-        coefficients: Per piece, highest power first, of ``x - breaks[piece]``, (n, order).
-    """
-
-    breaks: tuple[float, ...]
-    coefficients: tuple[tuple[float, ...], ...]
-
-    @property
-    def order(self) -> int:
-        """Number of coefficients of a piece; this derivative and higher ones are zero."""
-        return len(self.coefficients[0])
-
-    def interval(self, x: float) -> int:
-        """Number of the piece in which x lies; a break belongs to the piece it begins."""
-        return min(max(bisect_right(self.breaks, x) - 1, 0), len(self.coefficients) - 1)
-
-    def factors(self, derivative: int) -> list[int]:
-        """Factors that the powers x^j, highest first, leave when they are differentiated."""
-        return [math.perm(j, derivative) for j in range(self.order - 1, derivative - 1, -1)]
 
 
 class SystemNames(NamedTuple):

@@ -10,8 +10,8 @@ from functools import cache
 from typing import Any
 
 from . import elimination
-from .graph import Table
 from .ops import OPERATORS
+from .table import Table
 
 Operators = dict[str, Callable[..., Any]]
 

@@ -13,9 +13,10 @@ from typing import Any
 
 from .function import Block, Function, Output
 from .grammar import check
-from .graph import Graph, Node, Table
+from .graph import Graph, Node
 from .ops import LEAVES
 from .recursion import OUT, STORE, Recursion, Sweep, Turns, Visit, ahead
+from .table import Table
 
 SCHEMA = 1
 MOST_NODES = 4_000_000

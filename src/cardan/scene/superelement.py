@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from ..arrays import Array
 from ..elements.superelement_joints import ROTATIONS, TRANSLATIONS
-from ..superelements.record import Superelement
+from ..superelements.inertia import ProjectedInertia, of_interfaces
+from ..superelements.record import SuperelementRecord
 
 MEAN, CHORD = "mean", "chord"
+NODAL, PROJECTED, COROTATED = "nodal", "projected", "corotated"
 
 
 @dataclass(frozen=True)
@@ -25,18 +27,25 @@ class PlacedSuperelement:
         frame: ``"mean"``, ``"chord"`` or the interface that its frame is fixed to.
         weights: Of the interfaces in a mean frame, of sum 1.
         stiffening: Whether its geometric stiffness by rotation counts.
+        inertia: Form of its inertia, by name in :data:`INERTIAS`.
     """
 
     name: str
-    record: Superelement = field(repr=False)
+    record: SuperelementRecord = field(repr=False)
     joined: Mapping[str, str]
     frame: str
     weights: tuple[float, ...]
     stiffening: bool = False
+    inertia: str = "nodal"
 
     def place_name(self, interface: str) -> str:
         """Name of the frame of an interface."""
         return f"{self.name}.{interface}"
+
+    @property
+    def constants(self) -> ProjectedInertia:
+        """Constants of the inertia in its form."""
+        return INERTIAS[self.inertia](self.record)
 
     @property
     def carrier(self) -> str:
@@ -53,6 +62,31 @@ class PlacedSuperelement:
         """Names of its bodies: the one with the frame, then the interfaces."""
         names = (self.place_name(one.name) for one in self.record.interfaces)
         return tuple(dict.fromkeys([self.carrier, *names]))
+
+
+def _nodal(record: SuperelementRecord) -> ProjectedInertia:
+    """All nodes, none of whose inertia depends on the velocity of the frame."""
+    inertia = record.inertia
+    turned = [np.cross(axis, inertia.momentum, axisb=0).T for axis in np.eye(3)]
+    return replace(inertia, spin_momentum=np.array(turned))
+
+
+def _corotated(record: SuperelementRecord) -> ProjectedInertia:
+    """Velocities of interfaces and modal rates."""
+    rows, at = [], 0
+    for one in record.interfaces:
+        places = {motion: at + k for k, motion in enumerate(one.components)}
+        rows.append([places.get(name, -1) for name in TRANSLATIONS])
+        at += len(one.components)
+    return of_interfaces(record.M, record.rigid_motions(), np.array(rows))
+
+
+# form of the inertia -> its constants
+INERTIAS: dict[str, Callable[[SuperelementRecord], ProjectedInertia]] = {
+    NODAL: _nodal,
+    PROJECTED: lambda record: record.inertia,
+    COROTATED: _corotated,
+}
 
 
 def frame_condition(superelement: PlacedSuperelement) -> Array:

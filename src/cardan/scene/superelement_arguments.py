@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -10,17 +10,19 @@ import numpy as np
 from ..arguments import checked
 from ..elements.superelement_joints import ROTATIONS
 from ..errors import ModelError, brief, near
-from ..superelements.record import Superelement
+from ..superelements.record import SuperelementRecord
 from . import checks
 from .beam_arguments import add_interfaces
 from .frame import Place
 from .scene import SceneRecord
-from .superelement import CHORD, MEAN, PlacedSuperelement, frame_condition
+from .superelement import CHORD, INERTIAS, MEAN, NODAL, PlacedSuperelement, frame_condition
 
 # by which a sum of weights may differ from 1 and is 1
 ROUNDED = 1e-12
 # of the largest one, what a singular value of the condition of a frame has at least
 RANK = 1e-9
+# of angular velocities, whose geometric stiffness a record may have
+PRODUCTS = frozenset({"xx", "yy", "zz", "yz", "zx", "xy"})
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -35,7 +37,7 @@ class FlexibleBody:
 
     model: SceneRecord = field(repr=False)
     name: str
-    record: Superelement
+    record: SuperelementRecord
 
     def at(self, interface: str) -> Place:
         """An interface as a frame, which moves with the deformed body.
@@ -53,12 +55,13 @@ class FlexibleBody:
 def add_superelement(
     model: SceneRecord,
     name: str,
-    record: Superelement,
+    record: SuperelementRecord,
     interfaces: Mapping[str, Place | str] | None = None,
     *,
     frame: str | None = None,
     weights: Sequence[float] | None = None,
     stiffening: bool = False,
+    inertia: str = NODAL,
 ) -> FlexibleBody:
     """Add a flexible body that was reduced from finite elements: see ``cd.superelement``.
 
@@ -78,6 +81,12 @@ def add_superelement(
         weights: Of the interfaces in the mean, equal ones by default.
         stiffening: Whether the centrifugal forces of its rotation stiffen it; needs a record with
             the geometric stiffness by these.
+        inertia: ``"nodal"``: of all nodes, whatever the velocity of the frame; ``"projected"``:
+            by projection of the mass matrix as it is, which for beams and shells depends on that
+            velocity a little; ``"corotated"``: by the velocities of interfaces and modal rates
+            alone, the simpler form of the source. Its modal coordinates feel neither their
+            centrifugal force nor that the frame moves, so that a spin beside a velocity of the
+            body bends it.
 
     Returns:
         The superelement; ``at`` gives its interfaces as frames.
@@ -106,10 +115,22 @@ def add_superelement(
         frame=frame or (MEAN if len(names) > 1 else names[0]),
         weights=_weights(who, weights, len(names)),
         stiffening=stiffening,
+        inertia=chosen("inertia", who, inertia, INERTIAS),
     )
     _check_frame(who, superelement)
     add_interfaces(model, superelement)
     return FlexibleBody(model, name, record)
+
+
+def chosen(what: str, who: str, value: str, names: Collection[str]) -> str:
+    """A value that is one of some names.
+
+    Raises:
+        ModelError: it is none.
+    """
+    if value not in names:
+        raise ModelError(f"{who}: there is no {what} {brief(value)}.{near(value, names)}")
+    return value
 
 
 def _weights(who: str, weights: Sequence[float] | None, count: int) -> tuple[float, ...]:
@@ -134,9 +155,17 @@ def _check_frame(who: str, superelement: PlacedSuperelement) -> None:
     """
     record, frame = superelement.record, superelement.frame
     names = [one.name for one in record.interfaces]
-    if frame not in (MEAN, CHORD, *names):
-        hint = near(frame, [MEAN, CHORD, *names])
-        raise ModelError(f"{who}: there is no frame {brief(frame)}.{hint}")
+    chosen("frame", who, frame, (MEAN, CHORD, *names))
+    if superelement.stiffening and not PRODUCTS.intersection(record.geometric):
+        raise ModelError(
+            f"{who}: stiffening=True, and its record has no geometric stiffness by rotation; "
+            "reduce it with stiffening='<interface that holds it>'"
+        )
+    if superelement.stiffening and frame not in names:
+        raise ModelError(
+            f"{who}: the geometric stiffness of its record is that of a body which an interface "
+            f"holds, and a frame '{frame}' has some of it already; take frame='<that interface>'"
+        )
     if record.massless:
         raise ModelError(
             f"{who}: {record.massless} of its coordinates have no mass, so that their "

@@ -67,6 +67,12 @@ class ElementKind(Record):
     jumps: int = field(count, "number of impulses and responses", default=0)
     responses: int = field(count, "number of responses among them", default=0)
     frictions: int = field(count, "frictions that follow from its reaction", default=0)
+    strain: str = field(
+        text,
+        "'alone' where all it does at rest is the force of a strain whose energy it tells, 'mixed' "
+        "where it does more, or tells other energies too; '' where nothing is strained",
+        default="",
+    )
     functions: Mapping[str, str] = field(table(text), "name -> C name", default=NOTHING)
     parts: Mapping[str, int] = field(
         table(count), "matrices of the tangent -> where they begin in it", default=NOTHING

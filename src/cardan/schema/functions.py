@@ -146,6 +146,11 @@ balance_tangent | t q u udot lam r z s | 3*nu*nu+2*nlam*nu | of tau per step | |
 internal_rates | t q u r z s | nz | of z per s | internal states | \
     rewritable rare internal no_derivative
     zdot: rates of the internal states
+strain_energy | t q r | | J
+    energy of springs, bushings and cables, without loads
+    Of all elements whose potential is the energy of a strain, at the present time and inputs.
+strain_balance | t q lam r s | nu+npositions | of tau, then of g | | rewritable rare internal
+    gradient of the strain energy along the speeds, less Gᵀ lam; then g
 move | q du | nq+ntangent | of q, then 1 | | elements rare internal no_derivative
     q moved by the increment du along the speeds, and its tangent
 regressor | t q u udot z s r | nu nphi | of tau per phi | inertias, linear | rare

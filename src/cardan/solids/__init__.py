@@ -6,13 +6,14 @@ what reductions take. The loops over cells are C, in ``kernels/solids``.
 
 from __future__ import annotations
 
+from ..superelements.stress_recovery import von_mises
 from .files import read
 from .loads import centrifugal, centrifugal_products, gravity, pressure, thermal
 from .materials import SolidMaterial, orthotropic
 from .record import Mesh, from_arrays
-from .reduced import from_mesh, spin_stiffness
+from .reduced import spin_stiffness
 from .solid import Solid, assembled, solid
-from .stress import stress_operator, thermal_stresses, von_mises
+from .stress import stress_operator, thermal_stresses
 
 __all__ = [
     "Mesh",
@@ -22,7 +23,6 @@ __all__ = [
     "centrifugal",
     "centrifugal_products",
     "from_arrays",
-    "from_mesh",
     "gravity",
     "orthotropic",
     "pressure",

@@ -7,7 +7,7 @@ Source: CalculiX CrunchiX User's Manual, version 2.20, chapter 7 (keywords) and 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -27,7 +27,7 @@ LINES = re.compile(r"(T2D|T3D|B2|B3|SPRING|DASHPOT|MASS|GAP|DCOUP)")
 SIDE = re.compile(r"S([1-6])$")
 FLAT = "write the deck without parts and instances"
 LONGEST = 200  # characters of a reason
-GENERATED = 10_000_000  # numbers that one line may generate
+MOST_LABELS = 10_000_000  # of all sets together, which lines may generate or repeat
 
 
 @dataclass
@@ -41,6 +41,7 @@ class Deck:
         nsets, elsets: Labels by name.
         sides: Element or set, and number of a face, by name of a surface.
         spelling: The first spelling of a name, by capital letters.
+        listed: Labels in all sets together.
     """
 
     source: str
@@ -50,6 +51,7 @@ class Deck:
     elsets: dict[str, list[int]] = field(default_factory=dict)
     sides: dict[str, list[tuple[str, int]]] = field(default_factory=dict)
     spelling: dict[str, str] = field(default_factory=dict)
+    listed: int = 0
 
     def name(self, written: str) -> str:
         """A name in its first spelling."""
@@ -161,17 +163,25 @@ def _set(
         entries = [entry for entry in row if entry]
         if "GENERATE" in options:
             first, last, step = [int(entry) for entry in (*entries, "1")][:3]
-            if step < 1 or (last - first) // step > GENERATED:
+            if step < 1 or (last - first) // step > MOST_LABELS:
                 raise ValueError(f"set {name}: {first}, {last}, {step}")
-            target.extend(range(first, last + 1, step))
+            _extend(deck, name, target, range(first, last + 1, step))
             continue
         for entry in entries:
             if entry.lstrip("-").isdigit():
-                target.append(int(entry))
+                _extend(deck, name, target, (int(entry),))
             elif deck.name(entry) in sets:
-                target.extend(sets[deck.name(entry)])
+                _extend(deck, name, target, sets[deck.name(entry)])
             else:
                 raise ValueError(f"set {name}: there is no set {entry}")
+
+
+def _extend(deck: Deck, name: str, target: list[int], labels: Sequence[int]) -> None:
+    """Add labels to a set, in limits: a few lines could fill the memory."""
+    deck.listed += len(labels)
+    if deck.listed > MOST_LABELS:
+        raise ValueError(f"set {name}: more than {MOST_LABELS} labels in all sets; leave some out")
+    target.extend(labels)
 
 
 def _nset(deck: Deck, options: dict[str, str], rows: list[list[str]]) -> None:

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, brief, counted, near
+from ..superelements.values import numbers as given_numbers
 from .cells import CELLS
 from .connectivity import check_parts
 from .distortion import check_edges, check_folds
@@ -24,10 +25,7 @@ def checked_points(source: str, points: ArrayLike, scale: float | None) -> Array
     Raises:
         ModelError: another shape, or numbers that are not finite.
     """
-    try:
-        positions: Array = np.asarray(points, dtype=float)
-    except (TypeError, ValueError):
-        raise ModelError(f"{source}: points must be numbers: give an array (nodes, 3)") from None
+    positions = given_numbers(f"{source}: points", points)
     if positions.ndim != 2 or positions.shape[1] != 3 or not len(positions):
         raise ModelError(f"{source}: points have the shape {positions.shape}, expected (nodes, 3)")
     if len(positions) > LARGEST:
@@ -38,8 +36,12 @@ def checked_points(source: str, points: ArrayLike, scale: float | None) -> Array
             f"{source}: node {bad[0]} lies at {positions[bad[0]].tolist()}"
             f"{_more(len(bad), 'node')}: give finite coordinates below {FARTHEST:g}"
         )
-    if scale is not None and not (np.isfinite(scale) and scale > 0):
-        raise ModelError(f"{source}: scale={brief(scale)}: give the length of a unit [m], above 0")
+    if scale is not None:
+        unit = given_numbers(f"{source}: scale", scale)
+        if unit.ndim or not 0 < unit < np.inf:
+            raise ModelError(
+                f"{source}: scale={brief(scale)}: give the length of a unit [m], above 0"
+            )
     return np.ascontiguousarray(positions * (1.0 if scale is None else scale))
 
 

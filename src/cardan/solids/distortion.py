@@ -12,6 +12,7 @@ CHUNK = 4096  # cells treated at once, so that memory stays bounded
 ALONG, ACROSS = 0.25, 0.5  # of the length of an edge: how far its node may lie from the middle
 MISTAKEN, MATCHED = 0.2, 0.1  # of an edge: from its middle, and from that of another one
 MOST = 100  # cells in which nodes are compared with all edges
+THIN = 1e-7  # the same of a cell that is nearly flat
 FLAT = 1e-9  # volume in the cube of the longest edge below which a cell has none
 ROUNDING = 1e-6
 
@@ -94,22 +95,30 @@ def check_folds(source: str, kind: str, points: Array, cells: Integers) -> None:
         ModelError: a cell is inside out, flat, or folds over where it is integrated.
     """
     cell = SOLIDS[kind]
-    corners = np.array(cell.nodes, float)[: cell.corners]
-    places = np.concatenate([cell.stiffness.points, cell.mass.points, cell.stress.points, corners])
+    nodes = np.array(cell.nodes, float)
+    places = np.concatenate([cell.stiffness.points, cell.mass.points, cell.stress.points, nodes])
     volume = volumes(cell, points, cells, places)
     box = np.ptp(points[cells[:, : cell.corners]], axis=1).max(axis=1)
     relative = volume / np.maximum(box, np.finfo(float).tiny)[:, None] ** 3
-    inner = relative[:, : -len(corners)]
+    inner = relative[:, : -len(nodes)]
     bad = np.flatnonzero((inner <= FLAT).any(axis=1))
     if len(bad):
         row = int(bad[0])
         who = f"{source}: cell {row} of {kind} (nodes {', '.join(map(str, cells[row]))})"
         raise ModelError(f"{who} {_fault(inner[row], inner, len(bad), cell)}")
+    thin = np.flatnonzero((inner <= THIN).any(axis=1))
+    if len(thin):
+        warn(
+            f"{source}: {counted(len(thin), 'cell')} of {kind} are nearly flat, the first of them "
+            f"number {thin[0]} with nodes {', '.join(map(str, cells[thin[0]]))}: matrices lose "
+            "digits. Mesh the place again, or merge nodes",
+            ModelWarning,
+        )
     sharp = np.flatnonzero((relative < -ROUNDING).any(axis=1))
     if len(sharp):
         warn(
             f"{source}: {counted(len(sharp), 'cell')} of {kind}, the first of them number "
-            f"{sharp[0]}, fold over at a corner, outside of the points of quadrature: results "
+            f"{sharp[0]}, fold over at a node, outside of the points of quadrature: results "
             "near them are poor. Smaller cells where the surface is curved are the cure",
             ModelWarning,
         )

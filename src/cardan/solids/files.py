@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
+
 from .. import regular_file
+from ..arguments import checked
 from ..errors import ModelError
 from . import abaqus_files, meshio_files
 from .contents import Contents, drop_unused, merge_nodes
@@ -15,6 +18,7 @@ from .record import Mesh, from_arrays
 READERS: dict[str, Callable[[Path], Contents]] = {".inp": abaqus_files.contents}
 
 
+@checked
 def read(
     path: str | Path, scale: float | None = None, merge: float | None = None, parts: int = 1
 ) -> Mesh:
@@ -45,6 +49,8 @@ def read(
         raise ModelError(f"{path}: it cannot be read: {error.strerror}") from error
     reader = READERS.get(Path(path).suffix.lower(), meshio_files.contents)
     contents = reader(Path(path))
+    if scale is not None and not 0 < scale < np.inf:
+        raise ModelError(f"{source}: scale={scale:g}: give the length of a unit [m], above 0")
     if merge is not None:
         merge_nodes(source, contents, merge / (1.0 if scale is None else scale))
     drop_unused(source, contents)

@@ -5,13 +5,16 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..arguments import checked
 from ..arrays import Array
 from ..errors import ModelError, brief
+from ..superelements.values import numbers
 from .cells import FACES
 from .record import Place
 from .solid import Solid
 
 
+@checked
 def gravity(solid: Solid, acceleration: ArrayLike) -> Array:
     """The load of a uniform field of gravity, consistent with the mass matrix.
 
@@ -27,6 +30,7 @@ def gravity(solid: Solid, acceleration: ArrayLike) -> Array:
     return forces
 
 
+@checked
 def centrifugal(solid: Solid, speed: ArrayLike, center: ArrayLike = (0.0, 0.0, 0.0)) -> Array:
     """The load of a steady rotation, consistent with the mass matrix.
 
@@ -50,6 +54,7 @@ def centrifugal(solid: Solid, speed: ArrayLike, center: ArrayLike = (0.0, 0.0, 0
     return forces
 
 
+@checked
 def centrifugal_products(solid: Solid, center: ArrayLike = (0.0, 0.0, 0.0)) -> dict[str, Array]:
     """The loads of unit products of angular velocities, by which any rotation is described.
 
@@ -70,6 +75,7 @@ def centrifugal_products(solid: Solid, center: ArrayLike = (0.0, 0.0, 0.0)) -> d
     return loads
 
 
+@checked
 def thermal(solid: Solid, temperature: ArrayLike) -> Array:
     """The load that would give the thermal strains if nothing resisted.
 
@@ -94,6 +100,7 @@ def thermal(solid: Solid, temperature: ArrayLike) -> Array:
     return forces.ravel()
 
 
+@checked
 def pressure(solid: Solid, place: Place, value: float) -> Array:
     """The load of a pressure on an outer surface, positive into the body.
 
@@ -121,12 +128,12 @@ def pressure(solid: Solid, place: Place, value: float) -> Array:
 
 
 def _vector(name: str, values: ArrayLike) -> Array:
-    vector = np.asarray(values, dtype=float)
+    vector = numbers(name, values)
     if vector.shape != (3,) or not np.isfinite(vector).all():
         raise ModelError(f"{name}={brief(values)}: give three finite numbers")
     return vector
 
 
 def _nodal(solid: Solid, values: ArrayLike) -> Array:
-    array = np.asarray(values, dtype=float)
+    array = numbers(f"{solid.mesh.source}: temperature", values)
     return np.full(len(solid.mesh.points), float(array)) if array.ndim == 0 else array

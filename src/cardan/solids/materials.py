@@ -9,9 +9,10 @@ from numpy.typing import ArrayLike
 
 from ..arrays import Array
 from ..elements.material import Material
-from ..errors import ModelError, brief
+from ..errors import ModelError, ModelWarning, brief, warn
 
 # order of stresses and strains: xx, yy, zz, yz, zx, xy
+LOCKING = 0.495  # Poisson's ratio beyond which cells of displacements are far too stiff
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1))
 
 
@@ -112,10 +113,21 @@ def isotropic(source: str, material: Material) -> SolidMaterial:
         ratio = _number(who, "nu", material.nu)
     else:
         ratio = E / (2 * _number(who, "G", material.G)) - 1
-    if not -1 < ratio < 0.5:
+    if not -1 < ratio <= 0.5:
+        raise ModelError(
+            f"{who}: E and G give nu = {ratio:g}, which is not between -1 and 1/2: check them, "
+            "E = 2 G (1 + nu)"
+        )
+    if ratio == 0.5:
         raise ModelError(
             f"{who}: nu is {ratio:g}: with 1/2 the volume cannot change, and stresses do not "
             "follow from displacements alone; give less, such as 0.49"
+        )
+    if ratio > LOCKING:
+        warn(
+            f"{who}: nu is {ratio:.9g}: cells lock where the volume hardly changes, and are too "
+            f"stiff. Give at most {LOCKING:g}, or expect that",
+            ModelWarning,
         )
     shear = E / (2 * (1 + ratio))
     first = E * ratio / ((1 + ratio) * (1 - 2 * ratio))

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TypeAlias
+from typing import TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, brief, counted, near
+from ..superelements.values import checked_name
 from .cells import FACES
 from .checks import checked_cells, checked_points, checked_shapes
 from .topology import Boundary, boundary
-from .units import judge_size
+from .units import judge_place, judge_size
 
 # a name of the mesh, or node numbers
 Place: TypeAlias = "str | Sequence[int] | Integers"
@@ -94,7 +95,10 @@ class Mesh:
         return np.unique(np.concatenate([array.ravel() for array in arrays]))
 
     def _numbers(self, place: Sequence[int] | Integers) -> Integers:
-        numbers = np.asarray(place)
+        try:
+            numbers = np.asarray(place)
+        except ValueError:
+            numbers = np.zeros(0)
         if numbers.ndim != 1 or not len(numbers) or not np.issubdtype(numbers.dtype, np.integer):
             raise ModelError(
                 f"{self.source}: nodes={brief(place)}: give a list of node numbers or the name of "
@@ -181,25 +185,28 @@ def from_arrays(
         ModelError: arrays of wrong shape, numbers that are not finite, nodes that no cell has or
             that lie in one place, cells inside out or folded, unconnected parts.
     """
+    if not isinstance(parts, int) or isinstance(parts, bool) or parts < 1:
+        raise ModelError(f"{source}: parts={brief(parts)}: give how many are meant, such as 1")
     positions = checked_points(source, points, scale)
     members = checked_cells(source, cells, len(positions))
     faces = {
         name: checked_cells(f"{source}: surface '{name}'", kinds, len(positions), dimension=2)
-        for name, kinds in (surfaces or {}).items()
+        for name, kinds in _by_name(source, "surfaces", surfaces)
     }
     sets = {
         name: _listed(f"{source}: set '{name}'", numbers, len(positions), "node")
-        for name, numbers in (node_sets or {}).items()
+        for name, numbers in _by_name(source, "node_sets", node_sets)
     }
     groups = {
         name: {
             kind: _listed(
                 f"{source}: region '{name}'", numbers, len(members.get(kind, ())), f"{kind} cell"
             )
-            for kind, numbers in kinds.items()
+            for kind, numbers in _by_name(source, f"regions: '{name}'", kinds)
         }
-        for name, kinds in (regions or {}).items()
+        for name, kinds in _by_name(source, "regions", regions)
     }
+    judge_place(source, positions)
     checked_shapes(source, positions, members, parts)
     if scale is None:
         judge_size(source, positions)
@@ -208,8 +215,27 @@ def from_arrays(
     return Mesh(positions, members, sets, faces, groups, source)
 
 
+Entry = TypeVar("Entry")
+
+
+def _by_name(source: str, who: str, entries: Mapping[str, Entry] | None) -> list[tuple[str, Entry]]:
+    """Entries by name.
+
+    Raises:
+        ModelError: they are not, or a name cannot be printed.
+    """
+    if entries is None:
+        return []
+    if not isinstance(entries, Mapping):
+        raise ModelError(f"{source}: {who}={brief(entries)}: give values by name, {{'hole': ...}}")
+    return [(checked_name(f"{source}: {who}", name), one) for name, one in entries.items()]
+
+
 def _listed(who: str, numbers: ArrayLike, size: int, noun: str) -> Integers:
-    array = np.asarray(numbers)
+    try:
+        array = np.asarray(numbers)
+    except ValueError:
+        array = np.zeros((0, 0))
     if array.ndim != 1 or (len(array) and not np.issubdtype(array.dtype, np.integer)):
         raise ModelError(f"{who}: {brief(numbers)}: give a list of numbers of {noun}s")
     if len(array) and (array.min() < 0 or array.max() >= size):

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arrays import Array
+from ..arguments import checked
+from ..arrays import Array, Integers
 from ..errors import ModelError, brief, near
 from ..superelements.factor import Factor
-from ..superelements.record import Superelement
+from ..superelements.record import SuperelementRecord
 from ..superelements.reduction import reduce
+from ..superelements.stress_recovery import nodal_names
+from ..superelements.surface import MOST_TRIANGLES, joined
+from ..view.mesh_reduction import coarsened
 from .files import read
 from .loads import centrifugal_products, thermal
 from .record import Mesh, Place
@@ -23,12 +28,11 @@ from .stress import stress_operator
 if TYPE_CHECKING:
     from scipy.sparse import csr_matrix
 
-STRESSES = ("xx", "yy", "zz", "yz", "zx", "xy")
-
-
+NONE: Integers = np.zeros(0, np.intp)
 UNFIXED = "the nodes that are fixed do not hold it: give three or more that do not lie on a line"
 
 
+@checked
 def from_mesh(
     mesh: Mesh | str | Path,
     material: AnyMaterial | Mapping[str, AnyMaterial],
@@ -43,7 +47,7 @@ def from_mesh(
     stress: Place | None = None,
     stiffening: str | None = None,
     scale: float | None = None,
-) -> Superelement:
+) -> SuperelementRecord:
     """A solid of finite elements, reduced to motions of its interfaces and some modes.
 
     Args:
@@ -58,8 +62,8 @@ def from_mesh(
         scale: Length of a unit of the file [m]: 1e-3 for millimeters.
 
     Returns:
-        A record to print, save and use in scenes. Its loads have ``"temperature"``, the load by a
-        uniform rise of 1 K, where the material expands.
+        A record to print, save, draw and use in scenes. Its loads have ``"temperature"``, the load
+        by a uniform rise of 1 K, where the material expands.
 
     Raises:
         ModelError: the mesh, the material or an interface is at fault; it names which.
@@ -74,6 +78,11 @@ def from_mesh(
             "{'hinge': 'hole'}"
         )
     body = Solid(mesh, material)
+    if not any(group.material.density for group in body.groups):
+        raise ModelError(
+            f"{mesh.source}: no material has a density: give rho= [kg/m^3], "
+            "cd.material(E=210e9, nu=0.3, rho=7850)"
+        )
     nodes = {name: mesh.nodes(place) for name, place in interfaces.items()}
     loads: dict[str, Array] = {}
     if any(group.material.expansion.any() for group in body.groups):
@@ -87,7 +96,7 @@ def from_mesh(
             )
         geometric = spin_stiffness(body, nodes[stiffening])
     recovered = [] if stress is None else mesh.nodes(stress).tolist()
-    return reduce(
+    record = reduce(
         body.mass(),
         body.stiffness(),
         mesh.points,
@@ -101,10 +110,13 @@ def from_mesh(
         loads=loads,
         geometric=geometric,
         stress=stress_operator(body, recovered) if recovered else None,
-        stress_names=[f"{node} {one}" for node in recovered for one in STRESSES] or None,
+        stress_names=nodal_names(recovered) or None,
     )
+    triangles = coarsened(mesh.points, mesh.triangles, MOST_TRIANGLES)
+    return replace(record, surface=joined(NONE, triangles, np.zeros((0, 2), np.intp)))
 
 
+@checked
 def spin_stiffness(
     body: Solid, fixed: Place, center: ArrayLike | None = None
 ) -> dict[str, csr_matrix]:

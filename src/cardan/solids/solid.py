@@ -10,11 +10,13 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..arguments import checked
 from ..arrays import Array, Integers
 from ..elements.material import Material
-from ..errors import ModelError, near
+from ..errors import ModelError, brief, near
 from ..runtime.build import kernels
 from ..schema.records import SolidRecord
+from ..superelements.values import numbers
 from .cells import SOLIDS, Cell, Rule
 from .materials import SolidMaterial, isotropic
 from .record import Mesh
@@ -84,6 +86,8 @@ class Solid:
             ModelError: a material without elastic constants, an unknown region, cells without a
                 material or with two.
         """
+        if not isinstance(mesh, Mesh):
+            raise ModelError(f"mesh={brief(mesh)}: give a mesh, of read() or from_arrays()")
         self.mesh = mesh
         self.groups = _groups(mesh, material)
         self.pattern = _pattern(mesh)
@@ -99,6 +103,7 @@ class Solid:
             self.call("stiffness", group, group.cell.stiffness, values)
         return self._blocks(values)
 
+    @checked
     def mass(self, lumped: bool = False, rule: Literal["mass", "stiffness"] = "mass") -> csr_matrix:
         """The mass matrix M (dofs, dofs) [kg], a ``scipy.sparse.csr_matrix``.
 
@@ -171,7 +176,7 @@ class Solid:
         Raises:
             ModelError: another number of values, or numbers that are not finite.
         """
-        array = np.ascontiguousarray(values, dtype=float)
+        array = np.ascontiguousarray(numbers(f"{self.mesh.source}: {name}", values))
         size = len(self.mesh.points) * width
         if array.size != size:
             raise ModelError(
@@ -262,6 +267,7 @@ class Solid:
         return kron(matrix, identity(3), format="csr")
 
 
+@checked
 def solid(mesh: Mesh, material: AnyMaterial | Mapping[str, AnyMaterial]) -> Solid:
     """A mesh with its material, ready for matrices, loads and stresses.
 
@@ -275,6 +281,7 @@ def solid(mesh: Mesh, material: AnyMaterial | Mapping[str, AnyMaterial]) -> Soli
     return Solid(mesh, material)
 
 
+@checked
 def assembled(
     mesh: Mesh, material: AnyMaterial | Mapping[str, AnyMaterial]
 ) -> tuple[csr_matrix, csr_matrix]:

@@ -1,4 +1,4 @@
-"""Stresses at nodes: an operator on displacements, and von Mises stress."""
+"""Stresses at nodes: an operator on displacements, and what temperature adds."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..arguments import checked
 from ..arrays import Array, Integers
 from .record import Place
 from .solid import Pattern, Solid
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_matrix
 
 
+@checked
 def stress_operator(solid: Solid, place: Place | None = None) -> csr_matrix:
     """The matrix that gives stresses at nodes from displacements: rows 6 k to 6 k + 5 of node k.
 
@@ -43,6 +45,7 @@ def stress_operator(solid: Solid, place: Place | None = None) -> csr_matrix:
     return bsr_matrix((values, pattern.column, pattern.first), shape).tocsr()
 
 
+@checked
 def thermal_stresses(solid: Solid, temperature: ArrayLike, place: Place | None = None) -> Array:
     """Stresses at nodes that a temperature gives where all displacements are zero.
 
@@ -56,7 +59,7 @@ def thermal_stresses(solid: Solid, temperature: ArrayLike, place: Place | None =
     """
     nodes = _nodes(solid, place)
     row, share, _ = _rows(solid, nodes)
-    rise = np.asarray(temperature, dtype=float)
+    rise = solid.field("temperature", temperature, 1)[:, 0]
     sums = np.zeros((len(nodes), 6))
     for group in solid.groups:
         stress = solid.stresses(group, group.cell.stress, None, rise)
@@ -65,25 +68,6 @@ def thermal_stresses(solid: Solid, temperature: ArrayLike, place: Place | None =
         weighted = at_nodes * share[group.nodes][:, :, None]
         np.add.at(sums, row[group.nodes][chosen], weighted[chosen])
     return sums.ravel()
-
-
-def von_mises(stress: ArrayLike) -> Array:
-    """The equivalent stress of von Mises.
-
-    Args:
-        stress: Stresses (..., 6) [Pa]: xx, yy, zz, yz, zx, xy.
-
-    Returns:
-        Its value (...) [Pa].
-
-    Source: O. C. Zienkiewicz, R. L. Taylor, The Finite Element Method, 5th ed., vol. 2, chapter 3.
-    """
-    s = np.asarray(stress, dtype=float)
-    normal = (
-        (s[..., 0] - s[..., 1]) ** 2 + (s[..., 1] - s[..., 2]) ** 2 + (s[..., 2] - s[..., 0]) ** 2
-    )
-    result: Array = np.sqrt(normal / 2 + 3 * (s[..., 3:] ** 2).sum(axis=-1))
-    return result
 
 
 def _nodes(solid: Solid, place: Place | None) -> Integers:

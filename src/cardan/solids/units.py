@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from ..arrays import Array
-from ..errors import ModelWarning, warn
+from ..errors import ModelError, ModelWarning, warn
 
 LARGEST, SMALLEST = 10.0, 1e-3  # extent [m] of bodies that are usual
+FARTHEST, LOST = 1e6, 1e12  # distance from the origin, in sizes of the body
+ATOM = 1e-10  # extent of the smallest [m]
 SLOWEST, FASTEST = 10.0, 3e4  # speed of sound [m/s] of soft rubber, and beyond diamond
 LIGHTEST, HEAVIEST = 1.0, 3e4  # density [kg/m^3] of foam, and beyond osmium
 
@@ -25,6 +27,32 @@ def judge_size(source: str, points: Array) -> None:
         warn(
             f"{source}: it is {extent:.4g} m long, all in all. Nodes are in meters: give the unit "
             "of the file as scale=, or scale=1 if it is that small",
+            ModelWarning,
+        )
+
+
+def judge_place(source: str, points: Array) -> None:
+    """Check that positions have digits enough for the size of a body.
+
+    Raises:
+        ModelError: it is smaller than any body.
+    """
+    extent = float(np.ptp(points, axis=0).max())
+    distance = float(abs(points.mean(axis=0)).max())
+    if distance > LOST * extent:
+        raise ModelError(
+            f"{source}: it lies {distance:.4g} m from the origin and is {extent:.4g} m long: its "
+            "nodes have no digits left. Move it to the origin, in the program that wrote it"
+        )
+    if extent < ATOM:
+        raise ModelError(
+            f"{source}: it is {extent:.4g} m long, smaller than an atom: give the unit of its "
+            "nodes as scale= [m]"
+        )
+    if distance > FARTHEST * extent:
+        warn(
+            f"{source}: it lies {distance:.4g} m from the origin and is {extent:.4g} m long: its "
+            "nodes lose digits. Move it to the origin",
             ModelWarning,
         )
 

@@ -16,20 +16,22 @@ from .inertia import ProjectedInertia
 from .interfaces import InterfaceFrame
 from .methods import METHODS
 from .readers import READERS, read
-from .readers.matrix_files import ComponentMatrices
-from .record import ReducedModes, Superelement
+from .readers.matrix_files import ComponentMatricesRecord
+from .record import ReducedModes, SuperelementRecord
 from .reduction import reduce
 from .storage import load
+from .surface import Surface
 
 __all__ = [
     "METHODS",
     "READERS",
-    "ComponentMatrices",
+    "ComponentMatricesRecord",
     "InterfaceFrame",
     "ProjectedInertia",
     "ReducedModes",
     "ReductionCost",
-    "Superelement",
+    "SuperelementRecord",
+    "Surface",
     "load",
     "read",
     "reduce",

@@ -10,9 +10,10 @@ import numpy as np
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, brief, near
-from .matrices import numbers, symmetric, symmetric_part
+from .matrices import symmetric, symmetric_part, well_formed
 from .node_dofs import NodeDofs
 from .response import modal_damping, reduced_modes
+from .values import LARGEST, checked_name, numbers
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_matrix as Sparse
@@ -55,13 +56,19 @@ class Additions:
             shapes: Displacements of the rows by the coordinates (rows, n).
             massless: Coordinates without mass.
         """
-        C = self.alpha * M + self.beta * K
+        with np.errstate(over="ignore"):
+            C = self.alpha * M + self.beta * K
         if self.C is not None:
             C = C + symmetric_part(shapes.T @ (self.C @ shapes))
-        if not len(self.ratios):
-            return C
-        free = reduced_modes(M, K, rigid, NOWHERE, massless)
-        return C + modal_damping(free, M, self.ratios)
+        if len(self.ratios):
+            free = reduced_modes(M, K, rigid, NOWHERE, massless)
+            C = C + modal_damping(free, M, self.ratios)
+        if not (abs(C) < LARGEST).all():
+            raise ModelError(
+                f"C: damping={brief(self.ratios.tolist())} and rayleigh={(self.alpha, self.beta)} "
+                f"give entries of {LARGEST:g} and more; give ratios such as 0.01"
+            )
+        return C
 
     def static_loads(self, M: Sparse, dofs: NodeDofs) -> Array:
         """Forces (rows, loads) of ``static_shapes``; gravity is weight along all axes."""
@@ -97,7 +104,9 @@ def additions_of(
     alpha, beta = rayleigh or (0.0, 0.0)
     if alpha < 0 or beta < 0:
         raise ModelError(f"rayleigh={brief(rayleigh)}: give two numbers that are 0 or more")
-    forces = {name: _load(name, one, dofs) for name, one in loads.items()}
+    forces = {checked_name("loads", name): _load(name, one, dofs) for name, one in loads.items()}
+    if GRAVITY in forces:
+        raise ModelError(f"loads: '{GRAVITY}' is the weight, which is there already; rename yours")
     names = [static_shapes] if isinstance(static_shapes, str) else [*static_shapes]
     for name in names:
         if name not in (GRAVITY, *forces):
@@ -114,7 +123,8 @@ def additions_of(
         stress=rows,
         stress_names=labels,
         geometric={
-            name: symmetric(f"geometric '{name}'", one, dofs) for name, one in geometric.items()
+            checked_name("geometric", name): symmetric(f"geometric '{name}'", one, dofs)
+            for name, one in geometric.items()
         },
     )
 
@@ -126,7 +136,7 @@ def _load(name: str, values: object, dofs: NodeDofs) -> Array:
         raise ModelError(
             f"loads: '{name}' has shape {force.shape}, expected ({len(dofs)},): a force in each row"
         )
-    bad = np.flatnonzero(~np.isfinite(force))
+    bad = np.flatnonzero(~(abs(force) < LARGEST))
     if len(bad):
         raise ModelError(f"loads: '{name}' is {force[bad[0]]} at {dofs.label(bad[0])}")
     return force
@@ -142,13 +152,21 @@ def _stress(
         if names is not None:
             raise ModelError("stress_names: give stress= too, the rows that they name")
         return csr_matrix((0, len(dofs))), ()
-    dense = operator if issparse(operator) else np.atleast_2d(numbers("stress", operator))
-    rows = csr_matrix(dense, dtype=np.float64)
-    if rows.shape[1] != len(dofs):
-        raise ModelError(f"stress: shape {rows.shape}, expected (components, {len(dofs)})")
-    if not np.isfinite(rows.data).all():
-        raise ModelError("stress: an entry is not finite; write the operator again")
+    entries = (
+        well_formed("stress", operator)
+        if issparse(operator)
+        else np.atleast_2d(numbers("stress", operator))
+    )
+    if entries.ndim != 2 or entries.shape[1] != len(dofs):
+        raise ModelError(f"stress: shape {entries.shape}, expected (components, {len(dofs)})")
+    rows = csr_matrix(entries, dtype=np.float64)
+    if not (abs(rows.data) < LARGEST).all():
+        raise ModelError(
+            f"stress: an entry is not finite, or {LARGEST:g} and more; write the operator again"
+        )
     labels = tuple(names) if names is not None else tuple(f"{k}" for k in range(rows.shape[0]))
+    for one in labels:
+        checked_name("stress_names", one)
     if len(labels) != rows.shape[0] or len({*labels}) != len(labels):
         raise ModelError(f"stress_names: {len(labels)} names for {rows.shape[0]} rows, each once")
     return rows, labels

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from scipy.sparse import csc_matrix as Sparse
 
 RIGID = 1e-5  # of the sum of magnitudes in a row: what rounded texts leave of K R = 0
+ROUNDING = 1e-9  # of the largest force of a node: the least with which its other forces compare
 UNEQUAL = 1e-6  # masses along the axes that differ by more are not those of a body
 SPEEDS = (20.0, 2e4)  # of sound in solids, from soft rubber to more than diamond [m/s]
 SOFT_BUT_HEAVY = (500.0, 1500.0)  # below this speed [m/s], solids have less than this [kg/m^3]
@@ -98,9 +99,17 @@ def mass_properties(M: Sparse, dofs: NodeDofs) -> MassProperties:
 
 def rigid_check(K: Sparse, dofs: NodeDofs) -> RigidCheck:
     """Forces by rigid motions."""
-    motions = dofs.rigid(dofs.positions.mean(axis=0))
+    center = dofs.positions.mean(axis=0)
+    motions = dofs.rigid(center)
     force = abs(K @ motions)
     size = abs(K) @ abs(motions)
+    # where a motion has no force at all, rounding compares with the other forces of the node
+    length = float(np.linalg.norm(dofs.positions - center, axis=1).max()) or 1.0
+    motion = np.array([length] * 3 + [1.0] * 3)
+    units = np.where(dofs.component > 2, 1 / length, 1.0)[:, None] * motion
+    largest = np.zeros(len(dofs.positions))
+    np.maximum.at(largest, dofs.node, (units * size).max(axis=1))
+    size = np.maximum(size, ROUNDING * largest[dofs.node][:, None] / units)
     residual = np.divide(force, size, out=np.zeros_like(force), where=size > 0)
     row = int(np.argmax(residual.max(axis=1)))
     worst, largest = residual.max(axis=0), force.max(axis=0)

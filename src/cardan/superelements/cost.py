@@ -11,7 +11,7 @@ import numpy as np
 from ..errors import SolveError, counted
 
 if TYPE_CHECKING:
-    from .record import ReducedModes, Superelement
+    from .record import ReducedModes, SuperelementRecord
 
 MAX_PRINTED = 6
 
@@ -62,7 +62,7 @@ class ReductionCost:
         return "\n".join(lines)
 
 
-def cost(record: Superelement) -> ReductionCost:
+def cost(record: SuperelementRecord) -> ReductionCost:
     """What the reduction of a component costs."""
     highest = float(record.frequencies.max()) if len(record.frequencies) else np.nan
     modes = {}

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arrays import Array
+from ..arrays import Array, Integers
 from .node_dofs import NodeDofs
 
 if TYPE_CHECKING:
@@ -56,6 +56,18 @@ class ProjectedInertia:
     def n(self) -> int:
         """Coordinates of the component."""
         return len(self.modal)
+
+    @property
+    def drift(self) -> Array:
+        """E (3, 3, n) by rows of v, then by axes k of w: the kinetic energy has v.(w_k E_k z).
+
+        That is 0 where M does not depend on directions, as of solids. Where it is not, the inertia
+        depends on the velocity of the frame, which that of a body does not.
+        """
+        cross = np.zeros((3, 3, self.n))
+        for k in range(3):
+            cross[:, k] = self.spin_momentum[k] - np.cross(np.eye(3)[k], self.momentum, axisb=0).T
+        return cross
 
     def matrix(self) -> Array:
         """B^T M B (6 + 4 n, 6 + 4 n) in the order v, w, w_x z, w_y z, w_z z, z'."""
@@ -142,3 +154,40 @@ def _crossed(axis: int, shapes: Array, dofs: NodeDofs) -> Array:
         both = np.flatnonzero((row[:, target] >= 0) & (row[:, source] >= 0))
         result[row[both, target]] = sign * shapes[row[both, source]]
     return result
+
+
+def of_interfaces(M: Array, rigid: Array, translations: Integers) -> ProjectedInertia:
+    """Blocks of the simpler form, with the velocities of interfaces and modal rates alone.
+
+    Interfaces move as they do in a frame that moves far, w x (X + u) + u'; what is between them
+    follows these velocities as it follows displacements, and modal coordinates only their rates.
+
+    Args:
+        M: Mass of the coordinates (n, n).
+        rigid: Coordinates of unit translations and rotations about the origin (n, 6).
+        translations: Rows of the displacements of interfaces along x, y, z (interfaces, 3), -1
+            where there is no such motion.
+
+    Source: M. Géradin, A. Cardona, Flexible Multibody Dynamics (2001), section 8.7.
+    """
+    n = len(M)
+    spins = np.zeros((3, n, n))
+    for rows in translations:
+        for k, axis in enumerate(np.eye(3)):
+            for column, e in zip(rows, np.eye(3), strict=True):
+                for row, entry in zip(rows, np.cross(axis, e), strict=True):
+                    if column >= 0 and row >= 0:
+                        spins[k, row, column] = entry
+    t, r = rigid[:, :3], rigid[:, 3:]
+    return ProjectedInertia(
+        mass=t.T @ M @ t,
+        first=t.T @ M @ r,
+        second=r.T @ M @ r,
+        momentum=t.T @ M,
+        angular=r.T @ M,
+        spin_momentum=np.array([t.T @ M @ S for S in spins]),
+        spin_angular=np.array([r.T @ M @ S for S in spins]),
+        spin_modal=np.array([S.T @ M for S in spins]),
+        spin_spin=np.array([[S.T @ M @ P for P in spins] for S in spins]),
+        modal=M,
+    )

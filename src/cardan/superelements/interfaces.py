@@ -17,13 +17,14 @@ import numpy as np
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, brief, near
-from .matrices import numbers
 from .node_dofs import COMPONENTS, NodeDofs, component_names, rigid_rows
+from .values import checked_name, numbers
 
 if TYPE_CHECKING:
     from scipy.sparse import csc_matrix as Sparse
 
 SPIDERS = ("rbe2", "rbe3")
+FARTHEST = 1e5  # of an origin from its nodes, in sizes of the interface
 RANK = 1e-8  # of singular values, with rotations in lengths of the interface
 MOST_AVERAGED = 2000  # nodes of an rbe3, all of which become connected with each other
 
@@ -162,7 +163,7 @@ def _motions(dofs: NodeDofs, frame_dofs: str | Sequence[str] | None) -> tuple[in
 
 def _nodes(dofs: NodeDofs, name: str, selection: object) -> Integers:
     """Places of the nodes of an interface."""
-    if not isinstance(name, str) or not name or "." in name:
+    if "." in checked_name("interface", name):
         raise ModelError(f"interface {brief(name)}: give a name without a dot, such as 'hinge'")
     numbers = np.asarray(selection)
     if numbers.dtype.kind not in "iu" or numbers.ndim > 1 or not numbers.size:
@@ -182,6 +183,13 @@ def _origin(name: str, positions: Array, selection: object) -> tuple[float, floa
     origin = numbers(f"at: '{name}'", selection)
     if origin.shape != (3,) or not np.isfinite(origin).all():
         raise ModelError(f"at: '{name}' is {brief(selection)}; give three finite numbers [m]")
+    middle = positions.mean(axis=0)
+    distance, size = float(np.linalg.norm(origin - middle)), float(np.ptp(positions, axis=0).max())
+    if size > 0 and distance > FARTHEST * size:
+        raise ModelError(
+            f"at: '{name}' lies {distance:.3g} m from its nodes, which are within {size:.3g} m of "
+            "each other; give the origin of the frame in meters, near to them"
+        )
     return tuple(float(x) for x in origin)  # type: ignore[return-value]
 
 
@@ -239,8 +247,9 @@ def _check_rank(
     """
     scale = np.array([1.0] * 3 + [1.0 / length] * 3)
     scaled = motions * scale
-    _, values, directions = np.linalg.svd(scaled[:, list(components)])
-    values = np.concatenate([values, np.zeros(len(components) - len(values))])
+    # with as many rows as columns at least, all directions; of many nodes, no more than these
+    padded = np.vstack([scaled[:, list(components)], np.zeros((len(components),) * 2)])
+    _, values, directions = np.linalg.svd(padded, full_matrices=False)
     lost = directions[values <= RANK * max(values[0], 1e-300)]
     if len(lost):
         weak = abs(lost).max(axis=0) > 0.3

@@ -7,29 +7,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Array
-from ..errors import ModelError, SolveError, brief
+from ..errors import ModelError, SolveError
 from .node_dofs import NodeDofs
+from .values import LARGEST, unmasked
 
 if TYPE_CHECKING:
     from scipy.sparse import csc_matrix as Sparse
 
-LARGEST = 1e100  # of an entry, far beyond any unit
 SYMMETRY = 1e-8  # beside the diagonal: what rounded texts lose, and nothing that matters
-
-
-def numbers(who: str, values: object) -> Array:
-    """Real numbers as an array.
-
-    Raises:
-        ModelError: something else.
-    """
-    try:
-        array = np.asarray(values)
-    except ValueError:
-        raise ModelError(f"{who}: rows of different lengths; give an array of numbers") from None
-    if array.dtype.kind not in "fiu":
-        raise ModelError(f"{who}={brief(values)}: give real numbers")
-    return array.astype(np.float64)
 
 
 def symmetric_part(matrix: Array) -> Array:
@@ -63,10 +48,28 @@ def as_sparse(name: str, matrix: Sparse, size: int) -> Sparse:
     rows = square_size(name, matrix)
     if rows != size:
         raise ModelError(f"{name} is {rows} x {rows}, expected {size} x {size}, as K is")
-    values = matrix if issparse(matrix) else np.asarray(matrix)
-    if values.dtype.kind not in "fiub":
+    values = matrix if issparse(matrix) else unmasked(name, matrix)
+    return csc_matrix(well_formed(name, values), dtype=np.float64, copy=True)
+
+
+def well_formed(name: str, values: Sparse) -> Sparse:
+    """A matrix of real numbers, whose places are within it.
+
+    Raises:
+        ModelError: something else.
+    """
+    if values.dtype.kind not in "fiu":
         raise ModelError(f"{name}: entries of {values.dtype}, expected real numbers")
-    return csc_matrix(values, dtype=np.float64, copy=True)
+    if hasattr(values, "check_format"):
+        try:
+            # places outside of the matrix would be read from foreign memory
+            values.check_format(full_check=True)
+        except (ValueError, TypeError) as error:
+            raise ModelError(
+                f"{name}: its sparse matrix is damaged: {error}; build it again from rows, columns "
+                "and values, scipy.sparse.coo_matrix"
+            ) from None
+    return values
 
 
 def symmetric(name: str, matrix: Sparse, dofs: NodeDofs) -> Sparse:

@@ -10,10 +10,12 @@ from numpy.typing import ArrayLike
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, brief, counted
+from .values import numbers as numbers_of
 
 # displacements along the axes of the component, then small rotations about them
 COMPONENTS = ("x", "y", "z", "rx", "ry", "rz")
 ORDERS = ("node", "component")
+FARTHEST = 1e30  # so that squares of distances do not overflow [m]
 
 
 @dataclass(frozen=True)
@@ -117,7 +119,7 @@ def positions_of(nodes: ArrayLike, ids: Sequence[int] | None) -> tuple[Array, In
     Raises:
         ModelError: another shape, a position that is not finite, or a number twice.
     """
-    positions = np.array(nodes, dtype=float)
+    positions = numbers_of("nodes", nodes)
     if positions.ndim != 2 or positions.shape[1] != 3 or not len(positions):
         raise ModelError(
             f"nodes: shape {positions.shape}, expected (number of nodes, 3): a position [m] for "
@@ -132,11 +134,11 @@ def positions_of(nodes: ArrayLike, ids: Sequence[int] | None) -> tuple[Array, In
     unique, count = np.unique(numbers, return_counts=True)
     if (count > 1).any():
         raise ModelError(f"node_ids: node {unique[count > 1][0]} is there twice; number it anew")
-    bad = np.flatnonzero(~np.isfinite(positions).all(axis=1))
+    bad = np.flatnonzero(~(abs(positions) < FARTHEST).all(axis=1))
     if len(bad):
         raise ModelError(
             f"nodes: the position of node {numbers[bad[0]]} is {positions[bad[0]]}; give finite "
-            "numbers [m]"
+            f"numbers below {FARTHEST:g} [m]"
         )
     return positions, numbers.astype(np.intp)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,8 @@ from .inertia import ProjectedInertia
 from .interfaces import InterfaceFrame, frame_motions
 from .node_dofs import NodeDofs
 from .response import admittance, free_motions, frequencies_of, impedance, reduced_modes
+from .surface import Surface
+from .values import numbers
 
 MAX_PRINTED = 12
 ISOTROPIC = 1e-8  # of the largest mass: what rounded texts leave
@@ -54,7 +57,7 @@ class ReducedModes:
         ]
         for k in range(min(len(self.frequencies), MAX_PRINTED)):
             lines.append(
-                f"  {k:>3} {self.frequencies[k]:>18.9g} {self.bounds[k]:>14.1e} "
+                f"  {k + 1:>3} {self.frequencies[k]:>18.9g} {self.bounds[k]:>14.1e} "
                 f"{self.estimates[k]:>15.1e}"
             )
         more = len(self.frequencies) - MAX_PRINTED
@@ -62,7 +65,7 @@ class ReducedModes:
 
 
 @dataclass(frozen=True, eq=False)
-class Superelement:
+class SuperelementRecord:
     """A component with n coordinates: n_b motions of its interfaces, then modal coordinates.
 
     Stiffness does not couple motions of interfaces with modal coordinates, whose modal mass is 1.
@@ -90,6 +93,7 @@ class Superelement:
         stress: Rows of stress by the coordinates (components, n).
         stress_names: Of these rows.
         geometric: Geometric stiffness by the names of loads of unit size (n, n).
+        surface: What one sees of it.
         notes: What may not be meant.
     """
 
@@ -116,6 +120,7 @@ class Superelement:
     stress: Array
     stress_names: tuple[str, ...]
     geometric: Mapping[str, Array]
+    surface: Surface
     notes: tuple[str, ...]
 
     def __post_init__(self) -> None:
@@ -168,7 +173,10 @@ class Superelement:
         Args:
             about: Point that rotations leave where it is (3,) [m].
         """
-        blocks = [frame_motions(frame, np.asarray(about, float)) for frame in self.interfaces]
+        point = numbers("rigid_motions: about", about)
+        if point.shape != (3,) or not np.isfinite(point).all():
+            raise ArgumentError(f"rigid_motions: about={brief(about)}: give three finite numbers")
+        blocks = [frame_motions(frame, point) for frame in self.interfaces]
         return np.vstack([*blocks, np.zeros((self.n - self.n_boundary, 6))])
 
     @checked
@@ -240,6 +248,31 @@ class Superelement:
         """
         return self._coordinates(z, "displacements") @ self.basis.T
 
+    @cached_property
+    def surface_points(self) -> Array:
+        """Positions X of the points of the surface, undeformed (points, 3) [m]."""
+        return self.surface.points(self.dofs)
+
+    @cached_property
+    def surface_basis(self) -> Array:
+        """Displacements Psi of the points of the surface by the coordinates (points, 3, n)."""
+        return self.surface.basis(self.basis, self.dofs)
+
+    def surface_displacements(self, z: ArrayLike) -> Array:
+        """Displacements of the points of the surface by coordinates.
+
+        In a frame at x0 with the axes R0, the points stand at x0 + R0 (X + Psi z).
+
+        Args:
+            z: Coordinates (..., n).
+
+        Returns:
+            (..., points, 3) [m], in the axes of the component.
+        """
+        values = self._coordinates(z, "surface_displacements")
+        moved: Array = np.einsum("...n,pin->...pi", values, self.surface_basis)
+        return moved
+
     def stresses(self, z: ArrayLike) -> Array:
         """Rows of the stress operator by coordinates.
 
@@ -274,7 +307,7 @@ class Superelement:
         return save(self, Path(path))
 
     def _coordinates(self, z: ArrayLike, who: str) -> Array:
-        values = np.asarray(z, dtype=float)
+        values = numbers(f"{who}: z", z)
         if not values.ndim or values.shape[-1] != self.n:
             raise ArgumentError(f"{who}: shape {values.shape}, expected (..., {self.n})")
         return values

@@ -20,8 +20,9 @@ from .interfaces import Connection, connect
 from .matrices import check_diagonals, square_size, symmetric, symmetric_part
 from .methods import METHODS, STATIC
 from .node_dofs import NodeDofs, number_rows
-from .record import Superelement
+from .record import SuperelementRecord
 from .static_shapes import with_static_shapes
+from .surface import Surface, surface_of
 
 if TYPE_CHECKING:
     from scipy.sparse import csc_matrix as Sparse
@@ -55,8 +56,10 @@ def reduce(
     stress: object = None,
     stress_names: Sequence[str] | None = None,
     geometric: Mapping[str, object] | None = None,
+    triangles: ArrayLike | None = None,
+    lines: ArrayLike | None = None,
     make_free: bool = False,
-) -> Superelement:
+) -> SuperelementRecord:
     """A component, reduced to motions of its interfaces and some modes.
 
     Args:
@@ -78,6 +81,7 @@ def reduce(
         static_shapes: Loads and ``"gravity"`` whose static response is among the shapes.
         stress, stress_names: Rows of stress by the rows of K (components, rows), and their names.
         geometric: Geometric stiffness (rows, rows) by name, for loads of unit size.
+        triangles, lines: Nodes between which pictures have them (triangles, 3), (lines, 2).
         make_free: Take out of K what resists rigid motions of the interfaces, as rounded texts do.
 
     Returns:
@@ -99,6 +103,7 @@ def reduce(
         modes=modes,
         supported=supported,
         make_free=make_free,
+        surface=surface_of(numbered, triangles, lines),
         additions=additions_of(
             numbered,
             C=C,
@@ -123,8 +128,9 @@ def _reduced(
     modes: int | None,
     supported: bool,
     make_free: bool,
+    surface: Surface,
     additions: Additions,
-) -> Superelement:
+) -> SuperelementRecord:
     """The reduced component by checked matrices."""
     check_diagonals(M, K, dofs)
     count = _mode_count(method, modes, len(connection.interior))
@@ -146,7 +152,7 @@ def _reduced(
     stiffness = _freed(basis.K, moved, component.boundary_scale) if make_free else basis.K
     for note in notes:
         warn(note, ModelWarning)
-    return Superelement(
+    return SuperelementRecord(
         method=method,
         M=basis.M,
         C=additions.damping(basis.M, stiffness, moved, shapes, basis.massless),
@@ -173,6 +179,7 @@ def _reduced(
             name: symmetric_part(shapes.T @ (one @ shapes))
             for name, one in additions.geometric.items()
         },
+        surface=surface,
         notes=tuple(notes),
     )
 

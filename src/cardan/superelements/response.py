@@ -9,6 +9,8 @@ from ..arrays import Array, Complex, Integers
 from ..errors import ArgumentError, SolveError
 from .eigenproblem import dense_modes
 
+MASSLESS = 1e-12  # of the largest mass: what rounding leaves of none
+FASTEST = 1e30  # so that squares of frequencies do not overflow [rad/s]
 RESONANT = 1e13  # condition of a dynamic stiffness beyond which there is no response
 
 
@@ -45,8 +47,12 @@ def reduced_modes(
     mobile = free_motions(rigid, locked)[free]
     within = np.eye(n)[:, free]
     if mobile.shape[1]:
-        # shapes that balance the rigid motions, which are compared in units of their masses
-        scale = 1 / np.sqrt(np.maximum(M.diagonal()[free], 1e-300 + 1e-12 * M.diagonal().max()))
+        # shapes that balance the rigid motions, compared in units of their masses: motions
+        # of interfaces have other units than modal coordinates
+        masses, moved = M.diagonal()[free].copy(), mobile.any(axis=1)
+        for group in (moved, ~moved):
+            masses[group] = np.maximum(masses[group], MASSLESS * masses[group].max(initial=0.0))
+        scale = 1 / np.sqrt(np.maximum(masses, 1e-300))
         balance = (mobile.T @ M[np.ix_(free, free)]) * scale
         balance /= np.linalg.norm(balance, axis=1, keepdims=True)
         within = within @ (scale[:, None] * null_space(balance))
@@ -63,8 +69,10 @@ def frequencies_of(values: ArrayLike, who: str) -> Array:
         ArgumentError: not a row of finite numbers.
     """
     omega = np.atleast_1d(np.asarray(values, dtype=float))
-    if omega.ndim != 1 or not np.isfinite(omega).all():
-        raise ArgumentError(f"{who}: give frequencies as a row of finite numbers [rad/s]")
+    if omega.ndim != 1 or not (abs(omega) < FASTEST).all():
+        raise ArgumentError(
+            f"{who}: give frequencies as a row of finite numbers below {FASTEST:g} rad/s"
+        )
     return omega
 
 

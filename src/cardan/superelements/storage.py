@@ -21,10 +21,11 @@ from .checks import MassProperties, RigidCheck
 from .error_bounds import Residuals
 from .inertia import ProjectedInertia
 from .interfaces import SPIDERS, InterfaceFrame
-from .matrices import LARGEST
 from .methods import METHODS
 from .node_dofs import COMPONENTS, NodeDofs
-from .record import Superelement
+from .record import SuperelementRecord
+from .surface import MOST_POINTS, Surface, sampled
+from .values import LARGEST
 
 ABOUT = "about"
 # array -> its sizes: n coordinates, b motions of interfaces, 2 n of residuals
@@ -46,6 +47,10 @@ SHAPES: dict[str, tuple[str | int, ...]] = {
     "loads": ("loads", "n"),
     "stress": ("stress", "n"),
     "geometric": ("geometric", "n", "n"),
+    "surface_nodes": ("points",),
+    "surface_arms": ("points", 3),
+    "surface_triangles": ("triangles", 3),
+    "surface_lines": ("lines", 2),
     "inertia_mass": (3, 3),
     "inertia_first": (3, 3),
     "inertia_second": (3, 3),
@@ -58,10 +63,11 @@ SHAPES: dict[str, tuple[str | int, ...]] = {
     "inertia_modal": ("n", "n"),
 }
 SYMMETRIC = ("M", "C", "K", "residual_inner", "residual_stiffness", "inertia_modal")
-INTEGERS = ("ids", "node", "component")
+SURFACE = ("surface_nodes", "surface_triangles", "surface_lines")
+INTEGERS = ("ids", "node", "component", *SURFACE)
 
 
-def save(record: Superelement, path: Path) -> Path:
+def save(record: SuperelementRecord, path: Path) -> Path:
     """Write a component; the file appears complete or not at all.
 
     Raises:
@@ -89,8 +95,9 @@ def save(record: Superelement, path: Path) -> Path:
         "stress": record.stress,
         "geometric": np.array([*record.geometric.values()]).reshape(-1, n, n),
     }
-    for field in fields(record.inertia):
-        arrays[f"inertia_{field.name}"] = getattr(record.inertia, field.name)
+    for part in ("inertia", "surface"):
+        for field in fields(getattr(record, part)):
+            arrays[f"{part}_{field.name}"] = getattr(getattr(record, part), field.name)
     about = {
         SUPERELEMENT.word: SUPERELEMENT.version,
         "cardan": VERSION,
@@ -108,6 +115,10 @@ def save(record: Superelement, path: Path) -> Path:
         "geometric": [*record.geometric],
         "notes": [*record.notes],
     }
+    try:
+        _check_arrays(arrays, record.n_boundary)
+    except ValueError as error:
+        raise ModelError(f"{path}: the component cannot be saved: {error}") from None
     about["sha256"] = _digest(about, arrays)
     with replaced(path) as new:
         Path(new).write_bytes(packed({**arrays, ABOUT: np.array(json.dumps(about))}))
@@ -115,8 +126,8 @@ def save(record: Superelement, path: Path) -> Path:
 
 
 @checked
-def load(path: Path) -> Superelement:
-    """Read a component that :meth:`Superelement.save` wrote.
+def load(path: Path) -> SuperelementRecord:
+    """Read a component that :meth:`SuperelementRecord.save` wrote.
 
     Args:
         path: The ``.npz`` file.
@@ -138,6 +149,8 @@ def load(path: Path) -> Superelement:
         stated = about.pop("sha256", None)
         if stated != _digest(about, arrays):
             raise ValueError("its hash differs from that of its content")
+        if version == 1:
+            _add_surface(arrays)
         return _record(about, arrays)
     except FileNotFoundError:
         raise ModelError(f"{path}: there is no such file") from None
@@ -151,6 +164,14 @@ def load(path: Path) -> Superelement:
         ) from None
 
 
+def _add_surface(arrays: dict[str, Array | Integers]) -> None:
+    """The surface of a file of version 1, which has none: all nodes."""
+    nodes = sampled(len(arrays["positions"]))
+    arrays["surface_nodes"], arrays["surface_arms"] = nodes, np.zeros((len(nodes), 3))
+    arrays["surface_triangles"] = np.zeros((0, 3), np.intp)
+    arrays["surface_lines"] = np.zeros((0, 2), np.intp)
+
+
 def _digest(about: Mapping[str, object], arrays: Mapping[str, Array | Integers]) -> str:
     """Hash of everything that counts."""
     hashed = sha256(json.dumps(about, sort_keys=True).encode())
@@ -161,7 +182,9 @@ def _digest(about: Mapping[str, object], arrays: Mapping[str, Array | Integers])
     return hashed.hexdigest()
 
 
-def _record(about: Mapping[str, object], arrays: Mapping[str, Array]) -> Superelement:
+def _record(
+    about: Mapping[str, object], arrays: Mapping[str, Array | Integers]
+) -> SuperelementRecord:
     """The component of a file, every part of it checked.
 
     Raises:
@@ -182,7 +205,7 @@ def _record(about: Mapping[str, object], arrays: Mapping[str, Array]) -> Superel
     x, y, z = (_triple(row) for row in _rows(properties["inertia"], 3))
     numbers = {name: arrays[name].astype(np.float64) for name in SHAPES if name not in INTEGERS}
     labels = {name: arrays[name].astype(np.intp) for name in INTEGERS}
-    return Superelement(
+    return SuperelementRecord(
         method=method,
         **{name: numbers[name] for name in ("M", "C", "K", "basis", "frequencies", "dropped")},
         dofs=NodeDofs(numbers["positions"], labels["ids"], labels["node"], labels["component"]),
@@ -209,17 +232,23 @@ def _record(about: Mapping[str, object], arrays: Mapping[str, Array]) -> Superel
         stress=numbers["stress"],
         stress_names=texts["stress_names"],
         geometric=dict(zip(texts["geometric"], numbers["geometric"], strict=True)),
+        surface=Surface(
+            labels["surface_nodes"],
+            numbers["surface_arms"],
+            labels["surface_triangles"],
+            labels["surface_lines"],
+        ),
         notes=texts["notes"],
     )
 
 
-def _check_arrays(arrays: Mapping[str, Array], n_boundary: int) -> None:
+def _check_arrays(arrays: Mapping[str, Array | Integers], n_boundary: int) -> None:
     """Refuse arrays whose shapes or numbers do not make a component.
 
     Raises:
         ValueError: it names the array.
     """
-    sizes: dict[str | int, int] = {"b": n_boundary, 3: 3}
+    sizes: dict[str | int, int] = {"b": n_boundary, 2: 2, 3: 3}
     if arrays["M"].ndim == 2:
         sizes["2n"] = 2 * len(arrays["M"])
     for name, shape in SHAPES.items():
@@ -244,6 +273,12 @@ def _check_arrays(arrays: Mapping[str, Array], n_boundary: int) -> None:
         raise ValueError("its nodes have the same numbers")
     if len(np.unique(6 * node.astype(np.int64) + component.astype(np.int64))) != len(node):
         raise ValueError("its rows are not different ones")
+    for name, most in zip(SURFACE, ("nodes", "points", "points"), strict=True):
+        ends = arrays[name]
+        if len(ends) > MOST_POINTS or (
+            ends.size and not 0 <= ends.min() <= ends.max() < sizes[most]
+        ):
+            raise ValueError(f"'{name}' names what does not exist, or too much")
 
 
 def _table(value: object) -> Mapping[str, object]:

@@ -76,7 +76,7 @@ def check_concurrent_forces(
 def _push(force: Force, numbers: Numbers) -> float:
     """The force of a straight spring at length 0, as far as parameters tell [N]."""
     quantities = [force.data[name][2] for name in ("stiffness", "rest_length")]
-    if not all(constant(Matrix.vector(numbers.graph, nodes)) for nodes in quantities):
+    if not all(constant(Matrix(numbers.graph, len(nodes), 1, nodes)) for nodes in quantities):
         return 0.0
     stiffness, length = (float(numbers.values(*nodes)[0]) for nodes in quantities)
     return abs(stiffness * length)

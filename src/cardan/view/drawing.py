@@ -18,6 +18,7 @@ from .curves import Histories
 from .solids import DrawnBody, Solid, numbers_of
 from .solids import bodies as in_joint_coordinates
 from .supports import Support
+from .surfaces import DrawnSurface
 
 # layers of arrows, and what else a page may show from the start
 ARROWS = ("reactions", "forces", "contacts")
@@ -77,7 +78,7 @@ class Drawing:
     Attributes:
         name: Headline.
         abscissa: What it runs over.
-        bodies, ground, beams, supports, springs, arrows: What is drawn.
+        bodies, ground, beams, surfaces, supports, springs, arrows: What is drawn.
         traces: Paths (nt, 3) of frames, by name.
         histories: Curves, by unit.
         events: When what happened.
@@ -95,6 +96,7 @@ class Drawing:
     bodies: list[DrawnBody]
     ground: list[Solid]
     beams: list[DrawnBeam]
+    surfaces: list[DrawnSurface] = field(default_factory=list)
     supports: list[Support] = field(default_factory=list)
     springs: list[DrawnSpring] = field(default_factory=list)
     arrows: list[DrawnArrow] = field(default_factory=list)
@@ -254,7 +256,11 @@ def slowed(motion: TrajectoryRecord) -> float:
         if size > VISIBLE * most[row.unit] > 0:
             strong = np.sign(speed[np.abs(speed) > VISIBLE * size])
             swings = max(swings, np.count_nonzero(np.diff(strong)) / 2 / span)
-    rate = min(FOLLOWED / swings if swings > 0 else np.inf, span / 3.0)
+    return rate_below(min(FOLLOWED / swings if swings > 0 else np.inf, span / 3.0))
+
+
+def rate_below(rate: float) -> float:
+    """The next round speed of play, real time at most."""
     return float(RATES[max(0, int(np.searchsorted(RATES, rate * 1.001, side="right")) - 1)])
 
 
@@ -300,6 +306,10 @@ def joined(rows: Sequence[Drawing]) -> Drawing:
                 else all_of(np.asarray(row.beams[k].values) for row in rows),
             )
             for k, beam in enumerate(first.beams)
+        ],
+        surfaces=[
+            replace(one, amplitudes=all_of(row.surfaces[k].amplitudes for row in rows))
+            for k, one in enumerate(first.surfaces)
         ],
         supports=[
             replace(one, travel=_widest([row.supports[k].travel for row in rows]))

@@ -35,16 +35,48 @@ def reduced(part: Part, triangles: int) -> Part:
     low = part.vertices.min(axis=0).astype(np.float64)
     span = float((part.vertices - low).max())
     points, rows = (part.vertices - low) / span, part.triangles.astype(np.intp)
+    edge = _edge(points, rows, triangles)
+    cells = _cells(points, edge)
+    vertices = span * _representatives(points, rows, cells, edge) + low
+    return compact(vertices.astype(np.float32), _unique_triangles(cells[rows]), part.color)
+
+
+def coarsened(vertices: Array, rows: NDArray[np.intp], triangles: int) -> NDArray[np.intp]:
+    """At most so many triangles between some of the vertices, which all stay where they are.
+
+    Args:
+        vertices: Positions (n, 3).
+        rows: Triangles (m, 3).
+        triangles: Largest number of them.
+
+    Returns:
+        Triangles (k, 3) between vertices, those given if they are few enough.
+    """
+    if len(rows) <= triangles:
+        return rows
+    used = np.unique(rows)
+    low = vertices[used].min(axis=0)
+    points = (vertices[used] - low) / float((vertices[used] - low).max())
+    local = np.searchsorted(used, rows)
+    cells = _cells(points, _edge(points, local, triangles))
+    size = np.bincount(cells)
+    mean = np.stack([np.bincount(cells, x) for x in points.T], axis=1) / size[:, None]
+    # of each cell the vertex that is nearest to their mean
+    order = np.lexsort((np.linalg.norm(points - mean[cells], axis=1), cells))
+    nearest = used[order[np.cumsum(size) - size]]
+    chosen: NDArray[np.intp] = nearest[_unique_triangles(cells[local])]
+    return chosen
+
+
+def _edge(points: Array, rows: NDArray[np.intp], triangles: int) -> float:
+    """Edge of the smallest cells that leave few enough triangles."""
     # the number of triangles rises with that of cells, but for small steps; it begins with none
     coarse, fine = -2.0, float(np.log2(FINEST))
     for _ in range(BISECTIONS):
         middle = (coarse + fine) / 2
         count = len(_unique_triangles(_cells(points, 2**-middle)[rows]))
         coarse, fine = (middle, fine) if count <= triangles else (coarse, middle)
-    edge = 2**-coarse
-    cells = _cells(points, edge)
-    vertices = span * _representatives(points, rows, cells, edge) + low
-    return compact(vertices.astype(np.float32), _unique_triangles(cells[rows]), part.color)
+    return float(2**-coarse)
 
 
 def _cells(points: Array, edge: float) -> NDArray[np.intp]:

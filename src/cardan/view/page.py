@@ -162,7 +162,24 @@ def page_of(
     rate = 1.0 if page == "plain" else None
     options = PageOptions(_names(show), _names(plots), follow, _names(traces) or (), fps, rate)
     drawing = drawing_of(motions, options, abscissa, histories)
-    text = _filled(drawing, page, detail, str(title if title is not None else first.name))
+    return drawing_page(drawing, path, page, detail, first.name if title is None else title)
+
+
+def drawing_page(
+    drawing: Drawing,
+    path: str | Path | None,
+    page: str = "3d",
+    detail: str | float = "auto",
+    title: str | None = None,
+) -> Page:
+    """The page of a drawing, written to a file, opened in a browser or shown in a notebook.
+
+    Args:
+        drawing: What it shows.
+        path, page, title: As :func:`animate`; the name of the drawing is the headline by default.
+        detail: As ``meshes=`` there.
+    """
+    text = _filled(drawing, page, detail, drawing.name if title is None else title)
     if path is not None:
         return Page(text, publish(Path(path), text))
     result = Page(text)

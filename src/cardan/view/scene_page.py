@@ -8,13 +8,14 @@ from pathlib import Path
 
 import numpy as np
 
-from ..arrays import Array
+from ..arrays import Array, Integers
 from ..errors import ModelError, ModelWarning, counted, warn
 from . import meshes
 from .beams import STRAIN, DrawnBeam
 from .drawing import Drawing
 from .packing import JsonObject, Packer, step_of, turns
 from .solids import Solid, short
+from .surfaces import DISPLACEMENT, DrawnSurface
 
 # steps of lengths, turns and curves against the size of what is shown
 FINE, TURN, CURVE, STILL = 1e-5, 1e-5, 1e-4, 1e-9
@@ -46,6 +47,7 @@ def parts(drawing: Drawing, detail: str | float) -> tuple[str, str]:
         "poses": None if poses is None else _places(pack, poses, size),
         "ground": solids.of(drawing.ground, []),
         "beams": [_beam(pack, beam, size) for beam in drawing.beams],
+        "surfaces": [_surface(pack, one, size) for one in drawing.surfaces],
         "supports": [
             {
                 "kind": one.kind,
@@ -56,7 +58,7 @@ def parts(drawing: Drawing, detail: str | float) -> tuple[str, str]:
             }
             for one in drawing.supports
         ],
-        "scale": _scale(drawing.beams),
+        "scale": _scale(drawing.beams, drawing.surfaces),
         "springs": [
             {
                 "name": s.name,
@@ -118,6 +120,7 @@ def size_of(drawing: Drawing) -> float:
     """Extent of what is shown at the start [m]."""
     points = [body.poses[0, :3, 3] for body in drawing.bodies]
     points += [p for beam in drawing.beams for p in beam.sections[0, :, :3, 3]]
+    points += [p for one in drawing.surfaces for p in (one.points.min(0), one.points.max(0))]
     extents = [float(np.ptp(points, axis=0).max())] if points else []
     for solid in [s for body in drawing.bodies for s in body.solids]:
         numbers = [*solid.get("size", ()), solid.get("r", 0.0), *solid.get("a", ())]
@@ -157,23 +160,59 @@ def _beam(pack: Packer, beam: DrawnBeam, size: float) -> JsonObject:
     }
 
 
-def _scale(beams: Iterable[DrawnBeam]) -> JsonObject | None:
-    """Legend of the colors of beams; None where nothing is colored."""
-    colored = [beam for beam in beams if beam.values is not None]
+def _surface(pack: Packer, one: DrawnSurface, size: float) -> JsonObject:
+    """A surface as the page draws it: it adds the shapes itself."""
+    most = _most(one.amplitudes)
+    count = len(one.shapes)
+
+    def places(rows: Integers) -> JsonObject | None:
+        return pack.add(rows, 1.0, orders=1) if len(rows) else None
+
+    return {
+        "name": one.name,
+        "points": pack.add(one.points, FINE * size, orders=1),
+        "triangles": places(one.triangles),
+        "lines": places(one.lines),
+        "outline": places(one.outline),
+        "shapes": pack.add(one.shapes.reshape(count, -1), FINE * size / most, orders=0),
+        "amplitudes": pack.add(one.amplitudes, CURVE * most),
+        "kind": one.kind,
+        "stressed": places(one.stressed),
+        "stresses": pack.add(one.stresses.reshape(count, -1), CURVE * _most(one.stresses), orders=0)
+        if one.stresses.size
+        else None,
+    }
+
+
+# units of what is colored, the largest that leaves a number above 1
+UNITS = {
+    "stress": {"GPa": 1e9, "MPa": 1e6, "kPa": 1e3, "Pa": 1.0},
+    "strain": {"1": 1.0},
+    DISPLACEMENT: {"m": 1.0, "mm": 1e-3, "um": 1e-6},
+}
+
+
+def _scale(beams: Iterable[DrawnBeam], surfaces: Iterable[DrawnSurface]) -> JsonObject | None:
+    """Legend of the colors of beams and surfaces; None where nothing is colored."""
+    colored = [
+        (beam.colored_by, "strain" if beam.colored_by == STRAIN else "stress", _most(beam.values))
+        for beam in beams
+        if beam.values is not None
+    ]
+    colored += [(one.colored_by, one.kind, one.largest) for one in surfaces if one.kind]
     if not colored:
         return None
-    strain = any(beam.colored_by == STRAIN for beam in colored)
-    most = max(_most(beam.values) for beam in colored if beam.values is not None)
-    # strain stands as it is, stress in the largest unit that leaves a number above 1
-    powers = {} if strain else {"GPa": 1e9, "MPa": 1e6, "kPa": 1e3}
-    units = [(unit, size) for unit, size in powers.items() if most >= size]
-    unit, factor = units[0] if units else ("1" if strain else "Pa", 1.0)
+    kinds = [kind for _, kind, _ in colored]
+    kind = next((one for one in ("strain", "stress") if one in kinds), kinds[0])
+    most = max(value for _, _, value in colored)
+    units = UNITS[kind]
+    unit = next((name for name, size in units.items() if most >= size), [*units][-1])
     return {
-        "name": colored[0].colored_by,
-        "kind": "strain" if strain else "stress",
+        "name": colored[0][0],
+        "kind": kind,
         "unit": unit,
         "most": most,
-        "shown": most / factor,
+        "shown": most / units[unit],
     }
 
 

@@ -24,7 +24,7 @@ from . import smoothing
 if TYPE_CHECKING:
     from ...runtime.models.loaded_model import LoadedModel
 
-BLOCKS = ("q", "u", "udot", "tau", "r")
+BLOCKS = ("q", "u", "udot", "tau", "r", "z")
 # samples left out at either end where derivatives come from a spline
 ENDS = 6
 
@@ -39,6 +39,7 @@ class Data:
         q, u, udot: (nt, nq), (nt, nu), (nt, nu).
         tau: Forces of the actuators along the speeds (nt, nu) [N m], [N].
         r: Inputs (nt, nr).
+        z: Internal states of force elements (nt, nz).
     """
 
     t: Array
@@ -47,6 +48,7 @@ class Data:
     udot: Array
     tau: Array
     r: Array
+    z: Array
 
     def only(self, rows: object) -> Data:
         """Some of the samples."""
@@ -56,7 +58,8 @@ class Data:
 def columns(model: LoadedModel) -> dict[str, tuple[str, ...]]:
     """Names of the entries of every block as columns of a table have them.
 
-    ``elbow``, ``elbow.u``, ``elbow.udot``, ``elbow.tau``; inputs by their names.
+    ``elbow``, ``elbow.u``, ``elbow.udot``, ``elbow.tau``; inputs and internal states by their
+    names.
     """
 
     def along(word: str) -> tuple[str, ...]:
@@ -67,7 +70,8 @@ def columns(model: LoadedModel) -> dict[str, tuple[str, ...]]:
         )
 
     named = {"q": model.coordinates, "u": model.speeds, "r": model.inputs}
-    return named | {"udot": along("udot"), "tau": along("tau")}
+    states = tuple(entry.name for entry in model.manifest.z)
+    return named | {"udot": along("udot"), "tau": along("tau"), "z": states}
 
 
 def read(path: Path) -> dict[str, Array]:
@@ -116,8 +120,9 @@ def measured(
     Args:
         model: Whose motion it is.
         data: A Trajectory, a path (of a saved run, or a table .csv), or a mapping with ``t`` and
-            blocks ``q``, ``u``, ``udot``, ``tau``, ``r`` (nt, ...) or columns such as ``elbow`` and
-            ``elbow.tau``.
+            blocks ``q``, ``u``, ``udot``, ``tau``, ``r``, ``z`` (nt, ...) or columns such as
+            ``elbow`` and ``elbow.tau``. Inputs and internal states that are missing are those at
+            the start of a run.
         cutoff: [Hz] above which coordinates are noise: they are filtered, forward and backward,
             before they are differentiated.
         period, harmonics: Of a periodic motion [s]: coordinates become a Fourier series, which is
@@ -134,10 +139,9 @@ def measured(
         path = Path(data)
         data = load(path, model) if path.suffix in formats.readable() else read(path)
     blocks = _of_run(data) if isinstance(data, TrajectoryRecord) else _of_table(model, data)
-    blocks_with_defaults = {"tau": np.zeros((len(blocks["t"]), model.nu)), **blocks}
-    blocks_with_defaults.setdefault(
-        "r", np.tile(model._layout.start("r"), (len(blocks_with_defaults["t"]), 1))
-    )
+    count = len(blocks["t"])
+    starts = {name: np.tile(model._layout.start(name), (count, 1)) for name in ("r", "z")}
+    blocks_with_defaults = {"tau": np.zeros((count, model.nu)), **starts, **blocks}
     _check(model, blocks_with_defaults)
     return _complete(model, blocks_with_defaults, cutoff, period, harmonics, ends)
 
@@ -150,6 +154,7 @@ def _of_run(run: TrajectoryRecord) -> dict[str, Array]:
         "q": run.q[increasing],
         "u": run.u[increasing],
         "r": run.r[increasing],
+        "z": run.z[increasing],
     }
 
 
@@ -190,7 +195,8 @@ def _of_table(model: LoadedModel, data: Any) -> dict[str, Array]:
 
 def _check(model: LoadedModel, blocks: Mapping[str, Array]) -> None:
     count = len(blocks["t"])
-    sizes = {"q": model.nq, "u": model.nu, "udot": model.nu, "tau": model.nu, "r": model.nr}
+    sizes = {"q": model.nq, "u": model.nu, "udot": model.nu, "tau": model.nu}
+    sizes |= {"r": model.nr, "z": model.nz}
     for block, value in blocks.items():
         if block != "t" and value.shape != (count, sizes[block]):
             raise ArgumentError(
@@ -219,14 +225,14 @@ def _complete(
                 "and no Fourier series; give cutoff= or measured speeds"
             )
         q, u, udot = smoothing.series(t, blocks["q"], period, harmonics)
-        return Data(t, q, u, udot, blocks["tau"], blocks["r"])
+        return Data(t, q, u, udot, blocks["tau"], blocks["r"], blocks["z"])
     complete = "u" in blocks and "udot" in blocks
     if cutoff is not None and not complete:
         word = "u" if "u" in blocks else "q"
         blocks[word] = smoothing.lowpass(t, blocks[word], cutoff)
     u = blocks["u"] if "u" in blocks else speeds(model, t, blocks["q"], blocks["r"])
     udot = blocks["udot"] if "udot" in blocks else smoothing.derivative(t, u)
-    data = Data(t, blocks["q"], u, udot, blocks["tau"], blocks["r"])
+    data = Data(t, blocks["q"], u, udot, blocks["tau"], blocks["r"], blocks["z"])
     if complete or (ends and cutoff is None):
         return data
     cut = ENDS if cutoff is None else max(ENDS, int(1 / (cutoff * smoothing.step_of(t, "cutoff="))))

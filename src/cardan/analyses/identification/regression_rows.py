@@ -48,9 +48,10 @@ class Rows:
     relative_noise: Array
 
 
-def time_and_inputs(model: LoadedModel, data: Data) -> dict[str, Any]:
-    """Time and inputs of samples for functions of the model."""
-    return {"t": data.t, "r": data.r if model.nr else None}
+def time_and_inputs(model: LoadedModel, data: Data, states: bool = False) -> dict[str, Any]:
+    """Time and inputs of samples for functions of the model; internal states too on request."""
+    internal = {"z": data.z if model.nz else None} if states else {}
+    return {"t": data.t, "r": data.r if model.nr else None, **internal}
 
 
 def of_forces(model: LoadedModel, data: Data, cutoff: float | None, actuators: list[int]) -> Rows:
@@ -59,7 +60,7 @@ def of_forces(model: LoadedModel, data: Data, cutoff: float | None, actuators: l
     Args:
         actuators: Speeds along which forces were measured.
     """
-    arguments = time_and_inputs(model, data)
+    arguments = time_and_inputs(model, data, states=True)
     phi = np.array(list(model.inertial_parameters().values()))
     A = model.regressor(data.q, data.u, data.udot, **arguments)
     # what does not depend on phi: other forces of the model
@@ -114,7 +115,7 @@ def of_energy(model: LoadedModel, data: Data, stretch: int, noise: Array) -> Row
         stretch: Steps of a row, an even number.
         noise: Of the forces along every speed, for the weights of the rows (nu,).
     """
-    arguments = time_and_inputs(model, data)
+    arguments = time_and_inputs(model, data, states=True)
     step = smoothing.step_of(data.t, "form='energy'")
     count = (len(data.t) - 1) // stretch
     if stretch < 2 or stretch % 2 or count < 1:
@@ -126,7 +127,7 @@ def of_energy(model: LoadedModel, data: Data, stretch: int, noise: Array) -> Row
     stored, power = E[:, 0] + E[:, 1], E[:, 2]
     # what does not depend on phi: other forces of the model and their potentials
     rates = model.power(data.q, data.u, **arguments).sum(axis=-1) - power @ phi
-    left = model.energy(data.q, data.u, **arguments).total - stored @ phi
+    left = model.energy(data.q, data.u, **time_and_inputs(model, data)).total - stored @ phi
     supplied = (data.tau * data.u).sum(axis=-1) + rates
     starts = stretch * np.arange(count)
     # Simpson's rule over each stretch

@@ -176,7 +176,9 @@ def torques(
         )
         forces, unique = shares.forces, bool(np.all(shares.unique))
     else:
-        forces, unique = model.inverse_dynamics(data.q, data.u, data.udot, **arguments), True
+        z = data.z if model.nz else None
+        forces = model.inverse_dynamics(data.q, data.u, data.udot, z=z, **arguments)
+        unique = True
     units = [UNITS.get(row.unit, "") for row in model.manifest.speeds]
     return TorquesRecord(
         model,
@@ -204,7 +206,7 @@ def _motion(
             motion.q, motion.u, z=motion.z, s=motion.s, **arguments
         )
         nothing = np.zeros_like(motion.u)
-        return Data(motion.t, motion.q, motion.u, udot, nothing, motion.r)
+        return Data(motion.t, motion.q, motion.u, udot, nothing, motion.r, motion.z)
     if hasattr(motion, "keys") and "t" in motion:
         t = np.asarray(motion["t"], dtype=float)
         coordinates = {*columns(model)["q"]}

@@ -130,6 +130,9 @@ class Interval:
             member = self.members.at(s, grown)
             return complex(member.values[follow(grown, member)[0][k]])
 
+        # one of several that pass together may have been followed to another
+        if passed(below.s).real * passed(above.s).real >= 0:
+            return None
         s = _root(lambda s: passed(s).real, below.s, above.s)
         value = passed(s)
         return self._change(s, value, lost, abs(value.imag) > REAL * self.rate)

@@ -30,7 +30,7 @@ STARTS = 16
 
 
 @checked
-def assemble(
+def assemble_by_constraints(
     model: LoadedModel,
     targets: Mapping[str, object] | None = None,
     *,

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from ...arrays import Array
-from ...errors import ModelError, near
+from ...errors import ModelError, counted, near
 from ...runtime.models.loaded_model import LoadedModel
 
 LISTED = 24
@@ -28,6 +28,9 @@ class AssemblyRecord:
         freedoms: Degrees of freedom that loops and held targets leave.
         solutions: Different positions found; None where a freedom is left, as there are many.
         starts: Searches begun.
+        energy: Strain energy [J]; None where it was not asked to be least. Then ``u`` is 0, udot
+            None, and freedoms are motions that nothing strained resists.
+        holding_forces: Held coordinate -> force that holds it [N, N m], by strain energy.
     """
 
     model: LoadedModel
@@ -41,6 +44,8 @@ class AssemblyRecord:
     freedoms: int
     solutions: int | None
     starts: int
+    energy: float | None = None
+    holding_forces: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def name(self) -> str:
@@ -76,12 +81,9 @@ class AssemblyRecord:
         raise ModelError(f"assembly['{name}']: there is no such entry.{near(name, entries)}")
 
     def __repr__(self) -> str:
-        descriptions = {None: "one of many positions", 1: "the only position found"}
-        description = descriptions.get(self.solutions, f"1 of {self.solutions} positions found")
         lines = [
-            f"assembly of '{self.name}': {description} from {self.starts} "
-            f"start{'s' if self.starts != 1 else ''}, {self.freedoms} "
-            f"freedom{'s' if self.freedoms != 1 else ''} left"
+            f"assembly of '{self.name}': {self._description}, "
+            f"{counted(self.freedoms, 'freedom')} left"
         ]
         lines += _values("q", self.coordinates, self.q)
         if np.any(self.u):
@@ -90,7 +92,16 @@ class AssemblyRecord:
             angle_text = f" and {other:.1e}" if other else ""
             lines.append(f"  loop of '{joint}' closed to {length:.1e} m{angle_text}")
         lines += [f"  target '{name}' not reached: {said}" for name, said in self.unreached.items()]
+        lines += [f"  '{n}' is held by {force:.6g}" for n, force in self.holding_forces.items()]
         return "\n".join(lines)
+
+    @property
+    def _description(self) -> str:
+        if self.energy is not None:
+            return f"least strain energy, {self.energy:.6g} J"
+        texts = {None: "one of many positions", 1: "the only position found"}
+        description = texts.get(self.solutions, f"1 of {self.solutions} positions found")
+        return f"{description} from {counted(self.starts, 'start')}"
 
 
 def _values(letter: str, names: tuple[str, ...], values: Array) -> list[str]:

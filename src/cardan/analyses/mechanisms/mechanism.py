@@ -384,8 +384,9 @@ def refuse_nodes(model: LoadedModel, what: str) -> None:
     cure = "its bodies are nodes. Compile it with coordinates='relative', which has joints for it"
     if model.manifest.beams:
         cure = (
-            "it has beams, which forces bend. model.equilibrium(locked={'...': value}) "
-            "gives a position with a locked joint, model.statics(locked={'...': (start, end)}) many"
+            "it has beams, which forces bend. assemble and sweep take by='strain_energy'; "
+            "model.equilibrium(locked={'...': value}) and model.statics(locked={'...': (start, "
+            "end)}) count loads too"
         )
     raise ModelError(
         f"{what}: model '{model.name}' is in absolute coordinates, where kinematics alone does not "

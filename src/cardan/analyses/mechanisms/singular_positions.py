@@ -22,7 +22,7 @@ from ...arrays import Array
 from ...errors import ArgumentError, ModelError, near
 from ...runtime.calls.evaluation import State
 from ...runtime.models.loaded_model import LoadedModel
-from .assemble import assemble
+from .assemble import assemble_by_constraints
 from .mechanism import Mechanism, refuse_nodes
 from .position_solver import PositionSolver
 from .redundancy import rank_of
@@ -138,7 +138,7 @@ def singular_positions(
             f"singular_positions: model '{model.name}' has no loop constraints, or solves them in "
             "closed form; compile a scene with loops with constraints='multipliers'"
         )
-    begin = assemble(
+    begin = assemble_by_constraints(
         model, {coordinate: low} | locked_targets, start=start, branch=branch, t=t, r=r
     )
     path = Path(m, locked_targets, coordinate, driver or coordinate, 1.0 if high > low else -1.0)

@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arguments import LockedValues, checked
-from ...arrays import Array
-from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, counted, near, warn
+from ...arrays import Array, Integers
+from ...errors import ArgumentError, ModelError, SolveError, counted, near
 from ...runtime.calls.evaluation import State
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.models.named_rotations import component
 from ...runtime.trajectory.solver_info import FINISHED
-from .assemble import assemble
+from ..simulation.progress import Show
+from ..statics.snap import Snap
+from .assemble import assemble_by_constraints
 from .consistent_rates import accelerations, speeds
 from .drive import Drive, Stuck
 from .mechanism import Mechanism, refuse_nodes
@@ -42,9 +44,17 @@ class SweepRecord:
         t, r: Times (n,) [s] and inputs (n, nr) of the positions.
         q, u, udot: (n, nq), (n, nu), (n, nu); udot is empty (n, 0) without ``forward_dynamics``.
         quality: Smallest singular value of the driven constraints, without units (n,): 0 where the
-            drive loses hold of the mechanism.
-        status: ``"finished"``, or ``"singular"`` where the mechanism could not follow.
+            drive loses hold of the mechanism. By strain energy the lowest eigenvalue of the
+            stiffness on what constraints and drivers allow [J], infinite where they allow nothing.
+        status: ``"finished"``, ``"singular"`` where the mechanism could not follow, or
+            ``"interrupted"``.
         message: The same as a sentence.
+        energy: Strain energy (n,) [J]; empty where it was not asked to be least, as is what
+            follows. Then udot is empty (n, 0).
+        holding_forces: Name of what is driven or held -> force that this takes (n,) [N, N m]:
+            the derivative of the energy by it; also ``sweep["D.holding_force"]``.
+        n_negative: Independent directions (n,) in which the energy falls: 0 at a minimum.
+        snaps: Jumps to other minima, in their order.
     """
 
     model: LoadedModel
@@ -57,6 +67,15 @@ class SweepRecord:
     quality: Array
     status: str
     message: str
+    energy: Array = field(default_factory=lambda: np.zeros(0))
+    holding_forces: Mapping[str, Array] = field(default_factory=dict)
+    n_negative: Integers = field(default_factory=lambda: np.zeros(0, dtype=np.intp))
+    snaps: Sequence[Snap] = ()
+
+    @property
+    def minimum(self) -> list[bool]:
+        """Whether the strain energy is least, of every position found by it."""
+        return [not negative for negative in self.n_negative.tolist()]
 
     @property
     def success(self) -> bool:
@@ -88,7 +107,10 @@ class SweepRecord:
             if place is not None and values.shape[1]:
                 columns = values[:, place]
                 return columns[:, 0] if columns.shape[1] == 1 else columns
-        names = [*self.model.coordinates, *self.model.speeds]
+        forces = {f"{n}.holding_force": values for n, values in self.holding_forces.items()}
+        if name in forces:
+            return forces[name]
+        names = [*self.model.coordinates, *self.model.speeds, *forces]
         raise ModelError(f"sweep['{name}']: there is no such history.{near(name, names)}")
 
     @checked
@@ -101,98 +123,89 @@ class SweepRecord:
         first = self.values
         span = f"{first[0]:g} to {first[-1]:g}" if len(first) else "no values"
         lines = [f"sweep of {names} of '{self.model.name}', {span}: {self.message}"]
-        if len(self):
-            worst = int(np.argmin(self.quality))
-            lines.append(
-                f"  {counted(len(self), 'position')}; smallest singular value of the driven "
-                f"constraints {self.quality[worst]:.3g}, at {first[worst]:.6g}"
-            )
-        return "\n".join(lines)
+        if not len(self):
+            return lines[0]
+        worst, count = int(np.argmin(self.quality)), counted(len(self), "position")
+        at = f"{self.quality[worst]:.3g}, at {first[worst]:.6g}"
+        if not len(self.energy):
+            lines.append(f"  {count}; smallest singular value of the driven constraints {at}")
+            return "\n".join(lines)
+        ends = f"{self.energy.min():.6g} ... {self.energy.max():.6g} J"
+        lines.append(f"  {count} by strain energy, {ends}; lowest stiffness {at}")
+        if self.n_negative.any():
+            lines.append(f"  {counted(int(np.sum(self.n_negative > 0)), 'position')} not a minimum")
+        return "\n".join([*lines, *(f"  {snap!r}" for snap in self.snaps)])
 
 
-@checked
-def sweep(
+def sweep_by_constraints(
     model: LoadedModel,
     driver: str | Mapping[str, ArrayLike],
-    values: ArrayLike | None = None,
+    values: ArrayLike | None,
     *,
-    rate: float = 1.0,
-    acceleration: float = 0.0,
-    locked: LockedValues | None = None,
-    start: Mapping[str, ArrayLike] | ArrayLike | None = None,
-    branch: Mapping[str, object] | None = None,
-    t: float = 0.0,
-    r: State | None = None,
-    check: bool = False,
+    rate: float,
+    acceleration: float,
+    locked: LockedValues | None,
+    start: Mapping[str, ArrayLike] | ArrayLike | None,
+    branch: Mapping[str, object] | None,
+    t: float,
+    r: State | None,
+    show: Show,
 ) -> SweepRecord:
-    """Drive a mechanism through given values and keep its branch.
+    """Positions that constraints and drivers alone determine.
 
     Args:
         model: The compiled model.
-        driver: Coordinate that is driven, or several with their values: they go together.
-        values: Of the one driver (n,).
-        rate, acceleration: Derivatives of the driver over time, for speeds and accelerations; of
-            several drivers those of the first, the others follow in proportion.
-        locked: Further coordinates or frames that keep a value, as ``assemble`` takes them.
-        start: Coordinates near those of the first position; branch: as ``assemble`` takes it.
-        t, r: Time [s] and inputs, where something is prescribed.
-        check: Raise where the mechanism cannot follow, instead of warning.
-
-    Returns:
-        The positions reached, each next to the one before.
-
-    Raises:
-        ModelError: unknown names, a first position that cannot be assembled, freedoms left.
-        ArgumentError: values of a wrong shape. SolveError: values that are not finite; with
-            ``check``, a mechanism that cannot follow.
+        driver, values, rate, acceleration, locked, start, branch, t, r: As ``sweep`` takes them.
+        show: Called with the part that is done.
     """
-    for word, value in (("rate", rate), ("acceleration", acceleration)):
-        if not abs(value) <= FASTEST:
-            raise SolveError(f"sweep: {word}={value:g}; it must be finite, up to {FASTEST:g}")
-    drivers = _drivers(model, driver, values)
+    moved = [name for name in model.inputs if f"{name}.rate" in model.inputs]
+    drivers = driver_values(driver, values, [*model.coordinates, *moved], model)
     refuse_nodes(model, "sweep")
     m, table = Mechanism(model, t, r), np.stack([*drivers.values()], axis=1)
     locked_targets = locked_values(m, locked)
     drive = Drive(m, list(drivers), locked_targets)
     at = drive.at(table[0])
     first = {n: float(c[0]) for n, c in drivers.items() if n not in drive.inputs}
-    begin = assemble(model, first | locked_targets, start=start, branch=branch, t=t, r=at.r)
+    begin = assemble_by_constraints(
+        model, first | locked_targets, start=start, branch=branch, t=t, r=at.r
+    )
     drive.check(at, begin.q)
-    rows, message = _follow(drive, begin.q, table)
+    rows, status, message = _follow(drive, begin.q, table, show)
     places = [drive.at(row) for row in table[: len(rows)]]
-    record = SweepRecord(
+    return SweepRecord(
         model,
         {name: column[: len(rows)] for name, column in drivers.items()},
         np.array([place.t for place in places]),
         np.array([place.inputs for place in places]).reshape(len(rows), model.nr),
         *_motion(drive, rows, table, rate, acceleration),
-        status=FINISHED if message is None else "singular",
-        message=message or "reached all values",
+        status=status,
+        message=message,
     )
-    if message is not None:
-        if check:
-            raise SolveError(message)
-        warn(message, SolveWarning)
-    return record
 
 
-def _drivers(model: LoadedModel, driver: Any, values: Any) -> dict[str, Array]:
-    """Name -> values of all drivers, checked."""
-    named = driver if isinstance(driver, Mapping) else {driver: values}
+def driver_values(
+    driver: object, values: object, names: Sequence[str], model: LoadedModel
+) -> dict[str, Array]:
+    """Name -> values of all drivers, checked.
+
+    Args:
+        driver, values: As ``sweep`` takes them.
+        names: What can be driven.
+        model: For messages.
+    """
+    named: Mapping[str, object] = driver if isinstance(driver, Mapping) else {str(driver): values}
     if isinstance(driver, Mapping) == (values is not None) or not named:
         raise ArgumentError(
             "sweep: driver= is a coordinate and values= its values, or it is {coordinate: values}"
         )
     columns: dict[str, Array] = {}
     for name, column in named.items():
-        moved = [name for name in model.inputs if f"{name}.rate" in model.inputs]
-        if name not in model.coordinates and name not in moved:
-            names = [*model.coordinates, *moved]
+        if name not in names:
             part = component(model.manifest, name)
             if part:
                 raise ModelError(f"sweep: {part}")
-            raise ModelError(f"sweep: there is no coordinate '{name}'.{near(name, names)}")
-        array = np.asarray(column, dtype=np.float64)
+            raise ModelError(f"sweep: there is no coordinate '{name}'.{near(name, [*names])}")
+        array = np.array(column, dtype=np.float64)
         if array.ndim != 1 or len(array) == 0:
             raise ArgumentError(f"sweep: the values of '{name}' have shape {array.shape}, not (n,)")
         if not np.isfinite(array).all():
@@ -203,15 +216,18 @@ def _drivers(model: LoadedModel, driver: Any, values: Any) -> dict[str, Array]:
     return columns
 
 
-def _follow(drive: Drive, q: Array, table: Array) -> tuple[list[Array], str | None]:
-    """Positions at the rows of a table, each from the one before; why it ends early."""
+def _follow(drive: Drive, q: Array, table: Array, show: Show) -> tuple[list[Array], str, str]:
+    """Positions at the rows of a table, each from the one before; status and message."""
     rows = [q]
-    for before, after in pairwise(table):
-        try:
+    try:
+        for before, after in pairwise(table):
             rows.append(drive.go(rows[-1], before, after))
-        except Stuck as stuck:
-            return rows, str(stuck)
-    return rows, None
+            show(len(rows) / len(table))
+    except Stuck as stuck:
+        return rows, "singular", str(stuck)
+    except KeyboardInterrupt:
+        return rows, "interrupted", "interrupted; what was computed is kept"
+    return rows, FINISHED, "reached all values"
 
 
 def _motion(
@@ -220,7 +236,7 @@ def _motion(
     """q, u, udot and the quality of the drive at all positions."""
     model = drive.m.model
     dynamic = "forward_dynamics" in model.manifest.available
-    slopes = _slopes(table)
+    slopes = driver_slopes(table)
     u, udot, quality = [], [], []
     for q, values, slope in zip(rows, table, slopes, strict=False):
         m = drive.at(values, rate * slope, acceleration * slope)
@@ -232,7 +248,7 @@ def _motion(
     return np.array(rows), np.array(u), rates, np.array(quality)
 
 
-def _slopes(table: Array) -> Array:
+def driver_slopes(table: Array) -> Array:
     """Change of every driver for one of the first (n, drivers)."""
     if table.shape[1] == 1 or len(table) == 1:
         return np.ones_like(table)

@@ -15,7 +15,7 @@ from ...arrays import Array
 from ...errors import ArgumentError, ModelError, near
 from ...runtime.calls.evaluation import State
 from ...runtime.models.loaded_model import LoadedModel
-from .assemble import assemble
+from .assemble import assemble_by_constraints
 from .branches import branches
 from .mechanism import Mechanism, refuse_nodes
 from .position_solver import PositionSolver
@@ -102,7 +102,7 @@ def workspace(
     refuse_nodes(model, "workspace")
     m, requested = Mechanism(model, t, r), branches(model, branch or {})
     ranges = {name: _range(model, name, ends) for name, ends in (over or {}).items()}
-    first = assemble(model, start=start, branch=branch, t=t, r=r).q
+    first = assemble_by_constraints(model, start=start, branch=branch, t=t, r=r).q
     rng, solutions = np.random.default_rng(seed), list[Array]()
     places = [model.coordinates.index(name) for name in ranges]
     for _ in range(samples):

@@ -18,6 +18,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
+from .load_path import Loading
 from .newton import Search
 from .stability_at_equilibrium import Stability, stand
 from .static_problem import Load, Point, Problem
@@ -26,6 +27,7 @@ from .static_problem import Load, Point, Problem
 # branch; below these none is seen: anywhere, and where the number of unstable directions changes
 AHEAD, JUMP = 1.0, 0.1
 FLOOR, ROUNDED = 1e-4, 1e-7
+NEARBY = 1e-4  # of a step, over which forces are differentiated
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,10 +124,6 @@ class Step:
         off, most = self.off(point)
         return off <= most + FLOOR
 
-    def returns(self, there: Place, load: Load) -> bool:
-        """True when the way back from a place leads to where the step began, under its load."""
-        return ahead(self.problem, there, load).follows(self.start.point)
-
     def solve_at(self, s: float, search: Search, stability: Stability) -> Place:
         """The place where a search ended; numbers that are not known there are the last known."""
         return place_of(s, search.point, stability, self.start)
@@ -186,6 +184,32 @@ def ahead(problem: Problem, start: Place, load: Load) -> Step:
     if not _size(x) <= problem.system.reach:
         return Step(problem, start, None, point)
     return Step(problem, start, x, problem.under(problem.moved(point, x, y, load), load))
+
+
+def by_rate(problem: Problem, start: Place, way: Loading, s: float) -> Step:
+    """The step from a place to another one of a path, along the tangent at the place.
+
+    It is that of the load there: under the other load the position of the start may belong to
+    another regime, such as that of a cable that is slack.
+    """
+    load, goal = way.at(start.s), way.at(s)
+    shifted = way.at(start.s + NEARBY * (s - start.s))
+    point = problem.under(start.point, goal)
+    try:
+        here = problem.residual(start.point, load)
+        there = problem.residual(problem.under(start.point, shifted), shifted)
+        force, gap = ((b - a) / NEARBY for a, b in zip(here, there, strict=True))
+        x, y = problem.system.saddle.solve(*problem.tangent(start.point, load), -force, -gap)
+    except SolveError:
+        return Step(problem, start, None, point)
+    if not _size(x) <= problem.system.reach:
+        return Step(problem, start, None, point)
+    return Step(problem, start, x, problem.under(problem.moved(point, x, y, goal), goal))
+
+
+def by_load(problem: Problem, start: Place, way: Loading, s: float) -> Step:
+    """The same by :func:`ahead`."""
+    return ahead(problem, start, way.at(s))
 
 
 def _size(step: Array) -> float:

@@ -202,7 +202,7 @@ def equilibrium(
     point = problem.begin(load, q)
     search = settled(problem, point, load, ("creep",) if stable else WAYS)
     if stable and search.converged:
-        search = _downhill(problem, search, load)
+        search = downhill(problem, search, load)
     result = record(model, problem, search, load)
     if not result.converged:
         if check:
@@ -213,8 +213,8 @@ def equilibrium(
 
 def read(
     system: DynamicSystem,
-    locked: Mapping[str, float] | None,
-    inputs: Mapping[str, float] | None,
+    locked: Mapping[str, object] | None,
+    inputs: object,
     parameters: Mapping[str, float] | None,
     t: float,
     u: Mapping[str, object] | None = None,
@@ -230,12 +230,12 @@ def read(
     if not np.isfinite(t):
         raise SolveError(f"t={brief(t)}: it must be finite")
     p = system.changed(dict(parameters or {}))
-    values = {name: float(value) for name, value in (locked or {}).items()}
+    values = {n: float(numbers(f"locked: '{n}'", value)) for n, value in (locked or {}).items()}
     speeds = None if u is None else dict(u)
     return Load(float(t), system.input_vector(inputs), p, values, speeds)
 
 
-def _downhill(problem: Problem, search: Search, load: Load) -> Search:
+def downhill(problem: Problem, search: Search, load: Load) -> Search:
     """A stable position next to one that may be unstable."""
     spent = search.iterations
     for _ in range(TRIES):

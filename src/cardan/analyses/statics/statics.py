@@ -1,8 +1,7 @@
-"""Static loading: a system followed through loads that change, in steps that suit it.
+"""Static loading: a system followed through loads that change.
 
-Each step starts where the tangent leads, and is halved where Newton's method does not get there or
-ends on another branch. What stops it is a limit point or a bifurcation, and is told so: the last
-position is kept. Where the path goes on though it is no longer stable, that is told too.
+What stops it is a limit point or a bifurcation, and is told so: the last position is kept. Where
+the path goes on though it is no longer stable, that is told too.
 
 Source: M. A. Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1 (1991),
 section 9.5 (automatic increments).
@@ -10,7 +9,7 @@ section 9.5 (automatic increments).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -23,20 +22,17 @@ from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import FINISHED
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import DynamicSystem
-from .continuation_step import Crossing, Place, Step, ahead, first
-from .critical_load import limit_load
-from .equilibrium import DIRECT, WAYS, EquilibriumRecord, missed, read, record
+from .continuation_step import Crossing, Place, first
+from .equilibrium import WAYS, EquilibriumRecord, missed, read, record
 from .load_path import TIME, Loading, loading
-from .newton import Search, equilibrium_search
-from .settling import settled, with_modes
-from .stability_at_equilibrium import largest_motions, lockable, stand
+from .newton import Search
+from .path_following import follow
+from .settling import settled
+from .stability_at_equilibrium import largest_motions, lockable
 from .static_path import StaticPathRecord
 from .static_problem import Problem
 
 STEPS = 10
-GOOD = 5  # iterations after which the next step may be longer
-SMALLEST = 2.0**-20
-SHORT = 2.0**-6  # steps in which critical loads are passed; of those that are asked for
 
 
 @checked
@@ -85,7 +81,7 @@ def statics(
     way = loading(system, _sweepable(model), base, {**(swept or {}), **named}, moved)
     rows, crossed = list[tuple[float, EquilibriumRecord]](), list[Crossing]()
     try:
-        failure = _follow(model, Problem(system), way, q, steps, rows, crossed)
+        failure = _stopped_or_done(model, Problem(system), way, q, steps, rows, crossed)
         status = "singular" if failure else FINISHED
     except KeyboardInterrupt:
         if not rows:
@@ -110,7 +106,7 @@ def _sweepable(model: Any) -> dict[str, str]:
     }
 
 
-def _follow(
+def _stopped_or_done(
     model: LoadedModel,
     problem: Problem,
     way: Loading,
@@ -119,71 +115,21 @@ def _follow(
     rows: list[tuple[float, EquilibriumRecord]],
     crossed: list[Crossing],
 ) -> str:
-    """Note places of the path and equilibria there, and critical loads; why it ended early."""
+    """Note equilibria of the path and critical loads; why it ended early."""
     load = way.at(0.0)
     start = settled(problem, problem.begin(load, q), load, WAYS)
     if not start.converged:
         raise SolveError(
             f"statics, at the start ({_said(way, 0.0)}): {missed(problem.system, start, load)}"
         )
-    here = first(problem, start, load)
-    places = [here]
-    rows.append((0.0, record(model, problem, start, load, here.stability)))
-    for goal in _goals(way, steps):
-        length = goal - here.s
-        # predict along the tangent, correct by Newton's method, halve the step where that fails
-        while here.s < goal:
-            s = min(goal, here.s + length)
-            s = goal if goal - s < 1e-12 else s
-            load = way.at(s)
-            step = ahead(problem, here, load)
-            search = with_modes(
-                problem, here.point, load, equilibrium_search(problem, step.point, load, DIRECT)
-            )
-            shortest = 0.5 * length < SMALLEST / steps
-            there = _next_place(step, search, way, s, length * steps <= SHORT, shortest)
-            # accepted: note what changed in between, and take longer steps where Newton was quick
-            if there is not None:
-                crossed += step.crossings(there)
-                here = there
-                places.append(here)
-                length *= 1.5 if search.iterations <= GOOD else 1.0
-                if way.stations is None or s == goal:
-                    rows.append((s, record(model, problem, search, load, there.stability)))
-                continue
-            length *= 0.5
-            if shortest:
-                limit = limit_load(problem, way, places[0], here)
-                if limit is not None:
-                    # what balances beyond it does so within rounding alone
-                    most = max(limit.s, 0.0)
-                    here = [place for place in places if place.s <= most][-1]
-                    rows[:] = [row for row in rows if row[0] <= most]
-                    crossed[:] = [one for one in crossed if one.after.s <= most]
-                    crossed.append(Crossing(here, limit, "limit"))
-                return _stopped(problem.system, way, here, search, limit)
-    return ""
 
+    def row(search: Search, place: Place) -> EquilibriumRecord:
+        return record(model, problem, search, way.at(place.s), place.stability)
 
-def _next_place(
-    step: Step, search: Search, way: Loading, s: float, short: bool, shortest: bool
-) -> Place | None:
-    """The place that was found; None where it is none of the path, or the step is too long."""
-    if not search.converged or not step.follows(search.point):
-        return None
-    there = step.solve_at(s, search, stand(step.problem, search.point, way.at(s)))
-    if shortest:
-        return there
-    # critical loads are passed in short steps, for other branches not to be taken for this one
-    if step.crosses(there) and not (short and step.surely(search.point)):
-        return None
-    return there if step.returns(there, way.at(step.start.s)) else None
-
-
-def _goals(way: Loading, steps: int) -> Iterator[float]:
-    """Places that are reached exactly, in their order."""
-    places = np.linspace(0, 1, steps + 1) if way.stations is None else way.stations
-    yield from places[1:].tolist()
+    begin = first(problem, start, load)
+    rows.append((begin.s, row(start, begin)))
+    end = follow(problem, way, begin, steps, row, rows, crossed)
+    return "" if end is None else _stopped(problem.system, way, end.last, end.search, end.limit)
 
 
 def _said(way: Loading, s: float) -> str:

@@ -7,8 +7,12 @@ from ...runtime.models.loaded_model import LoadedModel
 from .dynamic_system import DynamicSystem
 
 
-def dynamic_system_of(model: object) -> DynamicSystem:
+def dynamic_system_of(model: object, strain: bool = False) -> DynamicSystem:
     """The dynamic system of a compiled model.
+
+    Args:
+        model: Compiled.
+        strain: The forces of strains and constraints alone, without loads, weights and masses.
 
     Raises:
         ModelError: it lacks what analyses need.
@@ -18,7 +22,7 @@ def dynamic_system_of(model: object) -> DynamicSystem:
     if model.manifest.absolute:
         from .finite_element_system import FiniteElementSystem
 
-        return FiniteElementSystem(model)
+        return FiniteElementSystem(model, strain)
     from .joint_system import JointSystem
 
-    return JointSystem(model)
+    return JointSystem(model, strain)

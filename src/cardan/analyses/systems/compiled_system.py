@@ -23,20 +23,24 @@ class CompiledSystem(ABC):
 
     Attributes:
         model: The model.
+        strain: True where forces are those of strains and constraints alone: no loads, weights,
+            masses, internal states and events.
 
     The rest is described in :class:`cardan.analyses.systems.dynamic_system.DynamicSystem`.
     """
 
-    def __init__(self, model: LoadedModel, positions: int, size: float) -> None:
+    def __init__(self, model: LoadedModel, positions: int, size: float, strain: bool) -> None:
         """Args:
         model: Compiled.
         positions: Number of constraints of positions, which come first.
         size: Length against which displacements count [m].
+        strain: As the attribute.
         """
+        self.strain = strain
         manifest = model.manifest
         self.model, self.name, self.size = model, model.name, size
         self.coordinates, self.speeds = model.coordinates, model.speeds
-        self.internals, self.inputs = model.internals, model.inputs
+        self.internals, self.inputs = () if strain else model.internals, model.inputs
         rows = manifest.multipliers
         self.multipliers = tuple(str(row.name) for row in rows)
         self.outputs = tuple(str(row.name) for row in manifest.outputs)
@@ -82,7 +86,7 @@ class CompiledSystem(ABC):
     @cached_property
     def events(self) -> tuple[tuple[str, str, str], ...]:
         """Same as :meth:`DynamicSystem.events`."""
-        rows = self.model.manifest.events
+        rows = () if self.strain else self.model.manifest.events
         return tuple((row.element, row.kind, row.beyond) for row in rows)
 
     @cached_property

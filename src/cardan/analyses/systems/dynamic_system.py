@@ -254,6 +254,9 @@ class DynamicSystem(Protocol):
     def loads(self, at: Moment) -> Array:
         """Sizes (nu,) of the loads that act, without units: weights, forces, not of springs."""
 
+    def strain_energy(self, at: Moment) -> float:
+        """Energy of all strains [J]; its forces are those of a system of strains alone."""
+
     def sizes(self, at: Moment) -> Array:
         """Sizes of the coordinates that increments change (nu,), without units.
 

@@ -32,8 +32,10 @@ from .dynamic_system import Internal, Moment, OutputJacobians, Parameters, Rates
 from .rotating_frame import CorotatingMotion
 from .saddle_point import Dense, Saddle, Sparse
 from .sparse_saddle_point import SparseSaddle
+from .strained_elements import load_forces, load_tangent, refuse_mixed_forces, strain_energy
 
 Longs = NDArray[np.intp]
+LATEST = 3  # other sets of parameters that a step of a path needs
 REACH = 3.0  # radians or sizes: slender structures turn far in one step
 OPEN = 1e-9  # of speeds: constraints of speeds that hold
 
@@ -48,14 +50,16 @@ class FiniteElementSystem(CompiledSystem):
     The rest is described in :class:`.dynamic_system.DynamicSystem`.
     """
 
-    def __init__(self, model: LoadedModel) -> None:
+    def __init__(self, model: LoadedModel, strain: bool = False) -> None:
         """Args:
-        model: Compiled in absolute coordinates.
+        model, strain: Compiled in absolute coordinates; for forces of strains alone.
         """
         self._meshes: dict[Any, Elements] = {}
         self.model = model
         self.tables = self._mesh(None).tables
-        super().__init__(model, self.tables.mp, _extent(model, self.tables))
+        super().__init__(model, self.tables.mp, _extent(model, self.tables), strain)
+        if strain:
+            refuse_mixed_forces(self.tables)
         rows = model.manifest.multipliers
         self.rows = np.array([1.0 if row.unit == "rad" else self.size for row in rows])
         self.reach = REACH
@@ -63,17 +67,18 @@ class FiniteElementSystem(CompiledSystem):
         self.saddle: Saddle = Sparse(blockwise, blockwise.counted)
 
     def _mesh(self, parameters: Parameters) -> Elements:
-        """The elements with values of parameters; the first and the last ones are kept."""
+        """The elements with values of parameters; those of the model and the last ones stay."""
         key = tuple(sorted((parameters or {}).items()))
         if key not in self._meshes:
             model = self.model.with_parameters(dict(parameters)) if parameters else self.model
-            meshes = {k: mesh for k, mesh in self._meshes.items() if k == ()}
+            keys = [*self._meshes]
+            meshes = {k: self._meshes[k] for k in (*keys[:1], *keys[-LATEST:])}
             mesh: Elements = model._source.results(model).mesh  # type: ignore[attr-defined]
             self._meshes = {**meshes, key: mesh}
         return self._meshes[key]
 
     def _elements_and_state(self, at: Moment) -> tuple[Elements, State]:
-        state = State(at.q, at.u, at.udot, at.lam, at.t, at.r, at.z, at.s)
+        state = State(at.q, at.u, at.udot, at.lam, at.t, at.r, at.z if len(at.z) else None, at.s)
         if len(at.inner):
             state = replace(state, inner=at.inner, du=np.zeros(len(at.u)))
         return self._mesh(at.parameters), state
@@ -89,6 +94,7 @@ class FiniteElementSystem(CompiledSystem):
         with suppress(ModelError):
             x = start_of_search(model, x, q, locked, t, r)
         place, _, internal = model.parts_of(x)
+        internal = internal[: len(self.internals)]
         still, lam = np.zeros(model.nu), np.zeros(len(self.multipliers))
         return Moment(t, place, still, still, lam, r, internal, self.modes, p)
 
@@ -162,10 +168,7 @@ class FiniteElementSystem(CompiledSystem):
         return self._corotating_motion.rates(at.q, at.u, G, mesh.gamma(state))
 
     def steady_state_tangent(self, at: Moment, named: Mapping[str, object]) -> tuple[Any, Any]:
-        """Same as :meth:`DynamicSystem.steady_state_tangent`;
-
-        by central differences where axes may " "move.
-        """
+        """Same as :meth:`DynamicSystem.steady_state_tangent`."""
         if self._corotating_motion.shares_one_twist(at.q, at.u):
             return self._corotating_motion.tangents(at.q, at.u, at.udot)
 
@@ -197,22 +200,27 @@ class FiniteElementSystem(CompiledSystem):
     def balance(self, at: Moment) -> Array:
         """Same as :meth:`DynamicSystem.balance`."""
         mesh, state = self._elements_and_state(at)
-        return np.concatenate(mesh.mixed_balance(state) if len(at.inner) else mesh.balance(state))
+        force, *gaps = mesh.mixed_balance(state) if len(at.inner) else mesh.balance(state)
+        if self.strain:
+            force = force - load_forces(mesh, state)
+        return np.concatenate([force, *gaps])
 
     def tangents(self, at: Moment) -> Tangents:
         """Same as :meth:`DynamicSystem.tangents`."""
         mesh, state = self._elements_and_state(at)
         blocks = mesh.mixed_tangent(state) if len(at.inner) else mesh.tangent(state)
+        if self.strain:
+            blocks = {**blocks, "K": blocks["K"] - load_tangent(mesh, state)}
         return Tangents(*(csr_array(blocks[name]) for name in "KCMRG"))
 
     def loads(self, at: Moment) -> Array:
-        """Same as :meth:`DynamicSystem.loads`:
+        """Same as :meth:`DynamicSystem.loads`: not of joints, beams and springs."""
+        loads: Array = Elements.loads(*self._elements_and_state(at)) * self.columns
+        return 0 * loads if self.strain else loads
 
-        forces of all elements but joints, beams and springs.
-        """
-        mesh, state = self._elements_and_state(at)
-        loads: Array = mesh.loads(state) * self.columns
-        return loads
+    def strain_energy(self, at: Moment) -> float:
+        """Same as :meth:`DynamicSystem.strain_energy`."""
+        return strain_energy(*self._elements_and_state(at))
 
     def sizes(self, at: Moment) -> Array:
         """Same as :meth:`DynamicSystem.sizes`: of nodes the distance from the origin."""

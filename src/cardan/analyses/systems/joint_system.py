@@ -15,7 +15,7 @@ from ...errors import ModelError
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.verification.rotations import unit
 from ...schema.blocks import of_rate
-from ..mechanisms.assemble import assemble
+from ..mechanisms.assemble import assemble_by_constraints
 from ..mechanisms.consistent_rates import speeds
 from ..mechanisms.mechanism import Mechanism
 from ..simulation.settings import blocks, start
@@ -24,6 +24,8 @@ from .compiled_system import CompiledSystem
 from .dynamic_system import Internal, Moment, OutputJacobians, Parameters, Rates, Tangents
 from .saddle_point import Dense, Saddle
 
+BALANCED = "balance", "balance_tangent"
+STRAINED = "strain_balance", "strain_energy"
 REACH = 1.0  # radians, or sizes of the mechanism
 
 
@@ -37,16 +39,18 @@ class JointSystem(CompiledSystem):
     The rest is described in :class:`.dynamic_system.DynamicSystem`.
     """
 
-    def __init__(self, model: LoadedModel) -> None:
+    def __init__(self, model: LoadedModel, strain: bool = False) -> None:
         """Args:
             model: Compiled, with ``balance`` among its functions.
+            strain: Forces of strains and constraints alone, by ``strain_balance``.
 
         Raises:
-            ModelError: ``balance`` cannot be had.
+            ModelError: these cannot be had.
         """
-        if "balance" not in model.manifest.available:
+        needed = STRAINED if strain else BALANCED
+        if not set(needed) <= set(model.manifest.available):
             raise ModelError(
-                f"model '{model.name}' was compiled without 'balance' and 'balance_tangent': "
+                f"model '{model.name}' was compiled without '{needed[0]}' and '{needed[1]}': "
                 "compile(..., functions=[...]) with them, or without functions="
             )
         if not model.manifest.projected:
@@ -56,7 +60,7 @@ class JointSystem(CompiledSystem):
                 "keep constraints exactly. Compile with constraints='multipliers'"
             )
         m = Mechanism(model)
-        super().__init__(model, m.closing.positions, m.size)
+        super().__init__(model, m.closing.positions, m.size, strain)
         self.reach = REACH
         self.saddle: Saddle = Dense()
         self.leading = np.ones(model.nu, dtype=bool)
@@ -72,8 +76,9 @@ class JointSystem(CompiledSystem):
         model, x = self.start_state(q, locked, p)
         place, internal = x[: model.nq], x[model.nq + model.nu :]
         if len(self.positions):
-            place = assemble(model, locked, start=place, t=t, r=r).q
+            place = assemble_by_constraints(model, locked, start=place, t=t, r=r).q
         still, lam = np.zeros(model.nu), np.zeros(len(self.multipliers))
+        internal = internal[: len(self.internals)]
         return Moment(t, place, still, still, lam, r, internal, self.modes, p)
 
     def state(self, x0: Any, q: Any, u: Any, z: Any, t: float, r: Array, p: Parameters) -> Moment:
@@ -123,15 +128,35 @@ class JointSystem(CompiledSystem):
 
     def balance(self, at: Moment) -> Array:
         """Same as :meth:`DynamicSystem.balance`."""
-        return self._evaluate("balance", at)
+        if not self.strain:
+            return self._evaluate("balance", at)
+        force_and_gaps = self._call("strain_balance", at, at.t, at.q, at.lam, at.r, at.s)
+        return np.concatenate([force_and_gaps, np.zeros(len(self.multipliers))])
 
     def tangents(self, at: Moment) -> Tangents:
         """Same as :meth:`DynamicSystem.tangents`."""
+        if self.strain:
+            return self._strain_tangents(at)
         flat = np.ravel(self._evaluate("balance_tangent", at))
         nu, m = self.model.nu, len(self.multipliers)
         ends = np.cumsum([nu, nu, nu, m, m]) * nu
         K, C, M, R, G = (part.reshape(-1, nu) for part in np.split(flat, ends[:4]))
         return Tangents(K, C, M, R, G)
+
+    def _strain_tangents(self, at: Moment) -> Tangents:
+        """Those of strains and constraints, which have neither damping nor mass."""
+        nu, m = self.model.nu, len(self.multipliers)
+        K = self.model.derivative("strain_balance", "q")(
+            t=at.t, q=at.q, lam=at.lam, r=at.r, s=at.s, parameters=at.parameters
+        )[:nu]
+        none, G = np.zeros((nu, nu)), np.zeros((m, nu))
+        if m:
+            G = self._call("constraint_jacobian", at, at.t, at.q, at.r, at.s)
+        return Tangents(K, none, none, np.zeros((m, nu)), G)
+
+    def strain_energy(self, at: Moment) -> float:
+        """Same as :meth:`DynamicSystem.strain_energy`."""
+        return float(self._call("strain_energy", at, at.t, at.q, at.r))
 
     def loads(self, at: Moment) -> Array:
         """Same as :meth:`DynamicSystem.loads`: weights, and what inputs exert.
@@ -139,6 +164,8 @@ class JointSystem(CompiledSystem):
         A weight is bounded, |sum of m g v| <= g (sum of m * sum of m v^2)^(1/2): parts that
         balance each other count too.
         """
+        if self.strain:
+            return np.zeros(self.model.nu)
         model = self.model.with_parameters(dict(at.parameters)) if at.parameters else self.model
         parameters = {**model.manifest.structural, **model.parameters}
         gravity = np.array([parameters.get(f"gravity.{axis}", 0.0) for axis in "xyz"])
@@ -301,7 +328,9 @@ class JointSystem(CompiledSystem):
         return Mechanism(model, at.t, at.r)
 
     def _evaluate(self, name: str, at: Moment) -> Array:
-        values: tuple[ArrayLike, ...] = (at.t, at.q, at.u, at.udot, at.lam, at.r, at.z, at.s)
+        return self._call(name, at, at.t, at.q, at.u, at.udot, at.lam, at.r, at.z, at.s)
+
+    def _call(self, name: str, at: Moment, *values: ArrayLike) -> Array:
         return self.model._evaluate((name, None), values, at.parameters, None)
 
     def _forcing(self, at: Moment) -> dict[str, Any]:

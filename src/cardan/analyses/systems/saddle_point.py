@@ -34,6 +34,7 @@ SKEW = 1e-11  # above this forces have no potential: 1e5 times the rounding of a
 FREE_TOL = 1e-13  # of K on what G allows: below this part of the largest nothing holds
 # stiffnesses and forces along them, of the largest stiffness, that may be rounding alone
 ROUNDED, PUSHED = 5e-16, 4e-15
+GROWTH = 4.0  # of shifts, until they are below all eigenvalues
 PROBES = 3  # products that tell how large a projected matrix is
 
 
@@ -260,19 +261,29 @@ class Sparse:
         n, largest = K.shape[0], float(np.abs(K.data).max(initial=0.0))
         half = csr_array(0.5 * (K + K.T))
         unit, shift = diags_array(np.ones(n)), -1e-9 * largest
-        try:
-            values, vectors = near(half, unit, G, shift, self.COUNT, self.factored)
-        except ArpackError:
-            # eigenvalues that do not converge say nothing
-            raise Singular from None
-        order = np.argsort(values)
         skew = skewness(K, G, self.factored) / max(largest, 1e-300)
         symmetric = skew <= SKEW
         below, sign = self.counted(half if symmetric else K, G, symmetric)
+        try:
+            values, vectors = near(half, unit, G, shift, self.COUNT, self.factored)
+            if symmetric and below is not None and below > np.sum(values < 0):
+                # the lowest ones lie far from 0
+                shift = -self._beyond(half, G, float(np.abs(values).max()))
+                values, vectors = near(half, unit, G, shift, self.COUNT, self.factored)
+        except ArpackError:
+            raise Singular from None
+        order = np.argsort(values)
         firmly, rounding = below, FREE_TOL * largest
         if symmetric and (np.abs(values) <= rounding).any():
             firmly = self.counted(csr_array(half + rounding * unit), G, True)[0]
         return Lowest(values[order], vectors[:, order], largest, skew, below, sign, firmly)
+
+    def _beyond(self, half: Matrix, G: Matrix, amount: float) -> float:
+        """An amount, or a multiple, that no eigenvalue below 0 exceeds."""
+        unit = diags_array(np.ones(half.shape[0]))
+        while self.counted(csr_array(half + amount * unit), G, True)[0]:
+            amount *= GROWTH
+        return amount
 
 
 def skewness(K: Matrix, G: Matrix, by: Factor = factored) -> float:

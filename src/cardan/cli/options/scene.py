@@ -51,8 +51,7 @@ def method(group: argparse._ArgumentGroup) -> None:
 
 def load(options: argparse.Namespace) -> Scene:
     """The scene."""
-    from ...api.scene_file import load
-    from ...scene.example_files import example_files
+    from ...api.scene_file import example_files, load
 
     file = options.file
     if not file.exists():

@@ -180,6 +180,7 @@ def _kind(kind: Kind, groups: Sequence[Group]) -> ElementKind:
         nz=0 if group.z is None else group.z.shape[1],
         ns=0 if group.s is None else group.s.shape[1],
         switched=kind.switched,
+        strain=kind.strain,
         **_event_sizes(kind)._asdict(),
         functions={name: f.name for name, f in kind.functions.items()},
         parts=parts(kind.functions),

@@ -61,6 +61,11 @@ class FlexibleElement(HasSource, ABC):
         return ()
 
     @property
+    def strain(self) -> str:
+        """What of its forces is that of a strain: ``"alone"``, ``"mixed"`` or nothing, ""."""
+        return ""
+
+    @property
     def variant(self) -> str:
         """Suffix of the kind's name for the options of the element."""
         return ""

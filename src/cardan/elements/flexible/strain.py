@@ -109,6 +109,10 @@ class StrainElement(FlexibleElement):
 
     mixed: ClassVar[bool] = True
 
+    @property
+    def strain(self) -> str:
+        return "mixed" if self.carries else "alone"
+
     @abstractmethod
     def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
         """``first`` and ``second`` of e, functions of |theta|²."""

@@ -2,19 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
 from ...errors import ModelError
+from ...ir.graph import ZERO
+from ...ir.matrix import Matrix
 from ..formulas import Lines, Shapes
-from ..quantity import Place, Quantity, Rows
-from ..validation import is_expression, vector
+from ..internal_states import Internal
+from ..limits import Limit, positive
+from ..quantity import Curves, Place, Quantity, Rows
+from ..validation import vector
+from .bushing_laws import (
+    STRAIN,
+    Branch,
+    branch,
+    branches_of,
+    matrix_quantity,
+    six_by_six,
+    tables_by_direction,
+)
 from .force import Action, ForceElement, Places, constant
-from .relative_springs import DIRECTIONS, SHAPES, spring_lines, springs, square
-
-# of the stress by the strain, and of the strain; rotations before displacements
-STRESS, STRAIN = ("N*m", "N"), ("rad", "m")
+from .relative_springs import (
+    DIRECTIONS,
+    SHAPES,
+    RelativePose,
+    SpringLaw,
+    spring_lines,
+    springs,
+    square,
+)
 
 
 @dataclass(frozen=True)
@@ -22,9 +39,16 @@ class Bushing(ForceElement):
     """Springs and dampers in all six relative directions of two frames, coupled as one likes.
 
     Strain ``y`` is the rotation vector of frame b seen from frame a, and their distance in the axes
-    halfway between them, so that both ends are treated alike: ``energy = (y - rest)·k (y - rest) /
-    2`` at angles up to half a turn. The order is rx, ry, rz, x, y, z: rotations before
-    displacements.
+    halfway between them, less ``rest``; both ends are treated alike, at angles up to half a turn.
+    The order is rx, ry, rz, x, y, z: rotations before displacements. The stress is ``k y``, what
+    the tables say at y, ``c dy/dt``, and what the branches bear; it pulls the frames together
+    where it is positive. Springs and tables have a potential: ``y·k y / 2`` and the integrals of
+    the tables from 0 on. What dampers and branches take, store and give back is their work in the
+    ledger.
+
+    A branch is a spring in series with a damper, ``stress = K (y - z)`` with ``dz/dt = (y - z) /
+    time``. The strain z of its damper is a state ``<name>.branches.0.x`` for every direction in
+    which K is not zero, and 0 at the start of a run. An equilibrium is relaxed: z = y.
 
     Args:
         frame_a, frame_b: Frames or bodies at its ends; they coincide without load unless ``rest``
@@ -32,12 +56,19 @@ class Bushing(ForceElement):
         stiffness: Six numbers, or a symmetric 6x6 matrix [N m/rad, N/m; N between them].
         damping: The same of the rate of the strain [N m s/rad, N s/m; N s between them].
         rest: Strain without load (6) [rad, m].
+        tables: Direction -> :func:`cardan.table` of the moment or force over the strain
+            [N m over rad, N over m]; it adds to the stiffness. Beyond its ends a table continues
+            its first and last piece.
+        branches: Pairs of a stiffness, as above, and a relaxation time [s]; or one such pair.
 
     Raises:
-        ModelError: other than six numbers or a symmetric 6x6 matrix.
+        ModelError: other than six numbers or a symmetric 6x6 matrix; an unknown direction, or what
+            is not a table; a branch without stiffness, or with a negative one or a relaxation time
+            not above 0.
 
     Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), section 7.7; Masarati and
-        Morandini, Multibody System Dynamics 24 (2010) for the halfway axes.
+        Morandini, Multibody System Dynamics 24 (2010) for the halfway axes; Christensen, Theory of
+        Viscoelasticity (1982), chapter 1, for branches.
     """
 
     kind: ClassVar[str] = "bushing"
@@ -47,21 +78,30 @@ class Bushing(ForceElement):
     stiffness: Rows = (0, 0, 0, 0, 0, 0)
     damping: Rows = (0, 0, 0, 0, 0, 0)
     rest: Rows = (0, 0, 0, 0, 0, 0)
+    tables: Curves = ()
+    branches: Rows = ()
 
     def __post_init__(self) -> None:
         for name in ("stiffness", "damping"):
-            object.__setattr__(self, name, _six_by_six(name, getattr(self, name)))
+            object.__setattr__(self, name, six_by_six(name, getattr(self, name)))
         object.__setattr__(self, "rest", vector("bushing", "rest", self.rest, 6))
+        object.__setattr__(self, "tables", tables_by_direction(self.tables))
+        object.__setattr__(self, "branches", branches_of(self.branches))
         super().__post_init__()
 
     def quantities(self) -> dict[str, Quantity]:
-        return {
-            "stiffness": _matrix(self.stiffness, ""),
-            "damping": _matrix(self.damping, "*s"),
-            "rest": Quantity(
-                self.rest, labels=DIRECTIONS, units=tuple(STRAIN[k > 2] for k in range(6))
-            ),
+        listed = {
+            "stiffness": matrix_quantity(self.stiffness),
+            "damping": matrix_quantity(self.damping, "*s"),
+            "rest": Quantity(self.rest, labels=DIRECTIONS, units=STRAIN),
         }
+        for n, (stiffness, time) in enumerate(self.branches):
+            listed[f"branches.{n}.stiffness"] = matrix_quantity(stiffness)
+            listed[f"branches.{n}.time"] = Quantity(time, "s")
+        return listed
+
+    def limits(self) -> tuple[Limit, ...]:
+        return positive(*(f"branches.{n}.time" for n in range(len(self.branches))))
 
     def linear(self) -> tuple[str, ...]:
         return ("stiffness", "damping")
@@ -69,67 +109,72 @@ class Bushing(ForceElement):
     def paired(self) -> bool:
         return True
 
+    def internals(self) -> tuple[Internal, ...]:
+        return tuple(
+            Internal(f"branches.{n}.{DIRECTIONS[k]}", STRAIN[k])
+            for n, one in enumerate(self._branches())
+            for k in one.directions
+        )
+
+    def rates(self, at: Places) -> Matrix:
+        if not self.branches:
+            return at.z
+        y = RelativePose.of(at).strain - at.data["rest"]
+        rates = [
+            (y[k] - flow[k]) / at.data[f"branches.{n}.time"][0]
+            for n, (one, flow) in enumerate(zip(self._branches(), self._flows(at), strict=True))
+            for k in one.directions
+        ]
+        return Matrix.vector(at.motion.graph, rates)
+
     def act(self, at: Places) -> tuple[Action, ...]:
-        graph, data = at.motion.graph, at.data
-        stiffness, damping = (square(graph, data[name]) for name in ("stiffness", "damping"))
-        return springs(at, stiffness, damping, data["rest"], self._stores(at))
+        return springs(at, self._law(at))
 
     def formulas(self, at: Places) -> Lines:
-        terms = [
-            term
-            for name, term in (("stiffness", "k @ y"), ("damping", "c @ ydot"))
-            if not at.data[name].is_zero
+        law = self._law(at)
+        named = (("stiffness", "k @ y"), ("damping", "c @ ydot"))
+        terms = tuple(term for name, term in named if not at.data[name].is_zero)
+        if not (terms or law.tables or law.branches):
+            return ()
+        lines = spring_lines(law, terms, not at.data["rest"].is_zero)
+        rates = [f"zdot_{n} = (y - z_{n}) / tau_{n}" for n in range(len(law.branches))]
+        about = "rate of the strain of the damper, where the branch has stiffness; tau its time"
+        return (*lines, *((about, rate) for rate in rates))
+
+    def _law(self, at: Places) -> SpringLaw:
+        graph, data = at.motion.graph, at.data
+        matrices = [
+            square(graph, data[f"branches.{n}.stiffness"]) for n, _ in enumerate(self.branches)
         ]
-        strain = "column(theta, e)" + " - y_0" * (not at.data["rest"].is_zero)
-        return spring_lines(strain, " + ".join(terms), self._stores(at)) if terms else ()
+        return SpringLaw(
+            square(graph, data["stiffness"]),
+            square(graph, data["damping"]),
+            data["rest"],
+            constant(data["stiffness"], data["rest"]),
+            tuple((DIRECTIONS.index(name), points.data) for name, points in self.tables),
+            tuple(zip(matrices, self._flows(at), strict=True)),
+        )
 
-    def _stores(self, at: Places) -> bool:
-        return not at.data["stiffness"].is_zero and constant(at.data["stiffness"], at.data["rest"])
+    def _branches(self) -> tuple[Branch, ...]:
+        return tuple(branch(*pair) for pair in self.branches)
 
+    def _flows(self, at: Places) -> list[Matrix]:
+        """Strains of the dampers of all branches (6, 1), 0 in directions without a state.
 
-def _six_by_six(name: str, value: Rows) -> tuple[Rows, ...]:
-    """Six entries, or the rows of a symmetric matrix.
-
-    Raises:
-        ModelError: it is neither.
-    """
-    value = value.tolist() if hasattr(value, "tolist") else value
-    nested = isinstance(value, Sequence) and any(isinstance(row, (list, tuple)) for row in value)
-    if not nested:
-        return vector("bushing", name, value, 6)
-    rows = tuple(vector("bushing", f"{name}[{i}]", row, 6) for i, row in enumerate(value))
-    if len(rows) != 6:
-        raise ModelError(f"bushing: {name} has {len(rows)} rows; give six numbers or a 6x6 matrix")
-    for i in range(6):
-        for j in range(i):
-            pair = (rows[i][j], rows[j][i])
-            if not any(map(is_expression, pair)):
-                largest = max(map(abs, pair))
-                equal = abs(pair[0] - pair[1]) <= 1e-12 * largest
-            else:
-                equal = pair[0] == pair[1]
-            if not equal:
-                raise ModelError(
-                    f"bushing: {name}[{i}][{j}] is {pair[0]} and {name}[{j}][{i}] is {pair[1]}; "
-                    "give a symmetric matrix: without symmetry there is no energy. A force that "
-                    "has none is cd.Force and cd.Torque with expressions"
-                )
-    return rows
-
-
-def _matrix(value: tuple[Rows, ...], rate: str) -> Quantity:
-    """Six entries, or the upper triangle of a matrix."""
-    pairs = [(i, i) for i in range(6)]
-    if isinstance(value[0], tuple):
-        pairs = [(i, j) for i in range(6) for j in range(i, 6)]
-    entries = tuple(value[i][j] if isinstance(value[0], tuple) else value[i] for i, j in pairs)
-    labels = tuple(
-        DIRECTIONS[i] if i == j else f"{DIRECTIONS[i]}_{DIRECTIONS[j]}" for i, j in pairs
-    )
-    units = tuple(_unit(i, j) + rate for i, j in pairs)
-    return Quantity(entries, labels=labels, units=units)
-
-
-def _unit(i: int, j: int) -> str:
-    """Of an entry of the stiffness: work is symmetric in both."""
-    return ("N*m/rad", "N", "N/m")[(i > 2) + (j > 2)]
+        Raises:
+            ModelError: a stiffness that was written as 0 got another value.
+        """
+        flows, states = [], iter(at.z)
+        for n, one in enumerate(self._branches()):
+            entries = list(Matrix.zeros(at.motion.graph, 6))
+            for k in one.directions:
+                entries[k] = next(states)
+            stiffness = square(at.motion.graph, at.data[f"branches.{n}.stiffness"])
+            for k in set(range(6)).difference(one.directions):
+                if any(node != ZERO for node in stiffness.row(k)):
+                    raise ModelError(
+                        f"bushing: branches[{n}].stiffness is 0 in direction {DIRECTIONS[k]} as "
+                        "written, and has no state there; write the number that it is to be"
+                    )
+            flows.append(Matrix.vector(at.motion.graph, entries))
+        return flows

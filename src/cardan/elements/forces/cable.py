@@ -9,7 +9,7 @@ from ...ir.arithmetic import Scalar, norm, select
 from ..formulas import Lines
 from ..limits import Limit, not_negative, positive
 from ..quantity import Place, Units, Value
-from .force import LINE, Action, ForceElement, Places, constant
+from .force import LINE, Action, ForceElement, Places, constant, potential
 from .line import PULL, RATE, SPAN, along_line, direction
 
 # of its numbers
@@ -64,7 +64,7 @@ class Cable(ForceElement):
         strain = (distance / length - 1.0).apply("max", 0.0)
         elastic = stiffness * strain
         energy = elastic * strain * length * 0.5
-        actions = [along_line(motion, a, b, along * elastic, energy if self._stores(at) else None)]
+        actions = [along_line(motion, a, b, along * elastic, *self._potential(at, energy))]
         if not at.data["damping"].is_zero:
             rate = along.dot(motion.velocity(b) - motion.velocity(a)) / length
             actions.append(
@@ -86,6 +86,9 @@ class Cable(ForceElement):
 
     def _stores(self, at: Places) -> bool:
         return constant(at.data["EA"], at.data["length"])
+
+    def _potential(self, at: Places, energy: Scalar) -> tuple[Scalar | None, bool]:
+        return potential(energy, at.data["EA"], at.data["length"])
 
 
 def _loss(elastic: Scalar, viscous: Scalar) -> Scalar:

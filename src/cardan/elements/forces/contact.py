@@ -14,7 +14,7 @@ from ..internal_states import MODE, Change, EventSpec, Jumped, Mode, Solved
 from ..limits import Limit, not_negative, positive
 from ..quantity import RATIO, Direction, Place, Quantity, Units, Value, quantities_of
 from ..validation import number
-from .force import Action, ForceElement, Load, Places, constant
+from .force import Action, ForceElement, Load, Places, constant, potential
 
 UNDECIDED, SEPARATED, TOUCHING = 0, 1, 2
 
@@ -52,6 +52,7 @@ class Contact(ForceElement):
     """
 
     kind: ClassVar[str] = "contact"
+    strained: ClassVar[bool] = False
     symbol_shapes: ClassVar[Shapes] = {"n_0": (3, 1)}
     units: ClassVar[Units] = {
         **{"radius": "m", "stiffness": "", "damping": "s/m", "exponent": RATIO, "normal": RATIO},
@@ -153,13 +154,13 @@ class Contact(ForceElement):
         sliding = velocity + normal * closing
         smoothing = data["transition_velocity"][0]
         drag = push * data["mu"][0] / sqrt(sliding.dot(sliding) + smoothing * smoothing)
-        fixed = constant(*(data[name] for name in ("stiffness", "exponent", "radius")))
         # of places alone, whatever the mode
         d = select(deep, depth, 1)
         stored = data["stiffness"][0] * d.apply("pow", exponent + 1) / (exponent + 1)
-        energy = select(deep, stored, 0) if fixed else None
+        quantities = (data[name] for name in ("stiffness", "exponent", "radius"))
+        energy = potential(select(deep, stored, 0), *quantities)
         return (
-            Action(self._pair(at, place, normal * elastic), potential=energy),
+            Action(self._pair(at, place, normal * elastic), (), *energy),
             Action(self._pair(at, place, normal * (push - elastic) - sliding * drag)),
         )
 

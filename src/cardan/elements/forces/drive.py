@@ -21,6 +21,7 @@ from .force import (
     RotorBody,
     constant,
     one_coordinate,
+    potential,
 )
 
 
@@ -132,10 +133,9 @@ class Drive(ForceElement):
             return _load(motion, joint, shaft), _load(motion, rotor, -(shaft / ratio))
 
         # a shaft that time or the motion changes works on the system and stores nothing
-        fixed = constant(data["stiffness"], data["ratio"])
-        energy = spring * twist * 0.5 if fixed else None
+        stored = potential(spring * twist * 0.5, data["stiffness"], data["ratio"])
         return (
-            Action(joint_loads=pair(spring), potential=energy),
+            Action((), pair(spring), *stored),
             Action(joint_loads=pair(damper)),
             Action(joint_loads=(_load(motion, rotor, torque - friction * speed),)),
         )

@@ -11,7 +11,7 @@ from ..formulas import Lines, Shapes
 from ..limits import Limit, not_negative
 from ..quantity import RATIO, Direction, Place, Units, Value
 from .force import Action, ForceElement, Places, constant
-from .relative_springs import SHAPES, spring_lines, springs
+from .relative_springs import SHAPES, SpringLaw, spring_lines, springs
 
 STIFFNESSES = ("turn", "tilt", "axial", "radial")
 
@@ -60,10 +60,13 @@ class FlexibleHinge(ForceElement):
         return True
 
     def act(self, at: Places) -> tuple[Action, ...]:
+        return springs(at, self._law(at))
+
+    def _law(self, at: Places) -> SpringLaw:
         stiffness = self._stiffness(at)
         damping = stiffness * at.data["damping"][0]
-        unloaded = Matrix.zeros(stiffness.graph, 6)
-        return springs(at, stiffness, damping, unloaded, self._stores(at))
+        fixed = constant(*(at.data[name] for name in (*STIFFNESSES, "axis")))
+        return SpringLaw(stiffness, damping, Matrix.zeros(stiffness.graph, 6), fixed)
 
     def _stiffness(self, at: Places) -> Matrix:
         """k (6, 6): t n nᵀ + s (1 - n nᵀ) of rotations and of displacements."""
@@ -86,7 +89,4 @@ class FlexibleHinge(ForceElement):
             ),
         )
         stress = "k @ (y + eta * ydot)" if damped else "k @ y"
-        return (*stiffness, *spring_lines("column(theta, e)", stress, self._stores(at)))
-
-    def _stores(self, at: Places) -> bool:
-        return constant(*(at.data[name] for name in (*STIFFNESSES, "axis")))
+        return (*stiffness, *spring_lines(self._law(at), (stress,)))

@@ -108,12 +108,20 @@ class Action:
     Attributes:
         loads: Wrenches on frames.
         joint_loads: Forces along joint speeds.
-        potential: Its potential energy where it has one; then its power stays out of the ledger.
+        potential: Its potential energy at the present time and inputs, where it has one.
+        constant: Whether that depends on the position and parameters alone; then its power stays
+            out of the ledger.
     """
 
     loads: tuple[Load, ...] = ()
     joint_loads: tuple[JointLoad, ...] = ()
     potential: Scalar | None = None
+    constant: bool = True
+
+    @property
+    def stored(self) -> Scalar | None:
+        """The potential energy that the ledger counts."""
+        return self.potential if self.constant else None
 
 
 @dataclass(frozen=True)
@@ -153,6 +161,8 @@ class ForceElement(HasSource, ABC):
     units: ClassVar[Units] = {}
     # of what its formulas read; see :mod:`..formulas`
     symbol_shapes: ClassVar[Shapes] = {}
+    # True where its potential is the energy of a strain
+    strained: ClassVar[bool] = True
     # True where ``joint`` must have one coordinate
     _one_coordinate: ClassVar[bool] = False
 
@@ -240,7 +250,9 @@ class ForceElement(HasSource, ABC):
         Raises:
             ModelError: one is.
         """
-        judge(self.title, self.limits(), vars(self))
+        # of a field that is several quantities each has limits of its own
+        parts = {name: quantity.value for name, quantity in self.quantities().items()}
+        judge(self.title, self.limits(), {**vars(self), **parts})
 
     def misfit(self, sliding: bool) -> str:
         """Why it does not fit a joint that slides, or one that turns; "" if it does."""
@@ -304,10 +316,29 @@ class ForceElement(HasSource, ABC):
         return {}
 
 
-def constant(*quantities: Matrix) -> bool:
-    """True where all quantities depend on parameters alone, so that a potential may hold them."""
+def constant(*quantities: Matrix, blocks: Sequence[str] = ("p",)) -> bool:
+    """True where all quantities depend on parameters alone, so that a potential may hold them.
+
+    Args:
+        quantities: What is asked.
+        blocks: On which they may depend.
+    """
     leaves = (x.graph.nodes[i] for x in quantities for i in live(x.graph, x.nodes))
-    return all(n[0] != "atom" and (n[0] != "var" or n[1] == "p") for n in leaves)
+    return all(n[0] != "atom" and (n[0] != "var" or n[1] in blocks) for n in leaves)
+
+
+def potential(energy: Scalar, *quantities: Matrix) -> tuple[Scalar | None, bool]:
+    """The potential energy of an action, and whether that is constant.
+
+    There is none where the motion itself changes what the energy is made of: such a force works on
+    the system. Where time or inputs do, it is that at the present time.
+
+    Args:
+        energy: Of the strain.
+        quantities: What it is made of besides the strain.
+    """
+    independent = constant(*quantities, blocks=("p", "t", "r"))
+    return (energy if independent else None), constant(*quantities)
 
 
 # cure for joints with several coordinates

@@ -8,7 +8,7 @@ from typing import ClassVar
 from ...ir.matrix import Matrix
 from ..formulas import Lines
 from ..quantity import JointName, Units, Value
-from .force import Action, ForceElement, JointLoad, Places, constant, one_coordinate
+from .force import Action, ForceElement, JointLoad, Places, constant, one_coordinate, potential
 
 
 @dataclass(frozen=True)
@@ -53,10 +53,9 @@ class JointSpring(ForceElement):
         actions = []
         if not data["stiffness"].is_zero:
             turn = q - rest
-            fixed = constant(data["stiffness"], data["rest"])
-            energy = stiffness * turn**2 * 0.5 if fixed else None
+            stored = potential(stiffness * turn**2 * 0.5, data["stiffness"], data["rest"])
             back = Matrix.vector(motion.graph, [-(stiffness * turn)])
-            actions.append(Action(joint_loads=(JointLoad(joint, back),), potential=energy))
+            actions.append(Action((), (JointLoad(joint, back),), *stored))
         if not data["damping"].is_zero:
             drag = Matrix.vector(motion.graph, [-(damping * u)])
             actions.append(Action(joint_loads=(JointLoad(joint, drag),)))

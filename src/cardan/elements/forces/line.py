@@ -21,7 +21,9 @@ def direction(span: Matrix, distance: Scalar) -> Matrix:
     return (span.note("span") * inverse).note("direction")
 
 
-def along_line(motion: Motion, a: int, b: int, pull: Matrix, energy: Scalar | None) -> Action:
+def along_line(
+    motion: Motion, a: int, b: int, pull: Matrix, energy: Scalar | None, constant: bool = True
+) -> Action:
     """A force that pulls a towards b and b towards a."""
     none = Matrix.zeros(motion.graph, 3)
-    return Action((Load(a, none, pull), Load(b, none, -pull)), potential=energy)
+    return Action((Load(a, none, pull), Load(b, none, -pull)), (), energy, constant)

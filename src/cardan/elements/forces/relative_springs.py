@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ...ir.arithmetic import stumpff
+from ...ir.arithmetic import Scalar, stumpff
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
+from ...ir.table import Table
 from ...spatial.exponential import exp, log, tangent
 from ..formulas import HALFWAY, MEASURES, TANGENT, Lines, Shapes
-from .force import Action, Load, Places
+from .force import Action, Load, Places, potential
 
 SHAPES: Shapes = {"y_0": (6, 1), "k": ("symmetric", 6)}
 DIRECTIONS = ("rx", "ry", "rz", "x", "y", "z")
@@ -102,43 +103,89 @@ class RelativePose:
         return Load(a, on_a, force, a), Load(b, -moment, -force, a)
 
 
-def springs(
-    at: Places, stiffness: Matrix, damping: Matrix, unloaded: Matrix, fixed: bool
-) -> tuple[Action, ...]:
-    """Actions of linear springs and dampers, (6, 6) each.
+@dataclass(frozen=True)
+class SpringLaw:
+    """The stress by the strain, its rate and states.
 
-    Args:
-        at: Its frames a and b.
-        stiffness, damping: By the strain and its rate.
-        unloaded: Strain without load (6, 1).
+    Attributes:
+        stiffness, damping: By the strain and its rate (6, 6).
+        unloaded: Strain without load (6, 1); the strain counts from there.
         fixed: True where the springs have a potential.
+        tables: Curves that add to the stress in single directions, by their numbers.
+        branches: Springs in series with dampers: stiffness (6, 6) and strain of the damper (6, 1).
     """
+
+    stiffness: Matrix
+    damping: Matrix
+    unloaded: Matrix
+    fixed: bool
+    tables: tuple[tuple[int, Table], ...] = ()
+    branches: tuple[tuple[Matrix, Matrix], ...] = ()
+
+    @property
+    def stores(self) -> bool:
+        """True where there is a potential."""
+        return self.fixed and not (self.stiffness.is_zero and not self.tables)
+
+
+def springs(at: Places, law: SpringLaw) -> tuple[Action, ...]:
+    """Actions of springs and dampers between the frames a and b of an element."""
     pose, actions = RelativePose.of(at), []
-    if not stiffness.is_zero:
-        y = pose.strain - unloaded
-        stress = (stiffness @ y).note("stress")
-        energy = y.dot(stress) * 0.5
-        actions.append(Action(pose.loads(stress), potential=energy if fixed else None))
-    if not damping.is_zero:
-        stress = (damping @ pose.rate()).note("stress")
-        actions.append(Action(pose.loads(stress)))
+    y = pose.strain - law.unloaded
+    if not law.stiffness.is_zero or law.tables:
+        linear = law.stiffness @ y
+        stress = (linear + _read(y, law.tables)).note("stress")
+        energy = y.dot(linear) * 0.5
+        for direction, table in law.tables:
+            energy = energy + _value(y, direction, table.integral())
+        stored = potential(energy, law.stiffness, law.unloaded)
+        actions.append(Action(pose.loads(stress), (), *stored))
+    # what gives heat, and what is given back later
+    terms = [stiffness @ (y - flow) for stiffness, flow in law.branches]
+    if not law.damping.is_zero:
+        terms.insert(0, law.damping @ pose.rate())
+    if terms:
+        actions.append(Action(pose.loads(sum(terms[1:], terms[0]).note("stress"))))
     return tuple(actions)
 
 
-def spring_lines(strain: str, stress: str, fixed: bool) -> Lines:
+def _read(y: Matrix, tables: tuple[tuple[int, Table], ...]) -> Matrix:
+    """Stress by the tables (6, 1)."""
+    stress = list(Matrix.zeros(y.graph, 6))
+    for direction, table in tables:
+        stress[direction] = _value(y, direction, table)
+    return Matrix.vector(y.graph, stress)
+
+
+def _value(y: Matrix, direction: int, table: Table) -> Scalar:
+    return Scalar(y.graph, y.graph.interpolate(table, y[direction].node))
+
+
+def spring_lines(law: SpringLaw, terms: tuple[str, ...], subtracted: bool = False) -> Lines:
     """Formulas of such springs.
 
     Args:
-        strain: Its formula in theta and e.
-        stress: Its formula in y and ydot.
-        fixed: True where the springs have a potential.
+        law: What they are.
+        terms: Formulas of parts of the stress in y and ydot, beside those of tables and branches.
+        subtracted: True where the strain without load is subtracted.
     """
-    rated = "ydot" in stress
+    rated = any("ydot" in term for term in terms)
     about = "stress, k the stiffness" + ", c the damping" * rated
+    about += ", t what the tables say at y" * bool(law.tables)
+    terms += ("t",) * bool(law.tables)
+    if law.branches:
+        about += "; K the stiffness and z the flow of a branch"
+        terms += tuple(f"K_{n} @ (y - z_{n})" for n in range(len(law.branches)))
     about += "; s_m and s_n moment and force of s"
-    energy: Lines = (("potential energy", "V = dot(y, k @ y) / 2"),)
-    y = ("strain" + ", y_0 that without load" * ("y_0" in strain), f"y = {strain}")
-    return (*STRAIN, y, *RATES * rated, (about, f"s = {stress}"), *PULL, *energy * fixed)
+    stored = [x for x in ("dot(y, k @ y) / 2" * (not law.stiffness.is_zero), "W" * bool(law.tables))
+              if x]  # fmt: skip
+    about_energy = "potential energy" + ", W the integrals of the tables over y" * bool(law.tables)
+    energy: Lines = ((about_energy, f"V = {' + '.join(stored)}"),)
+    strain = "y = column(theta, e)" + " - y_0" * subtracted
+    y = ("strain" + ", y_0 that without load" * subtracted, strain)
+    stress = (about, f"s = {' + '.join(terms)}")
+    # what energies read stands before them, and stresses need not
+    return (*STRAIN, y, *energy * law.stores, *RATES * rated, stress, *PULL)
 
 
 def square(graph: Graph, entries: Matrix) -> Matrix:

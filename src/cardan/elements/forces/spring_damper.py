@@ -8,7 +8,7 @@ from typing import ClassVar
 from ...ir.arithmetic import norm
 from ..formulas import Lines
 from ..quantity import Place, Units, Value
-from .force import Action, ForceElement, Places, constant
+from .force import Action, ForceElement, Places, constant, potential
 from .line import PULL, RATE, SPAN, along_line, direction
 
 
@@ -64,8 +64,8 @@ class SpringDamper(ForceElement):
                 stretch = distance - free
                 pull = direction(span, distance) * (stiffness * stretch)
                 energy = stiffness * stretch**2 * 0.5
-            fixed = constant(data["stiffness"], data["rest_length"])
-            actions.append(along_line(motion, a, b, pull, energy if fixed else None))
+            stored = potential(energy, data["stiffness"], data["rest_length"])
+            actions.append(along_line(motion, a, b, pull, *stored))
         if not data["damping"].is_zero:
             along = direction(span, norm(*span))
             rate = along.dot(motion.velocity(b) - motion.velocity(a))

@@ -2,25 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import TypeAlias, cast
 
 import numpy as np
 
 from ...arguments import checked
 from ...arrays import Array
-from ...errors import ModelError, brief
+from ...errors import ModelError, brief, near
 from ...scene.beam import Beam
 from ...scene.body import Body
 from ...scene.frame import Frame, Place
 from ...scene.scene import SceneRecord
-from ...superelements.record import Superelement
+from ...superelements.record import SuperelementRecord
 from ...superelements.reduction import reduce
+from ...superelements.surface import Surface
 from ...topology.build import build
 from ..finite_elements.lowering import lowered
 from ..finite_elements.record import FiniteElementRecord
 from .beam_system import BeamSystem, isolated, named_beams
 from .element_matrices import element_matrices
+from .geometric_stiffness import spin_stiffness
 
 # an end, a node, a body or a frame; or a beam and a place in 0 ... 1 of its length
 Where: TypeAlias = "Place | str | tuple[Beam | str, float]"
@@ -39,7 +42,8 @@ def from_beams(
     damping: object = None,
     rayleigh: tuple[float, float] | None = None,
     static_shapes: Sequence[str] = (),
-) -> Superelement:
+    stiffening: str | None = None,
+) -> SuperelementRecord:
     """Beams of a scene, reduced to motions of their ends and some modes.
 
     Matrices are those of the elements of the scene, at the values of its parameters, in the
@@ -55,6 +59,8 @@ def from_beams(
         bodies: Rigid bodies that belong to the component: they have their mass, and connect the
             beams that end there.
         method, modes, damping, rayleigh, static_shapes: As for ``cd.superelement.reduce``.
+        stiffening: Name of the interface that holds the beams while they spin about it: the record
+            gets their geometric stiffness; none by default.
 
     Returns:
         A record to print, save and use in scenes.
@@ -75,6 +81,11 @@ def from_beams(
                 f"connected to, such as {{'root': '{names[0]}.start', 'tip': '{names[-1]}.end'}}"
             )
         interfaces = {"start": f"{names[0]}.start", "end": f"{names[0]}.end"}
+    if not isinstance(interfaces, Mapping):
+        raise ModelError(
+            f"interfaces={brief(interfaces)}: give them by name, such as {{'tip': "
+            f"'{names[0]}.end'}}"
+        )
     places = {
         name: _place(component, record, names, name, where) for name, where in interfaces.items()
     }
@@ -82,10 +93,18 @@ def from_beams(
     rotations = np.concatenate([component.rotations, *(one.rotations[1:-1] for one in inner)])
     positions = np.concatenate([component.positions, *(one.positions[1:-1] for one in inner)])
     reference_state = [x for joint in component.system.joints for x in joint.q0 or ()]
-    matrices = element_matrices(
-        record, np.concatenate([reference_state, record.reference]), rotations
-    )
-    return reduce(
+    q = np.concatenate([reference_state, record.reference])
+    matrices = element_matrices(record, q, rotations)
+    geometric = {}
+    if stiffening is not None:
+        if stiffening not in places:
+            raise ModelError(
+                f"stiffening={brief(stiffening)}: there is no interface of that name."
+                f"{near(stiffening, places)}"
+            )
+        fixed, _ = places[stiffening]
+        geometric = spin_stiffness(record, matrices, q, rotations, positions, fixed)
+    reduced = reduce(
         matrices.M,
         matrices.K,
         positions,
@@ -97,7 +116,25 @@ def from_beams(
         damping=damping,
         rayleigh=rayleigh,
         static_shapes=static_shapes,
+        geometric=geometric,
     )
+    return replace(reduced, surface=_centerlines(component, record, positions))
+
+
+def _centerlines(component: BeamSystem, record: FiniteElementRecord, positions: Array) -> Surface:
+    """Lines along the beams, from node to node."""
+    nodes, places, lines = [np.zeros(0, np.intp)], [np.zeros((0, 3))], []
+    count = 0
+    for segment, members in zip(component.system.segments, record.lines, strict=True):
+        nodes.append(np.asarray(members, np.intp))
+        # ends may lie beside the origin of the body that carries them
+        places.append(segment.line.positions)
+        first = count + np.arange(len(members) - 1)
+        lines.append(np.stack([first, first + 1], axis=1))
+        count += len(members)
+    every = np.concatenate(nodes)
+    arms = np.concatenate(places) - positions[every]
+    return Surface(every, arms, np.zeros((0, 3), np.intp), np.concatenate(lines).astype(np.intp))
 
 
 def reduced_with_cost(
@@ -111,8 +148,9 @@ def reduced_with_cost(
     damping: object = None,
     rayleigh: tuple[float, float] | None = None,
     static_shapes: Sequence[str] = (),
+    stiffening: str | None = None,
     report: bool = True,
-) -> Superelement:
+) -> SuperelementRecord:
     """Beams of the scene as a superelement; what that costs is printed.
 
     Args:
@@ -122,6 +160,7 @@ def reduced_with_cost(
         interfaces: Ends, nodes, bodies or frames by the names of interfaces; both ends by default.
         bodies: Rigid bodies that belong to the component.
         method, damping, rayleigh, static_shapes: As for ``cd.superelement.reduce``.
+        stiffening: As for ``cd.superelement.from_beams``.
         report: Whether ``cost`` of the record is printed.
 
     Returns:
@@ -140,6 +179,7 @@ def reduced_with_cost(
         damping=damping,
         rayleigh=rayleigh,
         static_shapes=static_shapes,
+        stiffening=stiffening,
     )
     if report:
         print(record.cost)
@@ -148,9 +188,9 @@ def reduced_with_cost(
 
 def _listed(value: object) -> list[object]:
     """One thing or several as a list."""
-    if isinstance(value, str | Beam | Body):
+    if isinstance(value, str | Beam | Body) or not isinstance(value, Iterable):
         return [value]
-    return [*cast("Sequence[object]", value)]
+    return [*value]
 
 
 def _name_of(scene: SceneRecord, who: str, beam: object) -> str:
@@ -232,7 +272,7 @@ def _at_station(
         if segment.name == beam
     ]
     length = segments[-1][0].stations[-1]
-    if not isinstance(where, float | int) or not 0 <= where <= 1:
+    if not isinstance(where, float | int) or isinstance(where, bool) or not 0 <= where <= 1:
         raise ModelError(f"{who}: {brief(where)} of beam '{beam}'; give a number from 0 to 1")
     every = np.concatenate([line.stations for line, _ in segments]) / length
     for line, nodes in segments:

@@ -36,6 +36,7 @@ from .joint_formulas import joint_lines
 from .joint_friction import JointFriction
 from .parts import Part
 from .record import ALWAYS, BlockKind, Kind
+from .strain_forces import strain_of
 
 METHOD = "composite"
 ABOUT = {
@@ -99,6 +100,7 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
         element=part.kind,
         part=part.family,
         switched=sum(row.switched for row in rows(part.system)),
+        strain=strain_of(context.k),
     )
 
 

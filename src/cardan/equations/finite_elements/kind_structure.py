@@ -43,7 +43,8 @@ def _outline(element: JointElement | ForceElement) -> str:
     """An element without the numbers and names that a member may have of its own."""
     if isinstance(element, Reversed):
         return f"reversed {_outline(element.element)}"
-    quantities = element.quantities()
+    # a field may be several quantities, such as branches.0.time
+    quantities = {name.partition(".")[0] for name in element.quantities()}
     assert is_dataclass(element)
     signature = [
         (field.name, _pattern(getattr(element, field.name), field.name in quantities))
@@ -58,6 +59,9 @@ def _pattern(value: object, by_value: bool) -> str:
     """Part of a field that the equations may depend on; of a quantity of a member only its form."""
     if isinstance(value, (tuple, list)):
         return f"({', '.join(_pattern(x, by_value) for x in value)})"
+    if is_dataclass(value) and not isinstance(value, type):
+        # of measured data, what its text leaves out too
+        return _pattern(tuple(getattr(value, field.name) for field in fields(value)), by_value)
     if not by_value or value is None or isinstance(value, (str, bool)):
         return repr(value)
     if isinstance(value, (int, float)):

@@ -71,8 +71,8 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
         for kind, members_of_kind in sorted_parts
         if space.get(kind.name, kind).functions
     ]
-    results = _names(sorted_parts, "outputs", lambda piece: piece.results)
-    powers = _names(sorted_parts, "power", lambda piece: piece.powers)
+    results = _names(sorted_parts, "outputs", lambda part: part.results)
+    powers = _names(sorted_parts, "power", lambda part: part.powers)
     beams = beamed(scene, at, block_table, powers, taken)
     reduced = tuple(superelements(scene, at, block_table, powers, taken))
     names = [*(scene.name(key) for key in scene.places), *beams.names]
@@ -187,11 +187,11 @@ def _group(
     return Group(
         kind=kind,
         members=tuple(part.name for part in members),
-        places=_table([[at[key] for key in piece.cutting.places] for piece in members]),
+        places=_table([[at[key] for key in one.cutting.places] for one in members]),
         rows=rows,
         common=_common(kind, members, system),
-        z=_table([piece.cutting.z for piece in members]) if members[0].cutting.z else None,
-        s=_table([piece.cutting.s for piece in members]) if members[0].cutting.s else None,
+        z=_table([one.cutting.z for one in members]) if members[0].cutting.z else None,
+        s=_table([one.cutting.s for one in members]) if members[0].cutting.s else None,
         events=_table([part.events for part in members]) if members[0].events else None,
         outputs=_table([[results[n] for n in p.results] for p in members])
         if "outputs" in has

@@ -140,6 +140,8 @@ class Kind:
         element: Its element in the catalog, such as "revolute"; "body" of rigid bodies.
         part: "body", "joint", "force" or "beam"; "" of others.
         switched: Number of its rows that hold in some modes, the last ones.
+        strain: ``"alone"`` where all it does at rest is the force of a strain whose energy it
+            tells, ``"mixed"`` where it does more or tells more; "" where nothing is strained.
     """
 
     name: str
@@ -154,6 +156,7 @@ class Kind:
     element: str = ""
     part: str = ""
     switched: int = 0
+    strain: str = ""
 
     @property
     def m(self) -> int:

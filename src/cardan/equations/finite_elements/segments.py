@@ -317,6 +317,7 @@ class _Builder:
                 symbol_shapes=element.symbol_shapes,
                 element=element.kind,
                 part="beam",
+                strain=element.strain,
             )
             if end_blocks != places:
                 space, planar_name = kind, unique(name, self.taken)

@@ -21,10 +21,13 @@ from .nodal_scene import JOINT, NODE, Key, Scene
 from .record import BlockKind, Group, Kind, unique
 
 HEADERS = ("frame_motion.h", "rows.h", "superelement.h")
-TANGENT = "superelement_tangent.h"
+TANGENT = ("superelement_terms.h", "superelement_drift.h", "superelement_tangent.h")
 # pairs of axes in the order of the header
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1))
+NAMES = ("xx", "yy", "zz", "yz", "zx", "xy")
 DATA = (*(f"R{i}{j}" for i in "123" for j in "123"), *("px", "py", "pz"), *("gx", "gy", "gz"))
+# of the mass, below which its dependence on directions is rounding
+ISOTROPIC = 1e-12
 # work that the routines need, by coordinates
 ROOM, TANGENT_ROOM = 13, 37
 PAIR_NAMES = ("11", "22", "33", "23", "31", "12")
@@ -38,7 +41,8 @@ BENT: Lines = tuple(
 )
 FORMULAS: Lines = (
     ("moment of first order of the deformed body, in axes of its frame, where R, p, v, omega are "
-     "those of the frame, z the coordinates and all others constants of the record",
+     "those of the frame, z the coordinates and all others constants of the record, with the "
+     "geometric stiffness taken from S where it counts",
      "s = s_0 + P @ z"),
     *ROWS,
     ("", "H = row(H_1, H_2, H_3).T"),
@@ -70,6 +74,35 @@ FORMULAS: Lines = (
     ("balance: moment in axes of the frame, force in ground axes, along z",
      "b = column(n, R @ f, b_z)"),
 )  # fmt: skip
+# what inertia adds that depends on the velocity of the frame
+DRIFT: Lines = (
+    ("velocity of the frame in its axes", "nu = R.T @ v"),
+    ("its rate there", "nudot = R.T @ vdot - skew(omega) @ nu"),
+    ("part of the inertia that depends on it",
+     "G = matrix(" + ", ".join(f"dot(E_{r}{k}, z)" for r in "123" for k in "123") + ")"),
+    ("", "Gdot = matrix(" + ", ".join(f"dot(E_{r}{k}, zdot)" for r in "123" for k in "123") + ")"),
+)  # fmt: skip
+DRIFTING = {
+    "T": " + dot(nu, G @ omega)",
+    "f": " + Gdot @ omega + G @ omegadot + skew(omega) @ G @ omega",
+    "n": " + Gdot.T @ nu + G.T @ nudot + skew(omega) @ G.T @ nu + skew(nu) @ G @ omega",
+    "b_z": "".join(
+        f" - nu_{r} * (omega_1 * E_{r}1 + omega_2 * E_{r}2 + omega_3 * E_{r}3)" for r in "123"
+    ),
+}
+
+
+def _formulas(drifting: bool) -> Lines:
+    """Formulas of an element whose inertia depends on the velocity of its frame, or does not."""
+    if not drifting:
+        return FORMULAS
+    longer = (
+        (about, formula + DRIFTING.get(formula.partition(" = ")[0], ""))
+        for about, formula in FORMULAS
+    )
+    return (*DRIFT, *longer)
+
+
 SOURCE = (
     "A. Zwoelfer, J. Gerstmayr, The nodal-based floating frame of reference formulation with "
     "modal reduction, Acta Mechanica 232 (2021); Géradin and Cardona, Flexible Multibody Dynamics "
@@ -146,17 +179,20 @@ def _data(scene: Scene, name: str, members: Sequence[PartOfSystem]) -> Function:
 def constants(part: PartOfSystem) -> Array:
     """Numbers of a record as ``superelement.h`` reads them, for its coordinates that move."""
     rows, record = list(part.rows), part.record
-    inertia, both = record.inertia, np.ix_(rows, rows)
+    inertia, both = part.inertia, np.ix_(rows, rows)
     spin = inertia.spin_modal[:, rows][:, :, rows]
     squares = np.array([_symmetric(inertia.spin_spin[k, m][both]) for k, m in PAIRS])
+    if part.stiffening:
+        # a product of two axes is there twice
+        for pair, (name, (k, m)) in enumerate(zip(NAMES, PAIRS, strict=True)):
+            if name in record.geometric:
+                squares[pair] -= record.geometric[name][both] * (1.0 if k == m else 0.5)
     # (S X + e) against S_k Psi, symmetric in both axes
     bent = [(inertia.spin_angular[k, m] + inertia.spin_angular[m, k])[rows] / 2 for k, m in PAIRS]
-    first = inertia.first
     flat = [
         # planar components have none across their plane
         inertia.mass.diagonal().max(),
-        np.array([first[1, 2] - first[2, 1], first[2, 0] - first[0, 2], first[0, 1] - first[1, 0]])
-        / 2,
+        _first(inertia.first),
         np.array([inertia.second[k, m] for k, m in PAIRS]),
         inertia.momentum[:, rows],
         inertia.angular[:, rows],
@@ -168,7 +204,22 @@ def constants(part: PartOfSystem) -> Array:
         spin.transpose(0, 2, 1),
         squares,
     ]
+    if drifts(part):
+        flat.append(inertia.drift[:, :, rows])
     return np.concatenate([np.ravel(np.asarray(x, dtype=float)) for x in flat]) + 0.0
+
+
+def drifts(part: PartOfSystem) -> bool:
+    """True when its inertia depends on the velocity of its frame."""
+    return bool(
+        np.abs(part.inertia.drift).max(initial=0.0) > ISOTROPIC * part.record.properties.mass
+    )
+
+
+def _first(first: Array) -> Array:
+    """m c (3,) of -(m c)^; planar components have only entries of their plane."""
+    pairs = ((first[1, 2], -first[2, 1]), (first[2, 0], -first[0, 2]), (first[0, 1], -first[1, 0]))
+    return np.array([max(pair, key=abs) for pair in pairs])
 
 
 def _symmetric(matrix: Array) -> Array:
@@ -189,6 +240,7 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
     letters["p"] = Block("p", DATA, ("",) * len(DATA))
     size = n + 6 * on_node
     unmoved = [i * size + j for i in range(size) for j in range(3, 6)] if on_node else []
+    still = [] if drifts(member.part) else unmoved
     damped = bool(member.part.record.C.any())
     # products with matrices (n, n) that a call makes
     results = {
@@ -196,7 +248,7 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
         "balance_tangent": (
             (
                 result(graph, "K", (size, size), unmoved),
-                result(graph, "C", (size, size), unmoved),
+                result(graph, "C", (size, size), still),
                 result(graph, "M", (size, size)),
             ),
             ("q", "u", "udot", "p"),
@@ -217,8 +269,8 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
             owners=(name,),
             about="Reduced flexible body in a frame that moves far.",
             call=f"cardan_superelement_{key.removeprefix('balance_')}",
-            headers=(*HEADERS, TANGENT) if key == "balance_tangent" else HEADERS,
-            sizes=(n, int(on_node)),
+            headers=(*HEADERS, *TANGENT) if key == "balance_tangent" else HEADERS,
+            sizes=(n, int(on_node), int(drifts(member.part))),
             constants=tuple(member.constants.tolist()),
             work=(TANGENT_ROOM * n + n * n if key == "balance_tangent" else ROOM * n),
             counts={"mul": products * n * n, "add": products * n * n},
@@ -233,7 +285,7 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
         data=DATA,
         functions=functions,
         source=SOURCE,
-        formulas=FORMULAS,
+        formulas=_formulas(drifts(member.part)),
         symbol_shapes=_shapes(n),
         element="superelement",
         part="superelement",
@@ -243,6 +295,7 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
 def _shapes(n: int) -> Shapes:
     """Shapes of what the formulas read."""
     columns = ("z", "zdot", *(f"h_{k}" for k in "123"), *(f"j_{kl}" for kl in PAIR_NAMES))
+    columns += tuple(f"E_{r}{k}" for r in "123" for k in "123")
     symmetric = ("M", "K", *(f"S_{kl}" for kl in PAIR_NAMES))
     return {
         "s_0": (3, 1),

@@ -17,6 +17,8 @@ from ...ir.matrix import Matrix
 from ..constraints.constraint_functions import constraint_rates, constraints
 from ..constraints.reaction_friction import friction_forces
 from ..kinematics.increments import integrated
+from ..kinematics.loads import strained
+from ..kinematics.partial_velocities import generalized_forces
 from .context import Context, recipe, settled
 from .derivatives import columns_of, inverse_columns
 from .directions import Direction, directions
@@ -65,6 +67,22 @@ def balance_tangent(c: Context) -> tuple[Output, ...]:
         Output("M", (nu, nu), mass.nodes, _named(speeds, speeds)),
         *bound,
     )
+
+
+@recipe
+def strain_energy(c: Context) -> tuple[Output, ...]:
+    """Energy of all strains."""
+    value = strained(c.k)[1]
+    return (Output("strain_energy", (), (value.node,), ("strain_energy",), ("J",)),)
+
+
+@recipe
+def strain_balance(c: Context) -> tuple[Output, ...]:
+    """Forces that strains withstand, less those of the constraints, then g."""
+    force = -generalized_forces(c.k, strained(c.k)[0])
+    if not c.k.system.closed:
+        return c.vector("balance", force, "tau")
+    return (*c.vector("balance", force - _constraint_forces(c), "tau"), *constraints(c))
 
 
 def _force_columns(c: Context, along: list[Direction]) -> list[list[int]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
@@ -63,18 +63,40 @@ def none(k: Kinematics) -> Loads:
 
 def without_potential(k: Kinematics, loads: Loads) -> Loads:
     """Loads of a system without those that have a potential."""
-    without_stored = applied(k, stored=False)
+    without_stored = summed(k, k.system.forces, {}, counts=_spends)
     return replace(without_stored, wrenches=merged(without_stored.wrenches, loads.outside))
 
 
-def applied(k: Kinematics, frames: set[int] | None = None, stored: bool = True) -> Loads:
+def applied(k: Kinematics, frames: set[int] | None = None) -> Loads:
     """All force elements, summed per body and joint.
 
     Args:
         frames: Frames whose loads count, those of the ground too; by default all that move.
-        stored: Whether the loads of actions with a potential count.
     """
-    return summed(k, k.system.forces, {}, frames, stored)
+    return summed(k, k.system.forces, {}, frames)
+
+
+def strained(k: Kinematics) -> tuple[Loads, Scalar]:
+    """Forces of strain energies, and the energies of all elements that have one.
+
+    Also of those that time or inputs change: the energy is that at the present time.
+    """
+    forces = [force for force in k.system.forces if force.element.strained]
+    energies = (action.potential for force in forces for action in actions(k, force))
+    total = sum((e for e in energies if e is not None), Scalar(k.graph, ZERO))
+    return summed(k, forces, {}, counts=_strains), total
+
+
+def _all(_: Action) -> bool:
+    return True
+
+
+def _strains(action: Action) -> bool:
+    return action.potential is not None
+
+
+def _spends(action: Action) -> bool:
+    return action.stored is None
 
 
 def summed(
@@ -82,9 +104,15 @@ def summed(
     forces: Sequence[Force],
     overrides: Mapping[str, Matrix],
     frames: set[int] | None = None,
-    stored: bool = True,
+    counts: Callable[[Action], bool] = _all,
 ) -> Loads:
-    """Some force elements, with given numbers in place of their own quantities."""
+    """Some force elements, with given numbers in place of their own quantities.
+
+    Args:
+        k, forces, overrides: The motion, the elements, the numbers by name.
+        frames: As of :func:`applied`.
+        counts: True of an action whose loads count.
+    """
     wrenches: Wrenches = {}
     joints: dict[int, Matrix] = {}
     potential = Scalar(k.graph, ZERO)
@@ -94,7 +122,7 @@ def summed(
         k.graph.describe(type(force.element), kind)
         with k.graph.made_by(force.name, kind):
             for action in actions(k, force, overrides):
-                counted = stored or action.potential is None
+                counted = counts(action)
                 for load in action.loads if counted else ():
                     frame = k.system.frames[load.frame]
                     load.force.hint(force.name, f"force_on_{frame.name}")
@@ -104,8 +132,8 @@ def summed(
                         _add_wrench(k, wrenches, load)
                 for joint_load in action.joint_loads if counted else ():
                     _add_joint(joints, joint_load)
-                if action.potential is not None:
-                    potential = potential + action.potential
+                if action.stored is not None:
+                    potential = potential + action.stored
                 else:
                     before = power.get(force.name, Scalar(k.graph, ZERO))
                     power[force.name] = before + _power(k, action)

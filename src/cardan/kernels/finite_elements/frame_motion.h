@@ -58,7 +58,8 @@ CARDAN_INLINE void cardan_3_times(const real *A, int turned, const real *B, int 
 typedef struct cardan_frame_motion {
     real node[9], local[9], R0[9];   /* node to ground, frame to node, frame to ground */
     real p[3], g[3], x0[3], x0_rate[3];
-    real w[3], w_rate[3], alpha[3];
+    real w[3], w_rate[3], alpha[3];  /* alpha: acceleration of the origin beyond g */
+    real v[3], v_rate[3];            /* v' is seen in the frame */
     real pull[3];                    /* x'' of the node without g, in its axes */
 } cardan_frame_motion;
 
@@ -73,6 +74,7 @@ CARDAN_INLINE void cardan_frame_motion_of(const cardan_in *in, int on_node, int 
         at->p[k] = CARDAN_REAL(in->w[9 + k]);
         at->g[k] = CARDAN_REAL(in->w[12 + k]);
         at->w[k] = at->w_rate[k] = at->x0_rate[k] = CARDAN_REAL(0.0);
+        at->v[k] = at->v_rate[k] = CARDAN_REAL(0.0);
         at->x0[k] = at->p[k];
         back[k] = -at->g[k];
     }
@@ -105,6 +107,7 @@ CARDAN_INLINE void cardan_frame_motion_of(const cardan_in *in, int on_node, int 
     cardan_3_times(at->node, 0, arm_rate, 1, arm);
     for (int k = 0; k < 3; ++k) at->x0_rate[k] = in->u[3 + k] + arm[k];
     cardan_3_times(at->local, 1, in->u, 1, at->w);
+    cardan_3_times(at->R0, 1, at->x0_rate, 1, at->v);
     if (moving == 1) return;
     /* accelerations: R^T (x'' - g + w' x p + w x (w x p)) in axes of the node */
     for (int k = 0; k < 3; ++k) back[k] += in->udot[3 + k];
@@ -114,6 +117,10 @@ CARDAN_INLINE void cardan_frame_motion_of(const cardan_in *in, int on_node, int 
     cardan_3_add_cross(in->u, arm_rate, back);
     cardan_3_times(at->local, 1, back, 1, at->alpha);
     cardan_3_times(at->local, 1, in->udot, 1, at->w_rate);
+    /* v' = alpha + R0^T g - w x v */
+    cardan_3_times(at->R0, 1, at->g, 1, at->v_rate);
+    cardan_3_cross(at->v, at->w, arm);
+    for (int k = 0; k < 3; ++k) at->v_rate[k] += at->alpha[k] + arm[k];
 }
 
 #endif

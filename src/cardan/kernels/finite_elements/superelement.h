@@ -20,6 +20,9 @@
  *     n = s x alpha + J w' + w x (J w + H z') + J' w + H z'' + z'.A z'
  *     b = P^T alpha + H^T w' + w_k (A_k^T - A_k) z' - w_k w_l (j_kl + S_kl z) + M z'' + D z' + K z
  *
+ * Some kinds of inertia also have T_E = v.G w with G_rk = E_rk.z, which depends on the velocity of
+ * the frame; then `drift` is not NULL. It is what M of beams misses of an exact one.
+ *
  * The frame is fixed to a node, at p and turned by R in its axes, or to the ground. w[] holds R (9), p
  * (3) and g (3); q, u and udot begin with those of the node, if there is one: see mesh.h.
  *
@@ -47,9 +50,10 @@ typedef struct cardan_superelement {
     const double *modal, *stiffness, *damping; /* M, K, D (n, n), symmetric */
     const double *spin, *spin_back;  /* A_k, A_k^T (3, n, n) */
     const double *squares;           /* S by pairs (6, n, n), symmetric */
+    const double *drift;             /* E (3, 3, n): by rows of v, then by axes of w; or NULL */
 } cardan_superelement;
 
-CARDAN_INLINE cardan_superelement cardan_superelement_of(int n, const double *constants)
+CARDAN_INLINE cardan_superelement cardan_superelement_of(int n, int drifts, const double *constants)
 {
     cardan_superelement c;
 
@@ -66,6 +70,7 @@ CARDAN_INLINE cardan_superelement cardan_superelement_of(int n, const double *co
     c.spin = c.damping + n * n;
     c.spin_back = c.spin + 3 * n * n;
     c.squares = c.spin_back + 3 * n * n;
+    c.drift = drifts ? c.squares + 6 * n * n : NULL;
     return c;
 }
 
@@ -124,6 +129,22 @@ CARDAN_INLINE void cardan_superelement_flow(const cardan_superelement *c, const 
     }
 }
 
+/* G (3, 3) of z, or its rate of z'. */
+CARDAN_INLINE void cardan_superelement_drift(const cardan_superelement *c, const real *z, real *G)
+{
+    for (int k = 0; k < 9; ++k) cardan_dot_constants(c->n, c->drift + k * c->n, z, G + k);
+}
+
+/* out (n) += sum over r and k of v_r w_k E_rk */
+CARDAN_INLINE void cardan_superelement_add_drift(const cardan_superelement *c, const real *v,
+                                                 const real *w, double scale, real *out)
+{
+    real factors[9];
+
+    for (int k = 0; k < 9; ++k) factors[k] = v[k / 3] * w[k % 3] * scale;
+    cardan_add_product(9, c->n, c->drift, factors, out);
+}
+
 /* w_k w_l of every pair, counted as often as it is there. */
 CARDAN_INLINE void cardan_pairs_of(const real *w, real *out)
 {
@@ -133,11 +154,11 @@ CARDAN_INLINE void cardan_pairs_of(const real *w, real *out)
 
 /* Work: 13 n numbers, of the tangent 37 n + n n. */
 
-CARDAN_INLINE int cardan_superelement_balance(int n, int on_node, const double *constants,
+CARDAN_INLINE int cardan_superelement_balance(int n, int on_node, int drifts, const double *constants,
                                               const cardan_in *in, real *CARDAN_RESTRICT out,
                                               real *CARDAN_RESTRICT work)
 {
-    const cardan_superelement c = cardan_superelement_of(n, constants);
+    const cardan_superelement c = cardan_superelement_of(n, drifts, constants);
     const real *const z = in->q + 7 * on_node, *const rate = in->u + 6 * on_node;
     const real *const second = in->udot + 6 * on_node;
     real *const b = out + 6 * on_node;
@@ -156,6 +177,7 @@ CARDAN_INLINE int cardan_superelement_balance(int n, int on_node, const double *
     real *const spun = work + 12 * n;
     real s[3], J[6], J_rate[6], pairs[6], h[3], f[3], moment[3], flow[3], spun_mass[3], part;
 
+    /* centrifugal forces */
     cardan_superelement_shape(&c, z, rate, s, H, J, bent, back, NULL);
     cardan_pairs_of(at.w, pairs);
     for (int k = 0; k < 6; ++k) {
@@ -165,6 +187,7 @@ CARDAN_INLINE int cardan_superelement_balance(int n, int on_node, const double *
         J_rate[k] = part * 2.0;
         cardan_add_scaled(n, &minus, bent + k * n, b);
     }
+    /* gyroscopic ones, and those of w' */
     for (int k = 0; k < 3; ++k) {
         const real minus = -at.w[k];
 
@@ -198,6 +221,28 @@ CARDAN_INLINE int cardan_superelement_balance(int n, int on_node, const double *
     cardan_3_add_symmetric(J, at.w, h);
     cardan_3_add_cross(at.w, h, moment);
 
+    if (c.drift) {
+        real G[9], G_rate[9], Gw[3], Gv[3], more[3];
+
+        /* f: G' w + G w' + w x G w; n: G'^T v + G^T v' + w x G^T v + v x G w; b: -v.E w */
+        cardan_superelement_drift(&c, z, G);
+        cardan_superelement_drift(&c, rate, G_rate);
+        cardan_3_times(G, 0, at.w, 1, Gw);
+        cardan_3_times(G, 1, at.v, 1, Gv);
+        cardan_3_times(G_rate, 0, at.w, 1, more);
+        for (int k = 0; k < 3; ++k) f[k] += more[k];
+        cardan_3_times(G, 0, at.w_rate, 1, more);
+        for (int k = 0; k < 3; ++k) f[k] += more[k];
+        cardan_3_add_cross(at.w, Gw, f);
+        cardan_3_times(G_rate, 1, at.v, 1, more);
+        for (int k = 0; k < 3; ++k) moment[k] += more[k];
+        cardan_3_times(G, 1, at.v_rate, 1, more);
+        for (int k = 0; k < 3; ++k) moment[k] += more[k];
+        cardan_3_add_cross(at.w, Gv, moment);
+        cardan_3_add_cross(at.v, Gw, moment);
+        cardan_superelement_add_drift(&c, at.v, at.w, -1.0, b);
+    }
+
     /* at the node: the moment in its axes, the force in those of the ground */
     cardan_3_times(at.local, 0, f, 1, flow);
     cardan_3_times(at.local, 0, moment, 1, out);
@@ -207,11 +252,11 @@ CARDAN_INLINE int cardan_superelement_balance(int n, int on_node, const double *
 }
 
 /* Kinetic and potential energy. */
-CARDAN_INLINE int cardan_superelement_energy(int n, int on_node, const double *constants,
+CARDAN_INLINE int cardan_superelement_energy(int n, int on_node, int drifts, const double *constants,
                                              const cardan_in *in, real *CARDAN_RESTRICT out,
                                              real *CARDAN_RESTRICT work)
 {
-    const cardan_superelement c = cardan_superelement_of(n, constants);
+    const cardan_superelement c = cardan_superelement_of(n, drifts, constants);
     const real *const z = in->q + 7 * on_node, *const rate = in->u + 6 * on_node;
     real *const H = work, *const bent = work + 3 * n, *const product = work + 9 * n;
     real s[3], J[6], v[3], p[3], m[3], part;
@@ -234,6 +279,13 @@ CARDAN_INLINE int cardan_superelement_energy(int n, int on_node, const double *c
     }
     cardan_3_add_symmetric(J, at.w, m);
     for (int k = 0; k < 3; ++k) out[0] += p[k] * v[k] + 0.5 * m[k] * at.w[k];
+    if (c.drift) {
+        real G[9], Gw[3];
+
+        cardan_superelement_drift(&c, z, G);
+        cardan_3_times(G, 0, at.w, 1, Gw);
+        for (int k = 0; k < 3; ++k) out[0] += v[k] * Gw[k];
+    }
     cardan_clear(n, product);
     cardan_add_product(n, n, c.stiffness, z, product);
     cardan_dot(n, product, z, &part);
@@ -245,11 +297,11 @@ CARDAN_INLINE int cardan_superelement_energy(int n, int on_node, const double *c
 }
 
 /* Angular momentum about the origin of the ground, then momentum. */
-CARDAN_INLINE int cardan_superelement_momentum(int n, int on_node, const double *constants,
+CARDAN_INLINE int cardan_superelement_momentum(int n, int on_node, int drifts, const double *constants,
                                                const cardan_in *in, real *CARDAN_RESTRICT out,
                                                real *CARDAN_RESTRICT work)
 {
-    const cardan_superelement c = cardan_superelement_of(n, constants);
+    const cardan_superelement c = cardan_superelement_of(n, drifts, constants);
     const real *const z = in->q + 7 * on_node, *const rate = in->u + 6 * on_node;
     real *const H = work, *const bent = work + 3 * n;
     real s[3], J[6], v[3], p[3], m[3];
@@ -266,6 +318,15 @@ CARDAN_INLINE int cardan_superelement_momentum(int n, int on_node, const double 
     cardan_3_add_cross(at.w, s, p);
     cardan_3_add_cross(s, v, m);
     cardan_3_add_symmetric(J, at.w, m);
+    if (c.drift) {
+        real G[9], more[3];
+
+        cardan_superelement_drift(&c, z, G);
+        cardan_3_times(G, 0, at.w, 1, more);
+        for (int k = 0; k < 3; ++k) p[k] += more[k];
+        cardan_3_times(G, 1, v, 1, more);
+        for (int k = 0; k < 3; ++k) m[k] += more[k];
+    }
     cardan_3_times(at.R0, 0, p, 1, out + 3);
     cardan_3_times(at.R0, 0, m, 1, out);
     cardan_3_add_cross(at.x0, out + 3, out);
@@ -273,11 +334,11 @@ CARDAN_INLINE int cardan_superelement_momentum(int n, int on_node, const double 
 }
 
 /* What damping gives to the motion. */
-CARDAN_INLINE int cardan_superelement_power(int n, int on_node, const double *constants,
+CARDAN_INLINE int cardan_superelement_power(int n, int on_node, int drifts, const double *constants,
                                             const cardan_in *in, real *CARDAN_RESTRICT out,
                                             real *CARDAN_RESTRICT work)
 {
-    const cardan_superelement c = cardan_superelement_of(n, constants);
+    const cardan_superelement c = cardan_superelement_of(n, drifts, constants);
     const real *const rate = in->u + 6 * on_node;
 
     cardan_clear(n, work);

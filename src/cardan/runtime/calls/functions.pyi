@@ -953,6 +953,30 @@ class Functions(Evaluation, metaclass=ABCMeta):
             (..., nu+nz+ns) [of u, z and s]
         """
 
+    def strain_energy(
+        self,
+        q: State,
+        *,
+        r: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """Energy of springs, bushings and cables, without loads.
+
+        Of all elements whose potential is the energy of a strain, at the present time and inputs.
+
+        Args:
+            q: coordinates, (..., nq)
+            r: inputs, (..., nr); by default those of the model
+            t: time [s], (...)
+            parameters: name -> value (...); by default those of the model
+            out: array that is filled and returned
+
+        Returns:
+            (...) [J]
+        """
+
     def regressor(
         self,
         q: State,

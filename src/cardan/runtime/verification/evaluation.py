@@ -60,6 +60,9 @@ class Trial:
             "u": reference.u,
             "udot": reference.udot,
             "tau": reference.tau,
+            "lam": np.random.default_rng(2).uniform(
+                -1, 1, (n, len(self.model.manifest.multipliers))
+            ),
         }
         return {
             **state_blocks,

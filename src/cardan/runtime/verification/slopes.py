@@ -45,6 +45,27 @@ def _columns(trial: Trial, name: str, of: str | None, letter: str, part: Array) 
     return worst
 
 
+def strain(trial: Trial, of: str | None) -> float | str:
+    """Forces of strains, made of wrenches, against the slope of their energy, less Gᵀ lam; g."""
+    if not trial.knows("strain_energy", "strain_balance", "qdot"):
+        return ELSEWHERE
+    model, n, worst = trial.model, len(trial.reference.q), np.nan
+    lam, value = trial.blocks["lam"], trial.call("strain_balance")
+    force, gaps = value[:, : model.nu], value[:, model.nu :]
+    if lam.shape[-1]:
+        if not trial.knows("constraint_jacobian", "constraints"):
+            return ELSEWHERE
+        force = force + times(np.swapaxes(trial.call("constraint_jacobian"), -1, -2), lam)
+        if not np.abs(gaps - trial.call("constraints")).max(initial=0.0) <= 1e-9:
+            return 1.0
+    scale = np.maximum(1.0, np.abs(force).max(axis=1, initial=0.0))
+    for way in ways(n, model.nu) if model.nu else ():
+        slope, off = trial.slope("strain_energy", None, {"q": trial.along_speeds(way)})
+        work = (force * way).sum(axis=-1)
+        worst = worst_of(worst, missing(slope.reshape(n, 1), off, work, scale))
+    return worst
+
+
 def rhs_jacobian(trial: Trial, of: str | None) -> float | str:
     """By the state as it is stored, by t and by inputs."""
     if not trial.knows("rhs") or trial.redundant:
@@ -78,4 +99,9 @@ def _tangential(trial: Trial, way: Array) -> Array:
     return way
 
 
-JUDGES = {"derivative": derivative, "rhs_jacobian": rhs_jacobian}
+JUDGES = {
+    "derivative": derivative,
+    "rhs_jacobian": rhs_jacobian,
+    "strain_balance": strain,
+    "strain_energy": strain,
+}

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from ...errors import ModelError
 
 if TYPE_CHECKING:
-    from ...superelements.record import Superelement
+    from ...superelements.record import SuperelementRecord
     from ..scene import SceneRecord
 
 MOST_FILES = 1000
@@ -52,7 +52,7 @@ class Options:
     parents: tuple[Path, ...] = ()
     budget: Budget = field(default_factory=Budget)
     load: Callable[[Path, Options], SceneRecord] | None = None
-    mesh_reduction: Callable[[], Callable[..., Superelement]] | None = None
+    mesh_reduction: Callable[[], Callable[..., SuperelementRecord]] | None = None
 
     def __post_init__(self) -> None:
         if self.base not in ("fixed", "free"):

@@ -14,7 +14,7 @@ from ...errors import ModelError
 from ...regular_file import content
 from .abaqus import ABAQUS
 from .calculix import CALCULIX
-from .matrix_files import MOST_BYTES, ComponentMatrices, MatrixReader
+from .matrix_files import MOST_BYTES, ComponentMatricesRecord, MatrixReader
 from .matrix_market import MATRIX_MARKET
 from .nastran import NASTRAN
 from .npz import NPZ
@@ -26,7 +26,7 @@ MARKED = b"%%matrixmarket"
 @checked
 def read(
     path: Path, mass: Path | None = None, nodes: Path | None = None, dofs: Path | None = None
-) -> ComponentMatrices:
+) -> ComponentMatricesRecord:
     """Mass and stiffness of a component out of files.
 
     Args:
@@ -49,7 +49,7 @@ def read(
     return read_files(main, files | {role: Path(x) for role, x in chosen.items() if x is not None})
 
 
-def read_files(main: Path, roles: Mapping[str, Path]) -> ComponentMatrices:
+def read_files(main: Path, roles: Mapping[str, Path]) -> ComponentMatricesRecord:
     """Mass and stiffness of a component out of these files and no others.
 
     Args:

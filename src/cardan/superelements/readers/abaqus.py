@@ -15,14 +15,14 @@ from typing import TYPE_CHECKING
 from ...arrays import Array
 from ...errors import ModelError
 from .labeled import MARK, in_order, labeled_matrices, with_positions
-from .matrix_files import ComponentMatrices, MatrixReader
+from .matrix_files import ComponentMatricesRecord, MatrixReader
 from .records import assembled, integers, table, text_lines
 
 if TYPE_CHECKING:
     from scipy.sparse import csc_matrix as Sparse
 
 
-def _read(contents: Mapping[str, bytes], names: Mapping[str, str]) -> ComponentMatrices:
+def _read(contents: Mapping[str, bytes], names: Mapping[str, str]) -> ComponentMatricesRecord:
     """Stiffness and mass in either format, positions of nodes in a table or the input."""
     K, M = (_entries(contents[role], names[role]) for role in ("stiffness", "mass"))
     files, nodes = (names["stiffness"], names["mass"]), contents.get("nodes")

@@ -14,14 +14,14 @@ from typing import TYPE_CHECKING
 from ...errors import ModelError, brief
 from ..node_dofs import COMPONENTS
 from .labeled import component, with_positions
-from .matrix_files import MOST_ROWS, ComponentMatrices, MatrixReader
+from .matrix_files import MOST_ROWS, ComponentMatricesRecord, MatrixReader
 from .records import assembled, integer, integers, numbered_lines, table, text_lines
 
 if TYPE_CHECKING:
     from scipy.sparse import csc_matrix as Sparse
 
 
-def _read(contents: Mapping[str, bytes], names: Mapping[str, str]) -> ComponentMatrices:
+def _read(contents: Mapping[str, bytes], names: Mapping[str, str]) -> ComponentMatricesRecord:
     """Stiffness, mass, directions of the rows and, where it is there, the input."""
     dofs = _dofs(contents["dofs"], names["dofs"])
     K, M = (

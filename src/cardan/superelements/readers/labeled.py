@@ -10,7 +10,7 @@ import numpy as np
 from ...arrays import Array, Integers
 from ...errors import ModelError, brief
 from ..node_dofs import COMPONENTS
-from .matrix_files import MOST_ROWS, ComponentMatrices
+from .matrix_files import MOST_ROWS, ComponentMatricesRecord
 from .records import assembled, integer, integers, number, numbered_lines, table, text_lines
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ class Positions(NamedTuple):
 
 def labeled_matrices(
     entries: tuple[Array, Array], files: tuple[str, str], positions: Positions | None
-) -> ComponentMatrices:
+) -> ComponentMatricesRecord:
     """Stiffness and mass whose entries name node and direction of row and column.
 
     Args:
@@ -72,7 +72,7 @@ def component(
     positions: Positions | None,
     source: str,
     rows_file: str,
-) -> ComponentMatrices:
+) -> ComponentMatricesRecord:
     """Matrices with named rows, and the positions of the nodes that have rows.
 
     Raises:
@@ -80,7 +80,7 @@ def component(
     """
     nodes = sorted({node for node, _ in dofs})
     if positions is None:
-        return ComponentMatrices(M, K, None, tuple(nodes), dofs, source)
+        return ComponentMatricesRecord(M, K, None, tuple(nodes), dofs, source)
     place = {node: k for k, node in enumerate(positions.ids)}
     missing = [node for node in nodes if node not in place]
     if missing:
@@ -88,7 +88,7 @@ def component(
             f"{rows_file}: node {missing[0]} has rows, but no position in {positions.file}"
         )
     chosen = positions.rows[[place[node] for node in nodes]]
-    return ComponentMatrices(M, K, chosen, tuple(nodes), dofs, source)
+    return ComponentMatricesRecord(M, K, chosen, tuple(nodes), dofs, source)
 
 
 def node_positions(content: bytes, file: str) -> Positions | Array:
@@ -164,11 +164,11 @@ def with_positions(content: bytes | None, file: str) -> tuple[Positions | None, 
 
 def in_order(
     M: Sparse, K: Sparse, content: bytes | None, file: str, source: str
-) -> ComponentMatrices:
+) -> ComponentMatricesRecord:
     """Matrices whose rows are those of all nodes in their order."""
     numbered, plain = with_positions(content, file)
     if numbered is None:
-        return ComponentMatrices(M, K, plain, None, None, source)
+        return ComponentMatricesRecord(M, K, plain, None, None, source)
     order = np.argsort(numbered.ids)
     ids = tuple(int(one) for one in np.array(numbered.ids)[order])
-    return ComponentMatrices(M, K, numbered.rows[order], ids, None, source)
+    return ComponentMatricesRecord(M, K, numbered.rows[order], ids, None, source)

@@ -10,9 +10,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from numpy.typing import ArrayLike
+
 from ...arrays import Array
 from ...errors import ModelError, counted
-from ..record import Superelement
+from ..record import SuperelementRecord
 from ..reduction import reduce
 
 if TYPE_CHECKING:
@@ -24,7 +26,7 @@ MOST_BYTES = 1 << 33
 
 
 @dataclass(frozen=True, eq=False)
-class ComponentMatrices:
+class ComponentMatricesRecord:
     """Mass and stiffness of a component, read from files.
 
     Attributes:
@@ -42,74 +44,80 @@ class ComponentMatrices:
     dofs: tuple[tuple[int, str], ...] | None
     source: str
 
-    def reduce(
-        self,
-        interface: Mapping[str, object],
-        *,
-        nodes: Array | None = None,
-        method: str = "craig_bampton",
-        modes: int | None = None,
-        rigid: str | Mapping[str, str] = "rbe2",
-        at: Mapping[str, object] | None = None,
-        frame_dofs: str | Sequence[str] | None = None,
-        node_dofs: str | Sequence[str] | None = None,
-        order: str = "node",
-        supported: bool = False,
-        C: object = None,
-        damping: object = None,
-        rayleigh: tuple[float, float] | None = None,
-        loads: Mapping[str, object] | None = None,
-        static_shapes: Sequence[str] = (),
-        stress: object = None,
-        stress_names: Sequence[str] | None = None,
-        geometric: Mapping[str, object] | None = None,
-        make_free: bool = False,
-    ) -> Superelement:
-        """The component, reduced to its interfaces; as :func:`cardan.superelement.reduce`.
-
-        Args:
-            interface: Nodes by the names of interfaces, by the numbers that the files give them.
-            nodes: Positions (n_nodes, 3) [m] where the files have none, nodes in rising numbers.
-            method, modes, rigid, at, frame_dofs, node_dofs, order: As there.
-            supported, C, damping, rayleigh, loads, static_shapes, stress, stress_names: As there.
-            geometric, make_free: As there.
-
-        Raises:
-            ModelError: no positions of nodes, or as there.
-        """
-        positions = self.nodes if nodes is None else nodes
-        if positions is None:
-            raise ModelError(f"{self.source}: no positions of nodes in the files; give nodes=")
-        return reduce(
-            self.M,
-            self.K,
-            positions,
-            interface,
-            method=method,
-            modes=modes,
-            rigid=rigid,
-            at=at,
-            frame_dofs=frame_dofs,
-            node_dofs=node_dofs,
-            order=order,
-            dofs=self.dofs,
-            node_ids=self.node_ids,
-            supported=supported,
-            C=C,
-            damping=damping,
-            rayleigh=rayleigh,
-            loads=loads,
-            static_shapes=static_shapes,
-            stress=stress,
-            stress_names=stress_names,
-            geometric=geometric,
-            make_free=make_free,
-        )
-
     def __repr__(self) -> str:
         entries = f"{counted(int(self.K.nnz), 'entry', 'entries')} of K, {self.M.nnz} of M"
         nodes = "no positions" if self.nodes is None else counted(len(self.nodes), "node")
         return f"{self.source}: {counted(int(self.K.shape[0]), 'row')}, {entries}, {nodes}"
+
+
+def reduced(
+    matrices: ComponentMatricesRecord,
+    interface: Mapping[str, object],
+    *,
+    nodes: Array | None = None,
+    method: str = "craig_bampton",
+    modes: int | None = None,
+    rigid: str | Mapping[str, str] = "rbe2",
+    at: Mapping[str, object] | None = None,
+    frame_dofs: str | Sequence[str] | None = None,
+    node_dofs: str | Sequence[str] | None = None,
+    order: str = "node",
+    supported: bool = False,
+    C: object = None,
+    damping: object = None,
+    rayleigh: tuple[float, float] | None = None,
+    loads: Mapping[str, object] | None = None,
+    static_shapes: Sequence[str] = (),
+    stress: object = None,
+    stress_names: Sequence[str] | None = None,
+    geometric: Mapping[str, object] | None = None,
+    triangles: ArrayLike | None = None,
+    lines: ArrayLike | None = None,
+    make_free: bool = False,
+) -> SuperelementRecord:
+    """The component, reduced to its interfaces; as :func:`cardan.superelement.reduce`.
+
+    Args:
+        matrices: The matrices.
+        interface: Nodes by the names of interfaces, by the numbers that the files give them.
+        nodes: Positions (n_nodes, 3) [m] where the files have none, nodes in rising numbers.
+        method, modes, rigid, at, frame_dofs, node_dofs, order: As there.
+        supported, C, damping, rayleigh, loads, static_shapes, stress, stress_names: As there.
+        geometric, triangles, lines, make_free: As there.
+
+    Raises:
+        ModelError: no positions of nodes, or as there.
+    """
+    positions = matrices.nodes if nodes is None else nodes
+    if positions is None:
+        raise ModelError(f"{matrices.source}: no positions of nodes in the files; give nodes=")
+    return reduce(
+        matrices.M,
+        matrices.K,
+        positions,
+        interface,
+        method=method,
+        modes=modes,
+        rigid=rigid,
+        at=at,
+        frame_dofs=frame_dofs,
+        node_dofs=node_dofs,
+        order=order,
+        dofs=matrices.dofs,
+        node_ids=matrices.node_ids,
+        supported=supported,
+        C=C,
+        damping=damping,
+        rayleigh=rayleigh,
+        loads=loads,
+        static_shapes=static_shapes,
+        stress=stress,
+        stress_names=stress_names,
+        geometric=geometric,
+        triangles=triangles,
+        lines=lines,
+        make_free=make_free,
+    )
 
 
 @dataclass(frozen=True)
@@ -127,6 +135,6 @@ class MatrixReader:
 
     name: str
     endings: tuple[str, ...]
-    read: Callable[[Mapping[str, bytes], Mapping[str, str]], ComponentMatrices]
+    read: Callable[[Mapping[str, bytes], Mapping[str, str]], ComponentMatricesRecord]
     companions: Mapping[str, str]
     untested: bool = False

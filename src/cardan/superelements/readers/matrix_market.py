@@ -13,7 +13,7 @@ import numpy as np
 
 from ...errors import ModelError, brief
 from .labeled import in_order
-from .matrix_files import MOST_ENTRIES, MOST_ROWS, ComponentMatrices, MatrixReader
+from .matrix_files import MOST_ENTRIES, MOST_ROWS, ComponentMatricesRecord, MatrixReader
 from .records import assembled, integer, integers, table, text_lines
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 MAGIC = "%%matrixmarket"
 
 
-def _read(contents: Mapping[str, bytes], names: Mapping[str, str]) -> ComponentMatrices:
+def _read(contents: Mapping[str, bytes], names: Mapping[str, str]) -> ComponentMatricesRecord:
     """Two texts and the positions of the nodes."""
     K, M = (_matrix(contents[role], names[role]) for role in ("stiffness", "mass"))
     source = names.get("nodes", "")

@@ -15,7 +15,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import ModelError, brief
 from .labeled import Positions, labeled_matrices, with_positions
-from .matrix_files import MOST_ENTRIES, ComponentMatrices, MatrixReader
+from .matrix_files import MOST_ENTRIES, ComponentMatricesRecord, MatrixReader
 from .records import integer, number, text_lines
 
 SQUARE, SYMMETRIC = 1, 6  # forms of DMIG
@@ -23,7 +23,7 @@ REAL = (1, 2)  # types of its numbers
 Card = tuple[int, list[str]]  # number of its line, its fields behind the name
 
 
-def _read(contents: Mapping[str, bytes], names: Mapping[str, str]) -> ComponentMatrices:
+def _read(contents: Mapping[str, bytes], names: Mapping[str, str]) -> ComponentMatricesRecord:
     """Stiffness and mass of one or two files."""
     file = names["stiffness"]
     cards = _cards(text_lines(contents["stiffness"], file), file)

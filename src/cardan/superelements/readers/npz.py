@@ -10,21 +10,24 @@ import numpy as np
 from ...arrays import Array
 from ...errors import ModelError
 from ...number_file import unpacked
+from ..storage import ABOUT
 from .labeled import in_order
-from .matrix_files import ComponentMatrices, MatrixReader
+from .matrix_files import ComponentMatricesRecord, MatrixReader
 from .records import assembled, integers
 
 if TYPE_CHECKING:
     from scipy.sparse import csc_matrix as Sparse
 
 
-def _read(contents: Mapping[str, bytes], names: Mapping[str, str]) -> ComponentMatrices:
+def _read(contents: Mapping[str, bytes], names: Mapping[str, str]) -> ComponentMatricesRecord:
     """M and K dense, or sparse as ``K_rows``, ``K_columns``, ``K_values`` counted from 0."""
     file = names["stiffness"]
     try:
         arrays = unpacked(contents["stiffness"])
     except ValueError as error:
         raise ModelError(f"{file} is not a NumPy archive of numbers: {error}") from None
+    if ABOUT in arrays:
+        raise ModelError(f"{file} is a reduced component; cd.superelement.load reads it")
     M, K = _matrix(arrays, "M", file), _matrix(arrays, "K", file)
     if "nodes" in contents or "nodes" not in arrays:
         source = names.get("nodes", "")
@@ -33,7 +36,7 @@ def _read(contents: Mapping[str, bytes], names: Mapping[str, str]) -> ComponentM
     if "node_ids" in arrays:
         numbers = integers(_numbers(arrays, "node_ids", file).reshape(-1), file, "node", least=0)
         ids = tuple(int(one) for one in numbers)
-    return ComponentMatrices(M, K, nodes, ids, None, file)
+    return ComponentMatricesRecord(M, K, nodes, ids, None, file)
 
 
 def _matrix(arrays: Mapping[str, Array], name: str, file: str) -> Sparse:

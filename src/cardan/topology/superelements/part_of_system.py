@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from ...superelements.record import Superelement
+from ...superelements.inertia import ProjectedInertia
+from ...superelements.record import SuperelementRecord
 
 
 @dataclass(frozen=True)
@@ -20,11 +21,13 @@ class PartOfSystem:
             that of the modes.
         rows: Which of the coordinates of the record these are.
         stiffening: Whether its geometric stiffness by rotation counts.
+        inertia: Constants of its inertia.
     """
 
     name: str
-    record: Superelement = field(repr=False)
+    record: SuperelementRecord = field(repr=False)
     frame: int
     joints: tuple[int, ...]
     rows: tuple[int, ...]
     stiffening: bool
+    inertia: ProjectedInertia = field(repr=False)

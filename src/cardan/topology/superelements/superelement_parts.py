@@ -141,6 +141,14 @@ def parts_of_system(model: SceneRecord, assembly: Assembly) -> tuple[PartOfSyste
         axes = model.frames[f"{name}.axes"]
         frame = assembly.frame(axes, axes.name)
         parts.append(
-            PartOfSystem(name, record, frame, tuple(joints), tuple(rows), superelement.stiffening)
+            PartOfSystem(
+                name=name,
+                record=record,
+                frame=frame,
+                joints=tuple(joints),
+                rows=tuple(rows),
+                stiffening=superelement.stiffening,
+                inertia=superelement.constants,
+            )
         )
     return tuple(parts)

@@ -5,6 +5,7 @@ import { arrow, beam, outermost, palette, shade, solid, spring, triad } from "./
 import { holders, posts } from "./supports.js";
 import { short, Strip } from "./strip.js";
 import { Stage } from "./stage.js";
+import { surface } from "./surface.js";
 import { load } from "./unpack.js";
 
 const $ = (id) => document.getElementById(id);
@@ -83,7 +84,13 @@ class Page {
       stage.scene.add(mesh);
       return mesh;
     });
-    this.named = [...this.bodies, ...this.beams];
+    this.surfaces = data.surfaces.map((s, k) => {
+      const group = surface(s, palette[(data.bodies.length + data.beams.length + k) % palette.length], data.scale?.most || 1);
+      group.name = s.name;
+      stage.scene.add(group);
+      return group;
+    });
+    this.named = [...this.bodies, ...this.beams, ...this.surfaces];
   }
 
   // what hangs on the size of the scene, once it is known
@@ -179,6 +186,10 @@ class Page {
           points.push(p.clone().addScalar(r), p.clone().addScalar(-r));
         }
       }
+      if (!some || some.length > 1) this.surfaces.forEach((one, n) => {
+        const { amplitudes } = data.surfaces[n];
+        points.push(...one.cloud((m) => amplitudes[amplitudes.columns * i + m]));
+      });
       for (const s of some ? [] : data.springs) for (const k of [0, 3]) points.push(new Vector3().fromArray(s.ends, 6 * i + k));
     }
     if (!some || some.length > 1) points.push(...corners[corners.length - 1]);
@@ -232,6 +243,10 @@ class Page {
         (n, at, turn) => { mixed(places, 7 * count, 7 * n, at); turned(places, 7 * count, 7 * n + 3, turn); },
         (n) => (values && this.stress ? (values[count * i + n] * (1 - k) + values[count * j + n] * k) / (data.scale.most || 1) : null),
       );
+    });
+    this.surfaces.forEach((one, n) => {
+      const { amplitudes } = data.surfaces[n], width = amplitudes.columns;
+      one.deform((m) => amplitudes[width * i + m] * (1 - k) + amplitudes[width * j + m] * k, this.stress);
     });
     const a = new Vector3(), b = new Vector3();
     this.springs.forEach((s, n) => s.stretch(mixed(data.springs[n].ends, 6, 0, a), mixed(data.springs[n].ends, 6, 3, b)));
@@ -534,6 +549,7 @@ try {
     play: (on) => page.play(on),
     project: (point) => page.stage.project(point),
     position: (name) => page.bodies[data.bodies.findIndex((body) => body.name === name)].position.toArray(),
+    point: (name, k) => page.surfaces[data.surfaces.findIndex((one) => one.name === name)].point(k),
     get time() { return page.now; },
     get camera() { return page.stage.camera.position.toArray(); },
     get target() { return page.stage.controls.target.toArray(); },

@@ -9,7 +9,7 @@ from typing import Any, ClassVar, TypeAlias
 from ....errors import ModelError, brief
 from ....ir.matrix import Matrix
 from ...formulas import Lines, Shapes
-from ..force import FRAME, Action, ForceElement, Load, Places, constant
+from ..force import FRAME, Action, ForceElement, Load, Places, potential
 from .fields import Pull
 
 # a vector in axes of the center -> in those in which a mass is told
@@ -24,6 +24,7 @@ class Gravitation(ForceElement):
     """
 
     symbol_shapes: ClassVar[Shapes] = {"c": (3, 1), "I": ("symmetric", 3)}
+    strained: ClassVar[bool] = False
     center: Any
     bodies: Any
 
@@ -73,8 +74,10 @@ class Gravitation(ForceElement):
             Load(body, pull.torque + com.cross(pull.force), pull.force, axes=body),
             Load(center, -self.torque_about_center(r, pull), -pull.force, axes=body),
         )
-        fixed = self.has_potential and constant(*(at.data[name] for name in self.quantities()))
-        return (Action(loads, potential=pull.potential if fixed else None),)
+        if not self.has_potential:
+            return (Action(loads),)
+        quantities = (at.data[name] for name in self.quantities())
+        return (Action(loads, (), *potential(pull.potential, *quantities)),)
 
 
 REACH: Lines = (

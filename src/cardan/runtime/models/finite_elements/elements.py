@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -40,6 +40,10 @@ class State:
     s: Array | None = None
     du: Array | None = None
     inner: Array | None = None
+
+
+def _all(_: Table) -> bool:
+    return True
 
 
 class Elements(ABC):
@@ -166,7 +170,7 @@ class Elements(ABC):
         return [(group, (by_group[id(group)], rows)) for group, rows in pairs]
 
     def tangent(
-        self, at: State, parts: Sequence[str] = PARTS
+        self, at: State, parts: Sequence[str] = PARTS, of: Callable[[Table], bool] = _all
     ) -> dict[str, scipy.sparse.csr_matrix]:
         """Matrices of all elements by name.
 
@@ -177,6 +181,7 @@ class Elements(ABC):
         Args:
             at: The state.
             parts: Which of them.
+            of: True of the elements whose matrices they are.
         """
         tables = self.tables
         entries: dict[str, list[tuple[Any, Any, Any]]] = {name: [] for name in parts}
@@ -184,6 +189,8 @@ class Elements(ABC):
         results = self.results("balance_tangent", at)
         for number, values in zip(numbers, results, strict=True):
             group = tables.groups[number]
+            if not of(group):
+                continue
             columns, lines = tables.columns(group), tables.lines(number)
             for name, start in group.kind.parts.items():
                 if name not in entries:

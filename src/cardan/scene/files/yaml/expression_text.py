@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ....errors import ModelError
 from ...parameters import Placeholder
@@ -14,6 +14,8 @@ from ..expression import AGAINST, FUNCTIONS
 
 if TYPE_CHECKING:
     import sympy
+
+    from ....elements.tables import Interpolation
 
 PLAIN = re.compile(r"[A-Za-z_]\w*(\.\w+)*", re.ASCII)
 # how tightly text binds: a sum, a product, a power, everything else
@@ -32,7 +34,7 @@ class ExpressionText:
     def __init__(self, model: SceneRecord) -> None:
         self.model = model
         self.local: tuple[str, ...] = ()
-        self.tables: dict[str, Any] = {}
+        self.tables: dict[str, Interpolation] = {}
 
     def text(self, expression: object, where: str) -> str:
         """The text of an expression.
@@ -146,9 +148,12 @@ class ExpressionText:
     def _table(self, e: sympy.Expr) -> str:
         if e.cardan_derivative:
             raise self._refused(e)
-        name = type(e).__name__
-        self.tables[name] = e.cardan_points
-        return name
+        return self.table(e.cardan_points)
+
+    def table(self, points: Interpolation) -> str:
+        """The name of a table, which is written too."""
+        self.tables[points.name] = points
+        return points.name
 
     # functions
 

@@ -123,6 +123,7 @@ SUPERELEMENT = (
     Key("frame", "text"),
     Key("weights", "column"),
     Key("stiffening", "flag"),
+    Key("inertia", "text"),
 )
 _REDUCTION = (
     Key("method", "text"),
@@ -200,6 +201,7 @@ _KINDS = {
     "JointName": "text",
     "BeamName": "text",
     "LocalNames": "names",
+    "Curves": "curves",
     "bool": "flag",
     "str": "text",
     "Sequence[Value]": "vector",

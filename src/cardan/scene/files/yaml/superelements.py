@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from ....errors import ArgumentError, ModelError, SolveError
 from ....superelements.readers import companions, read_files
-from ....superelements.record import Superelement
+from ....superelements.readers.matrix_files import reduced
+from ....superelements.record import SuperelementRecord
 from ....superelements.storage import load
 from ...scene import SceneRecord
 from ...superelement_arguments import add_superelement
@@ -43,7 +44,7 @@ class Superelements:
         self.options = options
         self.waiting: dict[str, Item] = {}
         self.names: tuple[str, ...] = ()
-        self.records: dict[Path, Superelement] = {}
+        self.records: dict[Path, SuperelementRecord] = {}
 
     def enter(self, section: Item) -> None:
         """The items of the section wait."""
@@ -86,7 +87,7 @@ class Superelements:
         with item.at_item():
             add_superelement(model, name, record, **arguments)
 
-    def _record(self, source: str, item: Item) -> Superelement:
+    def _record(self, source: str, item: Item) -> SuperelementRecord:
         """The record that a file has, or that matrices or a mesh are reduced to."""
         self.options.budget.take()
         try:
@@ -99,13 +100,13 @@ class Superelements:
         except (ArgumentError, SolveError, ModuleNotFoundError) as problem:
             raise item.at_key(str(problem)) from problem
 
-    def _saved(self, path: Path) -> Superelement:
+    def _saved(self, path: Path) -> SuperelementRecord:
         """The record of a file, the same for all who name it."""
         if path not in self.records:
             self.records[path] = load(path)
         return self.records[path]
 
-    def _from_matrices(self, item: Item) -> Superelement:
+    def _from_matrices(self, item: Item) -> SuperelementRecord:
         arguments = self.values.record(keys.MATRICES, item, "matrices")
         items, files = item.items(), dict[str, Path]()
         main = self._file(items["file"])
@@ -116,9 +117,9 @@ class Superelements:
         for role in ROLES:
             if arguments.pop(role, None):
                 files[role] = self._file(items[role])
-        return read_files(main, files).reduce(**arguments)
+        return reduced(read_files(main, files), **arguments)
 
-    def _from_mesh(self, item: Item) -> Superelement:
+    def _from_mesh(self, item: Item) -> SuperelementRecord:
         arguments = self.values.record(keys.SOLID_MESH, item, "a mesh")
         del arguments["file"]
         where = item.items()["file"]

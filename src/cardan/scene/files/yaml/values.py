@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ....elements.material import material
+from ....elements.tables import Interpolation
 from ....errors import near
 from ....spatial.numbers import check_axes, check_orthonormal
 from ...beam import Beam
@@ -39,7 +40,7 @@ class Values:
         self.version = version
         self.meshes = meshes
         self.snap = snap
-        self.tables: dict[str, Any] = {}
+        self.tables: dict[str, Interpolation] = {}
         self.scope = FIXED
         self.local: tuple[str, ...] = ()
         self.frames: dict[int, Place] = {}
@@ -164,6 +165,16 @@ class Values:
             return item.text()
         return {name: entry.text() for name, entry in item.items("a text or texts").items()}
 
+    def curves(self, item: Item) -> dict[str, Interpolation]:
+        """Tables of the scene by direction."""
+        curves = {}
+        for name, entry in item.items("tables by direction").items():
+            if entry.text() not in self.tables:
+                listed = near(entry.text(), self.tables).replace(" Known:", " Tables:")
+                raise entry.error(f"there is no table '{entry.text()[:80]}'.{listed}")
+            curves[name] = self.tables[entry.text()]
+        return curves
+
     def flag(self, item: Item) -> bool:
         if not item.is_text or item.text() not in ("true", "false"):
             raise item.error(f"true or false is wanted, not {item.description()}")
@@ -190,10 +201,8 @@ class Values:
         if not item.is_text:
             body = item.items("a frame such as {body: ...}").get("body")
             return body is not None and body.is_text and self.has_place(body)
-        return item.text() == "ground" or any(
-            item.text() in named
-            for named in (self.model.bodies, self.model.nodes, self.model.frames)
-        )
+        places = (self.model.bodies, self.model.nodes, self.model.frames)
+        return item.text() == "ground" or any(item.text() in named for named in places)
 
     def places(self, item: Item) -> dict[str, Place]:
         """Frames or bodies by name."""
@@ -368,16 +377,16 @@ class Values:
         return self.record(keys.LIMITS, item, "limits")
 
     def links(self, item: Item) -> list[Any]:
-        """Rows of a Denavit-Hartenberg table: mappings, or [a, alpha, d, theta]."""
-        rows: list[Any] = []
-        for entry in item.entries("a list of rows"):
-            if not entry.is_list:
-                rows.append(self.record(keys.LINK, entry, "a row"))
-                continue
-            if len(entry.entries()) != 4:
-                raise entry.error("a row is [a, alpha, d, theta] or a mapping")
-            rows.append([self.scalar(number) for number in entry.entries()])
-        return rows
+        """Rows of a Denavit-Hartenberg table."""
+        return [self._link(entry) for entry in item.entries("a list of rows")]
+
+    def _link(self, item: Item) -> Any:
+        """A mapping, or [a, alpha, d, theta]."""
+        if not item.is_list:
+            return self.record(keys.LINK, item, "a row")
+        if len(item.entries()) != 4:
+            raise item.error("a row is [a, alpha, d, theta] or a mapping")
+        return [self.scalar(number) for number in item.entries()]
 
     def couple(self, item: Item) -> tuple[Any, ...]:
         """(leader, ratio, offset) from a list or a mapping."""

@@ -22,7 +22,7 @@ from ...frame import Frame, Place, rows_of
 from ...parameters import Constraint, Declared, Output
 from ...scene import SceneRecord
 from ...shape import Shape
-from ...superelement import PlacedSuperelement
+from ...superelement import NODAL, PlacedSuperelement
 from ..angles import snapped
 from . import keys
 from .expression_text import ExpressionText
@@ -274,7 +274,8 @@ class _Writer:
         keys["frame"] = one.frame
         if len({*one.weights}) > 1:
             keys["weights"] = [number(weight) for weight in one.weights]
-        return keys | ({"stiffening": True} if one.stiffening else {})
+        keys |= {"stiffening": True} if one.stiffening else {}
+        return keys | ({"inertia": one.inertia} if one.inertia != NODAL else {})
 
     def _ends(self, ends: tuple[End, End], where: str) -> dict[str, object]:
         return {
@@ -303,6 +304,8 @@ class _Writer:
             return names[0] if len(names) == 1 else names
         if kind == "flag":
             return bool(value)
+        if kind == "curves":
+            return {name: self.expressions.table(points) for name, points in value}
         if kind == "direction":
             letters = [name for name, axis in AXES.items() if axis == value]
             return letters[0] if letters else self.value(value, where)

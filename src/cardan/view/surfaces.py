@@ -1,0 +1,90 @@
+"""Surfaces that deform: points which move by shapes, with triangles or lines between them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..arrays import Array, Integers
+from ..superelements.stress_recovery import von_mises
+
+DISPLACEMENT, VON_MISES = "displacement", "stress"  # what colors a surface
+NAMES = {DISPLACEMENT: "displacement", VON_MISES: "von Mises stress"}
+SHARP = 0.85  # cosine of the angle between triangles beyond which their common edge is drawn
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnSurface:
+    """A surface of a picture: in row i, points stand at ``points`` + ``amplitudes[i]`` of shapes.
+
+    Attributes:
+        name: Of what it belongs to.
+        points: Undeformed (points, 3) [m].
+        triangles, lines: Between the points (triangles, 3), (lines, 2).
+        outline: Lines that show the undeformed surface (edges, 2).
+        shapes: Displacements by amplitudes of 1 (shapes, points, 3) [m].
+        amplitudes: Of the shapes (nt, shapes).
+        kind: What colors it, ``DISPLACEMENT`` or ``VON_MISES``; None for nothing.
+        stressed: Points whose stress is known (k,).
+        stresses: Their stress by amplitudes of 1 (shapes, k, 6) [Pa].
+    """
+
+    name: str
+    points: Array
+    triangles: Integers
+    lines: Integers
+    outline: Integers
+    shapes: Array
+    amplitudes: Array
+    kind: str | None
+    stressed: Integers
+    stresses: Array
+
+    @property
+    def colored_by(self) -> str:
+        """What colors it, for people."""
+        return NAMES.get(self.kind or "", "")
+
+    def displacements(self, row: int) -> Array:
+        """Displacements of the points (points, 3) [m]."""
+        moved: Array = np.tensordot(self.amplitudes[row], self.shapes, 1)
+        return moved
+
+    def values(self, row: int) -> Array:
+        """What colors the points (points,), NaN where it is not known."""
+        if self.kind != VON_MISES:
+            return np.asarray(np.linalg.norm(self.displacements(row), axis=1))
+        values = np.full(len(self.points), np.nan)
+        values[self.stressed] = von_mises(np.tensordot(self.amplitudes[row], self.stresses, 1))
+        return values
+
+    @cached_property
+    def largest(self) -> float:
+        """Largest value that colors a point; 1 where all are 0."""
+        rows = range(len(self.amplitudes))
+        if self.amplitudes.shape[1] == 1:
+            # of one shape that where it is largest
+            rows = range(k := int(np.argmax(np.abs(self.amplitudes[:, 0]))), k + 1)
+        return max(float(np.nanmax(self.values(row), initial=0.0)) for row in rows) or 1.0
+
+
+def outline(points: Array, triangles: Integers) -> Integers:
+    """Edges (k, 2) where triangles meet at an angle, or that one triangle has alone."""
+    if not len(triangles):
+        return np.zeros((0, 2), np.intp)
+    a, b, c = points[triangles].transpose(1, 0, 2)
+    normals = np.cross(b - a, c - a)
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+    edges = np.concatenate([triangles[:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
+    owner = np.tile(np.arange(len(triangles)), 3)
+    ends, number, count = np.unique(
+        np.sort(edges, axis=1), axis=0, return_inverse=True, return_counts=True
+    )
+    order = np.argsort(number.ravel(), kind="stable")
+    first = np.cumsum(count) - count
+    one, other = owner[order[first]], owner[order[first + count - 1]]
+    angle = np.einsum("ij,ij->i", normals[one], normals[other])
+    chosen: Integers = ends[(count != 2) | (angle < SHARP)]
+    return chosen
