@@ -98,8 +98,8 @@ def rotated(model: LoadedModel, states: Array) -> str:
         return ""
     return (
         f"model '{model.name}': '{name}' turns by {worst:.2g} rad in the frame of its "
-        f"superelement, which is linear and good up to about {LARGE:g}: divide the body into several "
-        "superelements, take beams, or another frame="
+        f"superelement, which is linear and good up to about {LARGE:g}: divide the body into "
+        "several superelements, take beams, or another frame="
     )
 
 
