@@ -238,3 +238,9 @@ def test_a_massless_record_is_refused() -> None:
     scene = cd.Scene("massless")
     with pytest.raises(cd.ModelError, match="have no mass"):
         scene.superelement("boom", brick(method="macneal", modes=3))
+
+
+def test_large_rotations_of_interfaces_are_warned_of() -> None:
+    model, start = free("root"), {"free": [1, 2, 8, 0, 0, 0]}
+    with pytest.warns(cd.SolveWarning, match=r"'boom\.tip' turns by .* divide the body"):
+        model.simulate(0.02, q={"boom.tip.rz": 0.3}, u=start, method="DOP853")

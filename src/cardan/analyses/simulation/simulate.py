@@ -34,7 +34,7 @@ from .settings import Settings, Start, Values, blocks, settings, start, watched
 from .signals import Signals, signals
 from .spare_runners import put_aside, spare
 from .starts.start import closed_start
-from .starts.strain_limits import folded
+from .starts.strain_limits import folded, rotated
 from .times import Span, span
 
 LARGE = 1600  # pairs of speeds, as in a chain of 40: more are derived for minutes
@@ -133,6 +133,9 @@ def _reported(motion: TrajectoryRecord, check: bool) -> TrajectoryRecord:
         raise SolveError("; ".join(said))
     for text in said:
         warn(text, SolveWarning)
+    # which is no matter of the tolerance
+    if motion.model and (far := rotated(motion.model, motion.x)):
+        warn(far, SolveWarning)
     return motion
 
 
