@@ -166,11 +166,12 @@ def _relative(
     Raises:
         DerivationError: beams, or a formalism that does not take the system.
     """
-    flexible = [s.name for s in system.segments] + [s.name for s in system.superelements]
+    flexible = [f"beam '{one.name}'" for one in system.segments]
+    flexible += [f"superelement '{one.name}'" for one in system.superelements]
     if flexible:
         raise DerivationError(
-            f"'{flexible[0]}' is flexible: relative coordinates take rigid bodies only. Leave "
-            "out coordinates='relative'"
+            f"{flexible[0]}: relative coordinates take rigid bodies only. A scene with flexible "
+            "ones needs coordinates='absolute', or leave coordinates= out"
         )
     system = with_branches(system) if system.closures else system
     chosen: tuple[Named, ...] = ()
