@@ -43,7 +43,8 @@ def _choices(equations: EquationRecord | FiniteElementRecord) -> tuple[Any, ...]
     """Options of the derivation, besides the system."""
     if isinstance(equations, FiniteElementRecord):
         planes = [kind.plane for kind in equations.places.kinds]
-        return "absolute", planes, model_folder.numbers(equations)
+        contents = model_folder.files(equations).values()
+        return "absolute", planes, [hashlib.sha256(content).hexdigest() for content in contents]
     return equations.method, equations.rewrites, equations.chosen, equations.treatment
 
 

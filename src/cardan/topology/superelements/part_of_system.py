@@ -20,6 +20,8 @@ class PartOfSystem:
             that of the modes.
         rows: Which of the coordinates of the record these are.
         stiffening: Whether its geometric stiffness by rotation counts.
+        bodies: Names of those without mass that stand for its interfaces, frame and modes.
+        undeformed: Names of frames that stand where it is without deformation.
     """
 
     name: str
@@ -28,3 +30,5 @@ class PartOfSystem:
     joints: tuple[int, ...]
     rows: tuple[int, ...]
     stiffening: bool
+    bodies: tuple[str, ...]
+    undeformed: tuple[str, ...]
