@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import hashlib
 import json
 import pickle
@@ -301,6 +302,21 @@ def test_hostile_files_of_models_and_runs_are_refused(tmp_path: Path) -> None:
     (good / FILE).unlink()
     with pytest.raises(cd.ModelError, match="Compile the model again"):
         cd.CompiledModel(good).superelement("link", np.zeros(arm().nq))
+
+
+@each("name, change, message", HOSTILE)
+def test_hostile_surfaces_in_files_of_runs_are_refused(
+    name: str, change: Any, message: str
+) -> None:
+    swing().save("good.npz")
+    run = cd.load_motion("good.npz")
+    key = f"surface_{name}_0"
+    values = change(run.numbers[key])
+    if values.dtype.kind == "U":
+        return  # texts are no numbers of a run
+    dataclasses.replace(run, numbers={**run.numbers, key: values}).save("forged.npz")
+    with pytest.raises(cd.ModelError, match=message):
+        cd.load_motion("forged.npz")
 
 
 def test_manifests_with_superelements_that_are_nowhere() -> None:

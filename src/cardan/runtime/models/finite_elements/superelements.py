@@ -227,7 +227,12 @@ def superelement_of_run(motion: TrajectoryRecord, name: str) -> DeformedSuperele
     row, arrays = motion.manifest.superelements[number], arrays_of_run(motion)
     if entry("points", number) not in arrays:
         motion._model(f"the surface of superelement '{name}'")
-    surface = surface_of(arrays, number, len(row.q))
+    try:
+        surface = surface_of(arrays, number, len(row.q))
+    except ValueError as error:
+        raise ModelError(
+            f"superelement '{name}' is damaged: {error}. Save the run again"
+        ) from error
     return DeformedSuperelementRecord(
         name, motion.pose(row.frame), motion.q[:, list(row.q)], surface
     )
