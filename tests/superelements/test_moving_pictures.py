@@ -324,3 +324,13 @@ def test_manifests_with_superelements_that_are_nowhere() -> None:
     for change in ({"frame": "nowhere"}, {"q": [*row.q, 10**6]}):
         with pytest.raises(Misfit, match="superelement 'link' is nowhere"):
             arm().manifest.replaced(superelements=[row.replaced(**change)]).fit(False)
+
+
+def test_equations_count_the_operations_of_superelements() -> None:
+    scene = cd.Scene("flying")
+    bar = scene.superelement("bar", link())
+    scene.joint("free", cd.Free(), scene.ground, bar.at("root"))
+    counts = cd.derive(scene).operations["superelement__balance"]
+    n = 6 + 6 + 3
+    assert (counts["mul"], counts["add"]) == (17 * n * n, 17 * n * n)
+    assert counts.total == counts.blocks["superelement"]["mul"] * 2

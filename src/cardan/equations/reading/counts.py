@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from ...errors import counted
 from ...ir.function import Function, count
+from ...ir.routine import Routine
 from .chain_pattern import chain_pattern
 from .loop_report import loop_lines
 from .typesetting import text_of
@@ -35,6 +36,13 @@ class Counts(dict[str, int]):
         from ...ir.owners import Owners
         from ...passes import optimize
 
+        self.rewrites = rewrites
+        if isinstance(function, Routine):
+            # of the kernels, whose loops are no graph: they say how many operations they take
+            super().__init__(function.counts)
+            self.blocks = {function.owners[0]: dict(function.counts)} if function.owners else {}
+            self.prepared, self.critical_path = 0, 0.0
+            return
         staged = optimize(function)
         super().__init__(staged.operations())
         graph, owners = staged.function.graph, Owners(staged.function.graph, function.owners)
@@ -46,7 +54,6 @@ class Counts(dict[str, int]):
         self.blocks = {name: counted[name] for name in dict.fromkeys(order) if counted.get(name)}
         self.prepared = sum(staged.prepare_operations().values())
         self.critical_path = staged.critical_path()
-        self.rewrites = rewrites
 
     @property
     def total(self) -> int:
