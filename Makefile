@@ -93,9 +93,9 @@ $(VENV)/.installed-browser: $(VENV)/.installed-test
 
 # the page in Chromium; CHROMIUM names one that is not on the path
 browser: $(VENV)/.installed-browser
-	$(BIN)/python -m pytest tests/view/test_browser.py
+	$(BIN)/python -m pytest tests/view/test_browser.py tests/view/test_browser_surfaces.py
 
-# docs/page.png of the README, docs/mode.png
+# docs/page.png of the README, docs/mode.png, docs/link.png
 picture: $(VENV)/.installed-browser
 	$(BIN)/python tests/view/picture.py
 

@@ -29,7 +29,12 @@ SHOWN = [
     if "```python" in page.read_text(encoding="utf-8")
 ]
 # files that programs of a page read
-FILES = {"superelements": sorted((DOCS.parent / "tests/superelements/files").glob("bar.*"))}
+FILES = {
+    "superelements": [
+        *sorted((DOCS.parent / "tests/superelements/files").glob("bar.*")),
+        DOCS.parent / "examples/lug.inp",
+    ]
+}
 # `cardan NAME` alone speaks of a command; with its file, or indented, it can be typed
 COMMANDS = sorted(
     line

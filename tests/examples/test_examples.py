@@ -39,6 +39,7 @@ LEAVES = {
     "27_sliding_door": ("door.html",),
     "28_flexible_robot": ("robot.html",),
     "29_rotor_on_a_shaft": ("rotor.html",),
+    "30_flexible_link": ("link.html", "link.png"),
 }
 
 

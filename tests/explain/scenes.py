@@ -36,6 +36,7 @@ LONG = {
     "26_lqr",
     "28_flexible_robot",
     "29_rotor_on_a_shaft",
+    "30_flexible_link",
     "bicycle",
 }
 TWICE = {"02_robot_arm", "04_scene_file", "14_bend"}

@@ -15,12 +15,14 @@ __all__ = ["EXAMPLES", "FLEXIBLE", "FUNCTIONS", "ROOT", "scene_of", "written"]
 ROOT = Path(__file__).parents[2]
 FUNCTIONS = ("forward_dynamics", "inverse_dynamics", "mass_matrix")
 HAPPENING = ("events", "transition")
-# a script has a variable ``scene``; a file is one. Of beams the C is that of their elements, which
-# no scene changes: one of them shows it
+# a script has a variable ``scene``; a file is one. Of flexible bodies the C is that of their
+# elements, which no scene changes: one of them shows it
+ON_NODES = ("scene.beam(", "scene.superelement(")
 EXAMPLES = sorted(
     path
     for path in (*(ROOT / "examples").iterdir(), *FILES)
-    if path.suffix in (".py", ".yaml", ".urdf") and "scene.beam(" not in path.read_text("utf-8")
+    if path.suffix in (".py", ".yaml", ".urdf")
+    and not any(call in path.read_text("utf-8") for call in ON_NODES)
 )
 FLEXIBLE = ROOT / "examples" / "17_flexible_pendulum.py"
 

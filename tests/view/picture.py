@@ -1,6 +1,7 @@
 """Pictures of the documents: pages as Chromium shows them.
 
-``docs/page.png`` of the README is the Panda arm, ``docs/mode.png`` a mode of a superelement.
+``docs/page.png`` of the README is the Panda arm, ``docs/mode.png`` a mode of a superelement,
+``docs/link.png`` one in motion.
 ``make picture`` writes them, with names of pictures only those; it needs Chromium and the package
 playwright.
 """
@@ -8,6 +9,7 @@ playwright.
 from __future__ import annotations
 
 import os
+import runpy
 import shutil
 import sys
 import tempfile
@@ -44,7 +46,17 @@ def mode(folder: Path) -> str:
     return f"{page.saved().as_uri()}#t={quarter}"
 
 
-PICTURES = {"page": (panda, (1280, 720)), "mode": (mode, (960, 480))}
+def link(folder: Path) -> str:
+    """The robot with a link from a mesh of the example."""
+    example = ROOT / "examples" / "30_flexible_link.py"
+    os.chdir(folder)
+    motion = runpy.run_path(str(example))["motion"]
+    page = motion.animate(folder / "link.html", plots=["motor"], show="stress")
+    row = motion.superelement("arm").largest_stress.argmax()
+    return f"{page.saved().as_uri()}#t={motion.t[row]}&bare"
+
+
+PICTURES = {"page": (panda, (1280, 720)), "mode": (mode, (960, 480)), "link": (link, (960, 480))}
 
 
 def main() -> int:

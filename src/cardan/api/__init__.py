@@ -7,6 +7,9 @@ FACES |= {
     "cardan.superelements.readers.matrix_files:ComponentMatricesRecord": (
         "cardan.api.components:ComponentMatrices"
     ),
+    "cardan.runtime.models.finite_elements.superelements:DeformedSuperelementRecord": (
+        "cardan.api.components:DeformedSuperelement"
+    ),
     "cardan.scene.scene:SceneRecord": "cardan.api.scene:Scene",
     "cardan.equations.record:EquationRecord": "cardan.api.equations:Equations",
     "cardan.equations.finite_elements.record:FiniteElementRecord": (

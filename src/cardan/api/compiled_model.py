@@ -66,6 +66,7 @@ class CompiledModel(LoadedModel):
     sensitivity = verb("cardan.analyses.linear.sensitivity:sensitivity")
     stiffness = verb("cardan.analyses.simulation.precision.stiffness:stiffness")
     beam = verb("cardan.runtime.models.finite_elements.beams:beam")
+    superelement = verb("cardan.runtime.models.finite_elements.superelements:superelement")
     cable = verb("cardan.runtime.trajectory.cables:cable")
 
     # measured motions

@@ -31,6 +31,7 @@ from ..runtime.models.finite_elements.elements import Elements
 from ..runtime.models.loaded_model import LoadedModel
 from ..runtime.trajectory.cables import CableTension
 from ..runtime.verification.verify import Verification
+from .components import DeformedSuperelement
 from .results import (
     Assembly,
     Campbell,
@@ -882,6 +883,20 @@ class CompiledModel(LoadedModel):
 
         Raises:
             ModelError: there is no such beam. ArgumentError: q has another shape.
+        """
+    def superelement(
+        self,
+        name: str,
+        q: State,
+    ) -> DeformedSuperelement:
+        """A superelement with its deformation: positions and stress at points of its surface.
+
+        Args:
+            name: Of the superelement.
+            q: Coordinates (..., nq), such as those of an equilibrium.
+
+        Raises:
+            ModelError: there is no such superelement. ArgumentError: q has another shape.
         """
     def cable(
         self,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import final
 
+from ..runtime.models.finite_elements.superelements import DeformedSuperelementRecord
 from ..superelements.readers.matrix_files import ComponentMatricesRecord
 from ..superelements.record import SuperelementRecord
 from .faces import verb
@@ -15,6 +16,13 @@ class Superelement(SuperelementRecord):
 
     animate = verb("cardan.view.superelements:animate")
     plot = verb("cardan.view.superelements:plot")
+
+
+@final
+class DeformedSuperelement(DeformedSuperelementRecord):
+    """A superelement of a scene with its deformation, at one state or along a motion."""
+
+    plot = verb("cardan.view.superelements:plot_deformed")
 
 
 @final

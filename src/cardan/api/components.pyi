@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 from ..arrays import Array
+from ..runtime.models.finite_elements.superelements import DeformedSuperelementRecord
 from ..superelements.readers.matrix_files import ComponentMatricesRecord
 from ..superelements.record import SuperelementRecord
 from ..view.page import Page
@@ -68,6 +69,30 @@ class Superelement(SuperelementRecord):
 
         Raises:
             ModelError, ArgumentError, SolveError: as there, or no picture file.
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+
+@final
+class DeformedSuperelement(DeformedSuperelementRecord):
+    """A superelement of a scene with its deformation, at one state or along a motion.
+    """
+    def plot(
+        self,
+        path: str | Path | None = None,
+        *,
+        row: int = -1,
+        color: str | None = None,
+    ) -> Figure:
+        """The deformed superelement as a Matplotlib figure, written to ``path`` if given.
+
+        Args:
+            path: Picture file; the ending says the format.
+            row: Of the motion, the last one by default.
+            color: ``"stress"`` of von Mises or ``"displacement"``; by default stress, where it is
+                known.
+
+        Raises:
+            ModelError: no stress, or no picture file. ArgumentError: there is no such row or color.
             ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
         """
 

@@ -18,6 +18,7 @@ class Trajectory(TrajectoryRecord):
     """
 
     beam = verb("cardan.runtime.models.finite_elements.beams:beam_of_run")
+    superelement = verb("cardan.runtime.models.finite_elements.superelements:superelement_of_run")
     cable = verb("cardan.runtime.trajectory.cables:cable_of_run")
     screw_axis = verb("cardan.analyses.mechanisms.screw_axis:screw_axis_of_run")
     torques = verb("cardan.analyses.identification.torques:torques_of_run")

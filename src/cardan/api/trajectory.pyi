@@ -12,6 +12,7 @@ from ..runtime.models.finite_elements.beams import BeamStress
 from ..runtime.trajectory.cables import CableTension
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..view.page import Page
+from .components import DeformedSuperelement
 from .results import Torques
 
 @final
@@ -26,6 +27,18 @@ class Trajectory(TrajectoryRecord):
         name: str,
     ) -> BeamStress:
         """Forces, moments and strains (nt, 2 n, 3) along a beam, in axes of the section.
+        """
+    def superelement(
+        self,
+        name: str,
+    ) -> DeformedSuperelement:
+        """A superelement with its deformation (nt, ...): points of its surface and their stress.
+
+        Args:
+            name: Of the superelement.
+
+        Raises:
+            ModelError: there is no such superelement, or the file of the run does not hold it.
         """
     def cable(
         self,
@@ -126,11 +139,13 @@ class Trajectory(TrajectoryRecord):
         Args:
             path: HTML file. It appears complete or not at all.
             show: What shows from the start, of ``"reactions"``, ``"forces"``, ``"contacts"``,
-                ``"frames"``, ``"springs"``, ``"stress"``, ``"strain"`` and ``"floor"``. Reactions are
-                computed only if they are named; the page can hide each.
+                ``"frames"``, ``"springs"``, ``"stress"``, ``"strain"``, ``"displacement"`` and
+                ``"floor"``. Reactions are computed only if they are named; the page can hide each.
+                Beams and superelements are colored by stress where it is known, of von Mises in
+                superelements; ``"strain"`` colors beams, ``"displacement"`` superelements.
             plots: Names of histories below the picture, as ``motion[name]``, and ``"energy"``; by
                 default energies, coordinates and outputs.
-            follow: Body or frame that the camera goes with.
+            follow: Body, superelement or frame that the camera goes with.
             traces: Frames whose paths are drawn.
             meshes: ``"auto"`` reduces meshes to 200,000 triangles, ``"full"`` keeps all, a
                 number from 0 to 1 that share of them; False draws links.

@@ -47,7 +47,9 @@ def _choices(equations: EquationRecord | FiniteElementRecord) -> tuple[Any, ...]
         every = (f for kind in equations.kinds for f in kind.functions.values())
         # what these compute does not show in the system
         routines = [(f.name, f.call, f.sizes, f.constants) for f in every if isinstance(f, Routine)]
-        return "absolute", planes, model_folder.numbers(equations), routines
+        contents = model_folder.files(equations).values()
+        hashes = [hashlib.sha256(content).hexdigest() for content in contents]
+        return "absolute", planes, hashes, routines
     return equations.method, equations.rewrites, equations.chosen, equations.treatment
 
 

@@ -52,6 +52,7 @@ from .mechanism import (
     FrameRow,
     JointRow,
     ShapeRow,
+    SuperelementRow,
 )
 from .rows import SCHEMA, Rows, column, ends, rows_of
 from .seal import unsealed
@@ -126,6 +127,9 @@ class Manifest(Record):
     frames: Sequence[FrameRow] = field(listed(FrameRow), run=())
     beams: Sequence[BeamRow] = field(
         listed(BeamRow), "pieces of beams between named nodes", default=()
+    )
+    superelements: Sequence[SuperelementRow] = field(
+        listed(SuperelementRow), "flexible bodies that were reduced", default=()
     )
     forces: Sequence[ForceElementRow] = field(listed(ForceElementRow), "force elements", default=())
     shapes: Sequence[ShapeRow] = field(listed(ShapeRow), "shapes for pictures", run=())
@@ -251,6 +255,9 @@ def _bodies(m: Manifest) -> Iterator[str]:
             yield f"beam '{beam.name}' has no ends"
         if beam.q[0] + (3 if beam.plane else 7) * beam.q[1] > nq:
             yield f"beam '{beam.name}' is beyond q"
+    for superelement in m.superelements:
+        if superelement.frame not in frames or any(k >= nq for k in superelement.q):
+            yield f"superelement '{superelement.name}' is nowhere"
     if not {shape.frame for shape in m.shapes} <= frames:
         yield "a shape is nowhere"
     if not m.absolute and m.bodies and len(bodies) != len(m.joints):

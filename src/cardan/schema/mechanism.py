@@ -194,6 +194,20 @@ class BeamRow(Record):
     plane: Plane | None = field(Plane, "of the nodes between", default=None)
 
 
+class SuperelementRow(Record):
+    """A flexible body that was reduced; what is drawn of it stands in ``surfaces.npz``."""
+
+    name: str = field(text)
+    frame: str = field(text, "its axes, in which points move by its coordinates")
+    q: Sequence[int] = field(listed(count), "entries of q that are its coordinates")
+    bodies: Sequence[str] = field(
+        listed(text), "bodies without mass that stand for its interfaces, frame and modes"
+    )
+    undeformed: Sequence[str] = field(
+        listed(text), "frames that stand where it is without deformation"
+    )
+
+
 class ForceElementRow(Record):
     """A force element, for pictures."""
 

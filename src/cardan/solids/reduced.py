@@ -13,12 +13,12 @@ from numpy.typing import ArrayLike
 from ..arguments import checked
 from ..arrays import Array, Integers
 from ..errors import ModelError, brief, near
+from ..superelements.coarsening import coarsened
 from ..superelements.factor import Factor
 from ..superelements.record import SuperelementRecord
 from ..superelements.reduction import reduce
 from ..superelements.stress_recovery import nodal_names
 from ..superelements.surface import MOST_TRIANGLES, joined
-from ..view.mesh_reduction import coarsened
 from .files import read
 from .loads import centrifugal_products, thermal
 from .record import Mesh, Place

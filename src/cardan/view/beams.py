@@ -89,6 +89,8 @@ def _values(
     Raises:
         ModelError: what is wished for is not known.
     """
+    if colored_by == "displacement":
+        return None, STRESS
     if colored_by:
         motion._model(f"the {colored_by} of beam '{name}'")
     elif motion.model is None:
@@ -114,15 +116,21 @@ def bodies(
 ) -> tuple[list[DrawnBody], list[Solid]]:
     """Bodies on nodes, as :func:`.solids.bodies`."""
     manifest = motion.manifest
+    # superelements are drawn by their surfaces
+    hidden = {body for row in manifest.superelements for body in row.bodies}
+    undeformed = {frame for row in manifest.superelements for frame in row.undeformed}
     nodes = {end for row in manifest.beams for end in (row.start, row.end)}
     frames: dict[str, list[str]] = {}
     for row in manifest.frames:
-        frames.setdefault(row.body, []).append(row.name)
+        if row.name not in undeformed:
+            frames.setdefault(row.body, []).append(row.name)
     shapes: dict[str, list[ShapeRow]] = {}
     for shape in manifest.shapes:
         shapes.setdefault(shape.frame, []).append(shape)
     drawn, arms = [], []
     for body in manifest.bodies:
+        if hidden.issuperset(body.parts):
+            continue
         name, frame_names = body.name, frames[body.name]
         pose = motion.pose(frame_names[0])
         places = {frame: inverse(pose[0]) @ motion.pose(frame)[0] for frame in frame_names}

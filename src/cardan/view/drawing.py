@@ -11,20 +11,20 @@ from ..arrays import Array
 from ..errors import ArgumentError, ModelError, near
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.manifest import Manifest
-from .beams import DrawnBeam, beams
+from .beams import STRAIN, DrawnBeam, beams
 from .beams import bodies as on_nodes
 from .cables import cable_nodes, cables
 from .curves import Histories
 from .solids import DrawnBody, Solid, numbers_of
 from .solids import bodies as in_joint_coordinates
 from .supports import Support
-from .surfaces import DrawnSurface
+from .surfaces import DISPLACEMENT, VON_MISES, DrawnSurface, surfaces
 
 # layers of arrows, and what else a page may show from the start
 ARROWS = ("reactions", "forces", "contacts")
-LAYERS = (*ARROWS, "frames", "springs", "stress", "strain", "floor")
+LAYERS = (*ARROWS, "frames", "springs", "stress", "strain", "displacement", "floor")
 # on unless a user names others
-USUAL = ("contacts", "forces", "springs", "stress", "strain", "floor")
+USUAL = ("contacts", "forces", "springs", "stress", "strain", "displacement", "floor")
 # kinds of force elements that are drawn as arrows: layer, and the frame they begin at
 ACTING = {"contact": ("contacts", "sphere"), "force": ("forces", "frame")}
 # kinds of force elements that are drawn between their frames a and b
@@ -113,18 +113,17 @@ class Drawing:
 
 def solids_of(
     motion: TrajectoryRecord, colored_by: str | None = None
-) -> tuple[list[DrawnBody], list[Solid], list[DrawnBeam]]:
-    """Bodies, solids of the ground, and beams of a motion.
+) -> tuple[list[DrawnBody], list[Solid], list[DrawnBeam], list[DrawnSurface]]:
+    """Bodies, solids of the ground, beams, and surfaces of superelements of a motion.
 
     Args:
         motion: The motion.
-        colored_by: ``"stress"`` or ``"strain"`` colors beams; None for what there is.
+        colored_by: ``"stress"`` colors beams and superelements, ``"strain"`` beams,
+            ``"displacement"`` superelements; None for what there is.
 
     Raises:
         ModelError: there is no such color.
     """
-    if colored_by and not motion.manifest.beams:
-        raise ModelError(f"show='{colored_by}': '{motion.manifest.name}' has no beams to color")
     hidden = cable_nodes(motion.manifest)
     if motion.manifest.absolute:
         drawn_beams = beams(motion, colored_by)
@@ -133,7 +132,33 @@ def solids_of(
         drawn_beams = []
         bodies, ground = in_joint_coordinates(motion)
     visible = [body for body in bodies if body.name not in hidden]
-    return visible, ground, drawn_beams + cables(motion)
+    kind = colored_by or _kind_of_color(drawn_beams)
+    drawn_surfaces = surfaces(motion, kind)
+    if (
+        not colored_by
+        and kind == VON_MISES
+        and not any(
+            [
+                *(one.kind for one in drawn_surfaces),
+                *(beam.values is not None for beam in drawn_beams),
+            ]
+        )
+    ):
+        drawn_surfaces = surfaces(motion, DISPLACEMENT)
+    colored = [one for one in drawn_surfaces if one.kind]
+    if colored_by and not colored and (colored_by == DISPLACEMENT or not motion.manifest.beams):
+        what = {
+            VON_MISES: "beams and no superelements with stress",
+            DISPLACEMENT: "superelements",
+        }.get(colored_by, "beams")
+        raise ModelError(f"show='{colored_by}': '{motion.manifest.name}' has no {what} to color")
+    return visible, ground, drawn_beams + cables(motion), drawn_surfaces
+
+
+def _kind_of_color(drawn_beams: Sequence[DrawnBeam]) -> str:
+    """What colors everything, where a user names nothing: what colors the beams."""
+    strained = any(b.values is not None and b.colored_by == STRAIN for b in drawn_beams)
+    return "strain" if strained else VON_MISES
 
 
 def springs(motion: TrajectoryRecord) -> list[DrawnSpring]:
@@ -205,11 +230,16 @@ def upward(motion: TrajectoryRecord) -> tuple[Array, bool]:
     return -gravity / size, True
 
 
-def plane_of(bodies: Sequence[DrawnBody], drawn_beams: Sequence[DrawnBeam]) -> Array | None:
+def plane_of(
+    bodies: Sequence[DrawnBody],
+    drawn_beams: Sequence[DrawnBeam],
+    drawn_surfaces: Sequence[DrawnSurface] = (),
+) -> Array | None:
     """Normal of the plane that everything moves in, toward the reader; None in space."""
     turns: list[Array] = []
     moves: list[Array] = []
     tracks = [body.poses[:, None] for body in bodies] + [beam.sections for beam in drawn_beams]
+    tracks += [one.poses[:, None] for one in drawn_surfaces if one.poses is not None]
     for poses in tracks:
         relative = poses[:, :, :3, :3] @ np.swapaxes(poses[:1, :, :3, :3], -1, -2)
         antisymmetric = relative - np.swapaxes(relative, -1, -2)
@@ -248,6 +278,10 @@ def slowed(motion: TrajectoryRecord) -> float:
         return 1.0
     most: dict[str, float] = {}
     largest = np.abs(motion.u).max(axis=0, initial=0.0)
+    # what superelements tremble by inside is seen at their interfaces
+    modal = [joint.slot("u") for joint in motion.manifest.joints if joint.kind == "modal"]
+    for start, count in modal if motion.manifest.superelements else ():
+        largest[start : start + count] = 0.0
     for row, size in zip(motion.manifest.speeds, largest, strict=True):
         most[row.unit] = max(most.get(row.unit, 0.0), float(size))
     swings = 0.0
@@ -264,17 +298,19 @@ def rate_below(rate: float) -> float:
     return float(RATES[max(0, int(np.searchsorted(RATES, rate * 1.001, side="right")) - 1)])
 
 
-def body_followed(
-    name: str | None, bodies: Sequence[DrawnBody], frames: dict[str, str]
-) -> int | None:
-    """Number of the body that is named itself or by a frame of it.
+def body_followed(name: str | None, drawing: Drawing, manifest: Manifest) -> int | None:
+    """Number of the body or superelement that is named itself or by a frame of it.
+
+    Surfaces are counted behind bodies.
 
     Raises:
         ArgumentError: there is none.
     """
     if name is None:
         return None
-    names = [body.name for body in bodies]
+    names = [one.name for one in drawing.bodies] + [one.name for one in drawing.surfaces]
+    owners = {body: row.name for row in manifest.superelements for body in row.bodies}
+    frames = {row.name: owners.get(row.body, row.body) for row in manifest.frames}
     body = name if name in names else frames.get(name, "")
     if body not in names:
         hint = near(name, dict.fromkeys([*names, *(f for f in frames if frames[f] in names)]))
@@ -308,7 +344,13 @@ def joined(rows: Sequence[Drawing]) -> Drawing:
             for k, beam in enumerate(first.beams)
         ],
         surfaces=[
-            replace(one, amplitudes=all_of(row.surfaces[k].amplitudes for row in rows))
+            replace(
+                one,
+                amplitudes=all_of(row.surfaces[k].amplitudes for row in rows),
+                poses=None
+                if one.poses is None
+                else all_of(np.asarray(row.surfaces[k].poses) for row in rows),
+            )
             for k, one in enumerate(first.surfaces)
         ],
         supports=[

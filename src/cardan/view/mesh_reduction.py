@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array
+from ..superelements.coarsening import cells_of, edge_of, unique_triangles
 from .mesh_files.part import Part, compact
 
-BISECTIONS, FINEST = 16, 2**20  # cells along the longest edge of the box, at most
 RANK = 1e-3  # a plane direction below this share of the largest eigenvalue leaves a point free
 
 
@@ -35,68 +35,10 @@ def reduced(part: Part, triangles: int) -> Part:
     low = part.vertices.min(axis=0).astype(np.float64)
     span = float((part.vertices - low).max())
     points, rows = (part.vertices - low) / span, part.triangles.astype(np.intp)
-    edge = _edge(points, rows, triangles)
-    cells = _cells(points, edge)
+    edge = edge_of(points, rows, triangles)
+    cells = cells_of(points, edge)
     vertices = span * _representatives(points, rows, cells, edge) + low
-    return compact(vertices.astype(np.float32), _unique_triangles(cells[rows]), part.color)
-
-
-def coarsened(vertices: Array, rows: NDArray[np.intp], triangles: int) -> NDArray[np.intp]:
-    """At most so many triangles between some of the vertices, which all stay where they are.
-
-    Args:
-        vertices: Positions (n, 3).
-        rows: Triangles (m, 3).
-        triangles: Largest number of them.
-
-    Returns:
-        Triangles (k, 3) between vertices, those given if they are few enough.
-    """
-    if len(rows) <= triangles:
-        return rows
-    used = np.unique(rows)
-    low = vertices[used].min(axis=0)
-    points = (vertices[used] - low) / float((vertices[used] - low).max())
-    local = np.searchsorted(used, rows)
-    cells = _cells(points, _edge(points, local, triangles))
-    size = np.bincount(cells)
-    mean = np.stack([np.bincount(cells, x) for x in points.T], axis=1) / size[:, None]
-    # of each cell the vertex that is nearest to their mean
-    order = np.lexsort((np.linalg.norm(points - mean[cells], axis=1), cells))
-    nearest = used[order[np.cumsum(size) - size]]
-    chosen: NDArray[np.intp] = nearest[_unique_triangles(cells[local])]
-    return chosen
-
-
-def _edge(points: Array, rows: NDArray[np.intp], triangles: int) -> float:
-    """Edge of the smallest cells that leave few enough triangles."""
-    # the number of triangles rises with that of cells, but for small steps; it begins with none
-    coarse, fine = -2.0, float(np.log2(FINEST))
-    for _ in range(BISECTIONS):
-        middle = (coarse + fine) / 2
-        count = len(_unique_triangles(_cells(points, 2**-middle)[rows]))
-        coarse, fine = (middle, fine) if count <= triangles else (coarse, middle)
-    return float(2**-coarse)
-
-
-def _cells(points: Array, edge: float) -> NDArray[np.intp]:
-    """Number of the cell of every point, those without points not counted."""
-    x, y, z = np.floor(points / edge + 0.5).astype(np.int64).T
-    keys = (x * (2 * FINEST) + y) * (2 * FINEST) + z
-    numbers: NDArray[np.intp] = np.unique(keys, return_inverse=True)[1]
-    return numbers
-
-
-def _unique_triangles(rows: NDArray[np.intp]) -> NDArray[np.intp]:
-    """Triangles with three different corners, each once; which corner is first does not matter."""
-    a, b, c = rows.T
-    rows = rows[(a != b) & (b != c) & (c != a)]
-    order = (rows.argmin(axis=1)[:, None] + np.arange(3)) % 3
-    a, b, c = np.take_along_axis(rows, order, axis=1).T
-    count = int(rows.max(initial=0)) + 1
-    pairs: NDArray[np.intp] = np.unique(a * count + b, return_inverse=True)[1]
-    first: NDArray[np.intp] = np.unique(pairs * count + c, return_index=True)[1]
-    return np.stack([a[first], b[first], c[first]], axis=1)
+    return compact(vertices.astype(np.float32), unique_triangles(cells[rows]), part.color)
 
 
 def _representatives(

@@ -102,11 +102,13 @@ def animate(
         motion: The motion.
         path: HTML file. It appears complete or not at all.
         show: What shows from the start, of ``"reactions"``, ``"forces"``, ``"contacts"``,
-            ``"frames"``, ``"springs"``, ``"stress"``, ``"strain"`` and ``"floor"``. Reactions are
-            computed only if they are named; the page can hide each.
+            ``"frames"``, ``"springs"``, ``"stress"``, ``"strain"``, ``"displacement"`` and
+            ``"floor"``. Reactions are computed only if they are named; the page can hide each.
+            Beams and superelements are colored by stress where it is known, of von Mises in
+            superelements; ``"strain"`` colors beams, ``"displacement"`` superelements.
         plots: Names of histories below the picture, as ``motion[name]``, and ``"energy"``; by
             default energies, coordinates and outputs.
-        follow: Body or frame that the camera goes with.
+        follow: Body, superelement or frame that the camera goes with.
         traces: Frames whose paths are drawn.
         meshes: ``"auto"`` reduces meshes to 200,000 triangles, ``"full"`` keeps all, a
             number from 0 to 1 that share of them; False draws links.
@@ -213,14 +215,14 @@ class PageOptions:
 
     @property
     def colored_by(self) -> str | None:
-        """``"stress"`` or ``"strain"``, if beams are to show it.
+        """``"stress"``, ``"strain"`` or ``"displacement"``, if beams and surfaces are to show it.
 
         Raises:
             ArgumentError: two are named.
         """
-        named = [name for name in ("stress", "strain") if name in (self.show or ())]
+        named = [name for name in ("stress", "strain", "displacement") if name in (self.show or ())]
         if len(named) > 1:
-            raise ArgumentError(f"show={self.show!r}: beams are colored by stress or by strain")
+            raise ArgumentError(f"show={self.show!r}: only one of {', '.join(named)} colors things")
         return named[0] if named else None
 
 
@@ -260,7 +262,6 @@ def drawing_of(
     things = drawn.joined([_things(row, options) for row in rows])
     over = abscissa or things.abscissa
     up, heavy = drawn.upward(motion)
-    frames = {row.name: row.body for row in motion.manifest.frames}
     events = [] if abscissa else [(event.t, event.name) for event in motion.events]
     every = max(1, -(-len(events) // drawn.MOST_EVENTS))
     return replace(
@@ -271,17 +272,17 @@ def drawing_of(
         else [],
         events=events[::every],
         up=up,
-        normal=drawn.plane_of(things.bodies, things.beams),
+        normal=drawn.plane_of(things.bodies, things.beams, things.surfaces),
         floor=drawn.floor_of(motion, up, heavy),
         rate=rate,
-        follow=drawn.body_followed(options.follow, things.bodies, frames),
+        follow=drawn.body_followed(options.follow, things, motion.manifest),
         layers=options.layers,
     )
 
 
 def _things(motion: TrajectoryRecord, options: PageOptions) -> Drawing:
-    """Bodies, beams, springs, arrows and traces of one motion."""
-    bodies, ground, beams = drawn.solids_of(motion, options.colored_by)
+    """Bodies, beams, surfaces, springs, arrows and traces of one motion."""
+    bodies, ground, beams, surfaces = drawn.solids_of(motion, options.colored_by)
     arrows = drawn.reactions(motion) if "reactions" in options.layers else []
     arrows += drawn.acting(motion)
     return Drawing(
@@ -290,6 +291,7 @@ def _things(motion: TrajectoryRecord, options: PageOptions) -> Drawing:
         bodies=bodies,
         ground=ground,
         beams=beams,
+        surfaces=surfaces,
         supports=supports(motion, bodies, beams),
         springs=drawn.springs(motion),
         arrows=arrows,

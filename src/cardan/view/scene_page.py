@@ -19,6 +19,7 @@ from .surfaces import DISPLACEMENT, DrawnSurface
 
 # steps of lengths, turns and curves against the size of what is shown
 FINE, TURN, CURVE, STILL = 1e-5, 1e-5, 1e-4, 1e-9
+DEFORMED = 1e-5  # of shapes of surfaces and their amplitudes, which may cancel each other
 # triangles of a page unless a user asks for more or fewer
 AUTO_TRIANGLES = 200_000
 ROUND = 24  # corners of a round section
@@ -162,7 +163,10 @@ def _beam(pack: Packer, beam: DrawnBeam, size: float) -> JsonObject:
 
 def _surface(pack: Packer, one: DrawnSurface, size: float) -> JsonObject:
     """A surface as the page draws it: it adds the shapes itself."""
-    most = _most(one.amplitudes)
+    # amplitudes of several units in parts of their largest values, all to the same digits
+    largest = np.abs(one.amplitudes).max(axis=0, initial=0.0)
+    sizes = np.where(largest > 0, largest, 1.0)
+    shapes, stresses = (x * sizes[:, None, None] for x in (one.shapes, one.stresses))
     count = len(one.shapes)
 
     def places(rows: Integers) -> JsonObject | None:
@@ -174,11 +178,13 @@ def _surface(pack: Packer, one: DrawnSurface, size: float) -> JsonObject:
         "triangles": places(one.triangles),
         "lines": places(one.lines),
         "outline": places(one.outline),
-        "shapes": pack.add(one.shapes.reshape(count, -1), FINE * size / most, orders=0),
-        "amplitudes": pack.add(one.amplitudes, CURVE * most),
+        "places": None if one.poses is None else _places(pack, one.poses[:, None], size),
+        # small ones are colored too
+        "shapes": pack.add(shapes.reshape(count, -1), DEFORMED * _most(shapes), orders=0),
+        "amplitudes": pack.add(one.amplitudes / sizes, DEFORMED),
         "kind": one.kind,
         "stressed": places(one.stressed),
-        "stresses": pack.add(one.stresses.reshape(count, -1), CURVE * _most(one.stresses), orders=0)
+        "stresses": pack.add(stresses.reshape(count, -1), DEFORMED * _most(stresses), orders=0)
         if one.stresses.size
         else None,
     }

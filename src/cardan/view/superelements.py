@@ -1,9 +1,10 @@
-"""Modes of superelements as pages and pictures."""
+"""Modes of superelements as pages and pictures, and superelements of motions as pictures."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,16 +12,17 @@ import numpy as np
 
 from ..arguments import checked
 from ..arrays import Array, Integers
-from ..errors import ArgumentError, ModelError, brief, near
+from ..errors import ArgumentError, ModelError, brief, counted, near
+from ..runtime.models.finite_elements.superelements import DeformedSuperelementRecord
 from ..superelements.mode_shapes import FIXED, ModeShape, mode_shape
+from ..superelements.moving_surface import stressed_points
 from ..superelements.node_dofs import COMPONENTS
 from ..superelements.record import SuperelementRecord
-from ..superelements.stress_recovery import nodal_rows
 from .drawing import FOLLOWED, Abscissa, Drawing, rate_below
 from .page import Page, drawing_page
 from .solids import DARK, DrawnBody
 from .surface_plot import plot_surface
-from .surfaces import DISPLACEMENT, NAMES, VON_MISES, DrawnSurface, outline
+from .surfaces import DISPLACEMENT, NAMES, VON_MISES, DrawnSurface, drawn_surface, outline
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -115,6 +117,41 @@ def plot(
     return plot_surface(shape.description, surface, path)
 
 
+@checked
+def plot_deformed(
+    deformed: DeformedSuperelementRecord,
+    path: str | Path | None = None,
+    *,
+    row: int = -1,
+    color: str | None = None,
+) -> Figure:
+    """The deformed superelement as a Matplotlib figure, written to ``path`` if given.
+
+    Args:
+        deformed: The superelement.
+        path: Picture file; the ending says the format.
+        row: Of the motion, the last one by default.
+        color: ``"stress"`` of von Mises or ``"displacement"``; by default stress, where it is
+            known.
+
+    Raises:
+        ModelError: no stress, or no picture file. ArgumentError: there is no such row or color.
+        ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+    """
+    z, poses = deformed.z.reshape(-1, deformed.z.shape[-1]), deformed.pose.reshape(-1, 4, 4)
+    if color not in (*NAMES, None):
+        raise ArgumentError(f"color={brief(color)}: there is no such color.{near(color, NAMES)}")
+    if not -len(z) <= row < len(z):
+        raise ArgumentError(f"row={row}: '{deformed.name}' has {counted(len(z), 'row')}")
+    if color == VON_MISES:
+        deformed.check_stress()
+    kind = color or (VON_MISES if len(deformed.stressed) else DISPLACEMENT)
+    surface = drawn_surface(deformed, kind)
+    edges = outline(surface.points, surface.triangles)
+    one_row = replace(surface, amplitudes=z[[row]], poses=poses[[row]], outline=edges)
+    return plot_surface(deformed.name, one_row, path)
+
+
 def _surface(
     record: SuperelementRecord,
     shape: ModeShape,
@@ -162,18 +199,14 @@ def _stresses(record: SuperelementRecord, z: Array, color: str | None) -> tuple[
     """
     if color != VON_MISES:
         return np.zeros(0, np.intp), np.zeros((1, 0, 6))
-    nodes, rows = nodal_rows(record.stress_names, record.dofs.ids)
-    place = np.full(len(record.dofs.positions), -1)
-    place[nodes] = np.arange(len(nodes))
-    of_point = place[record.surface.nodes]
-    points = np.flatnonzero(of_point >= 0)
+    points, rows = stressed_points(record)
     if not len(points):
         raise ModelError(
             "color='stress': the component has no stress at nodes that are drawn. Give from_mesh "
             "stress=, the surface or set; or reduce rows of stress whose stress_names are "
             "'17 xx', '17 yy', '17 zz', '17 yz', '17 zx', '17 xy' for node 17"
         )
-    return points, record.stresses(z)[rows[of_point[points]]][None]
+    return points, record.stresses(z)[rows][None]
 
 
 def _interfaces(record: SuperelementRecord, shape: ModeShape, course: Array) -> list[DrawnBody]:

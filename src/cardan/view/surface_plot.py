@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .mesh_reduction import coarsened
+from ..superelements.coarsening import coarsened
 from .plot import done, empty
 from .surfaces import DISPLACEMENT, DrawnSurface
 
@@ -32,7 +32,7 @@ def plot_surface(title: str, surface: DrawnSurface, path: str | Path | None) -> 
     from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
     axes = figure.add_subplot(projection="3d")
-    moved = surface.points + surface.displacements(0)
+    moved = surface.places(0)
     values = surface.values(0) if surface.kind else np.full(len(moved), np.nan)
     palette = colormaps["viridis"].with_extremes(bad=GRAY)
     colors = ScalarMappable(Normalize(0.0, surface.largest), palette)
@@ -52,9 +52,9 @@ def plot_surface(title: str, surface: DrawnSurface, path: str | Path | None) -> 
         axes.scatter(*moved[some].T, c=colors.to_rgba(masked[some]), s=8, depthshade=False)
     edges = surface.outline[:MOST_LINES]
     if len(edges):
-        still = surface.points[edges]
+        still = surface.places(0, deformed=False)[edges]
         axes.add_collection3d(Line3DCollection(still, colors="0.5", linewidths=0.6))
-    every = np.vstack([moved, surface.points])
+    every = np.vstack([moved, surface.places(0, deformed=False)])
     low, extent = every.min(axis=0), np.ptp(every, axis=0)
     # what is flat is drawn in a box that is not
     extent = np.maximum(extent, 0.1 * extent.max() or 1.0)

@@ -1,4 +1,7 @@
-"""Surfaces that deform: points which move by shapes, with triangles or lines between them."""
+"""Surfaces that deform: points which move by shapes, with triangles or lines between them.
+
+Those of superelements in motion also go with their frame.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,11 @@ from functools import cached_property
 import numpy as np
 
 from ..arrays import Array, Integers
+from ..runtime.models.finite_elements.superelements import (
+    DeformedSuperelementRecord,
+    superelement_of_run,
+)
+from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..superelements.stress_recovery import von_mises
 
 DISPLACEMENT, VON_MISES = "displacement", "stress"  # what colors a surface
@@ -19,6 +27,8 @@ SHARP = 0.85  # cosine of the angle between triangles beyond which their common 
 class DrawnSurface:
     """A surface of a picture: in row i, points stand at ``points`` + ``amplitudes[i]`` of shapes.
 
+    That is in axes which move by ``poses``.
+
     Attributes:
         name: Of what it belongs to.
         points: Undeformed (points, 3) [m].
@@ -29,6 +39,7 @@ class DrawnSurface:
         kind: What colors it, ``DISPLACEMENT`` or ``VON_MISES``; None for nothing.
         stressed: Points whose stress is known (k,).
         stresses: Their stress by amplitudes of 1 (shapes, k, 6) [Pa].
+        poses: Transforms (nt, 4, 4) of its axes to those of the ground; None where they stay.
     """
 
     name: str
@@ -41,6 +52,7 @@ class DrawnSurface:
     kind: str | None
     stressed: Integers
     stresses: Array
+    poses: Array | None = None
 
     @property
     def colored_by(self) -> str:
@@ -51,6 +63,23 @@ class DrawnSurface:
         """Displacements of the points (points, 3) [m]."""
         moved: Array = np.tensordot(self.amplitudes[row], self.shapes, 1)
         return moved
+
+    def places(self, row: int, points: Integers | None = None, deformed: bool = True) -> Array:
+        """Positions of points (points, 3) [m], of all by default, in ground axes.
+
+        Args:
+            row: Of the motion.
+            points: Which ones.
+            deformed: Whether shapes move them.
+        """
+        chosen = slice(None) if points is None else points
+        local = self.points[chosen]
+        if deformed:
+            local = local + np.tensordot(self.amplitudes[row], self.shapes[:, chosen], 1)
+        if self.poses is None:
+            return np.asarray(local)
+        pose = self.poses[row]
+        return np.asarray(local @ pose[:3, :3].T + pose[:3, 3])
 
     def values(self, row: int) -> Array:
         """What colors the points (points,), NaN where it is not known."""
@@ -68,6 +97,37 @@ class DrawnSurface:
             # of one shape that where it is largest
             rows = range(k := int(np.argmax(np.abs(self.amplitudes[:, 0]))), k + 1)
         return max(float(np.nanmax(self.values(row), initial=0.0)) for row in rows) or 1.0
+
+
+def surfaces(motion: TrajectoryRecord, kind: str | None) -> list[DrawnSurface]:
+    """The surfaces of the superelements of a motion.
+
+    Args:
+        motion: The motion.
+        kind: What colors them; superelements without stress stay as they are where it is stress.
+    """
+    rows = motion.manifest.superelements
+    return [drawn_surface(superelement_of_run(motion, row.name), kind) for row in rows]
+
+
+def drawn_surface(deformed: DeformedSuperelementRecord, kind: str | None) -> DrawnSurface:
+    """A superelement of a motion; a color that it has not is left out."""
+    surface = deformed.surface
+    stressed = kind == VON_MISES and len(surface.stressed) > 0
+    count = len(surface.stressed) if stressed else 0
+    return DrawnSurface(
+        name=deformed.name,
+        points=surface.points,
+        triangles=surface.triangles,
+        lines=surface.lines,
+        outline=np.zeros((0, 2), np.intp),
+        shapes=surface.shapes,
+        amplitudes=deformed.z,
+        kind=kind if stressed or kind == DISPLACEMENT else None,
+        stressed=surface.stressed[:count],
+        stresses=surface.stresses[:, :count],
+        poses=deformed.pose,
+    )
 
 
 def outline(points: Array, triangles: Integers) -> Integers:

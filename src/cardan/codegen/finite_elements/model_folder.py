@@ -24,6 +24,7 @@ from .. import flat_scene, layout
 from ..manifest import Base, common, event_rows, tick_rows
 from ..writing import generate
 from .manifest_rows import plane_of, rows
+from .superelement_surfaces import superelement_rows, surface_files
 
 FILE = "mesh.npz"
 # left sides of the formulas of a kind that open the C of a function
@@ -57,6 +58,7 @@ def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
             if b.parts
         ],
         beams=list(_beams(absolute)),
+        superelements=list(superelement_rows(absolute)),
         frames=[_frame(absolute, k) for k in range(len(system.frames))],
         outputs=[OutputRow(name=name, unit=unit) for name, unit in absolute.results],
         quaternions=_quaternions(absolute),
@@ -107,6 +109,11 @@ def functions(absolute: FiniteElementRecord) -> tuple[Function, ...]:
     return tuple({f.name: f for kind in kinds for f in kind.functions.values()}.values())
 
 
+def files(absolute: FiniteElementRecord) -> dict[str, bytes]:
+    """Files of numbers, by name."""
+    return {FILE: numbers(absolute), **surface_files(absolute)}
+
+
 def numbers(absolute: FiniteElementRecord) -> bytes:
     """The tables as a file of NumPy; the same bytes for the same tables."""
     tables: dict[str, Any] = {"kind": absolute.places.kind}
@@ -138,7 +145,7 @@ def write(folder: Path, absolute: FiniteElementRecord, available: Sequence[str])
         available: Names of the functions of the whole model.
     """
     layout.write_model(folder, base(absolute, available))
-    layout.add_files(folder, {FILE: numbers(absolute)})
+    layout.add_files(folder, files(absolute))
     functions_by_name = {f.name: f for f in functions(absolute)}
     missing = [functions_by_name[each] for each in layout.missing(folder, list(functions_by_name))]
     # no word of the model: what its elements share with those of others is compiled once

@@ -44,6 +44,13 @@ class Counts(dict[str, int]):
         from ...ir.owners import Owners
         from ...passes import optimize
 
+        self.rewrites = rewrites
+        if isinstance(function, Routine):
+            # of the kernels, whose loops are no graph: they say how many operations they take
+            super().__init__(function.counts)
+            self.blocks = {function.owners[0]: dict(function.counts)} if function.owners else {}
+            self.prepared, self.critical_path = 0, 0.0
+            return
         staged = optimize(function)
         super().__init__(staged.operations())
         graph, owners = staged.function.graph, Owners(staged.function.graph, function.owners)

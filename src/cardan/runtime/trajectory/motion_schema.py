@@ -29,7 +29,9 @@ from ...schema.fields import (
     text,
 )
 from ...schema.manifest import Manifest
+from ...superelements.moving_surface import entry
 from ..formats.contents import Contents
+from ..models.finite_elements.superelements import surface_of
 from .solver_info import SolverInfo
 
 COUNTED = ("steps", "rejections", "evaluations", "milliseconds")
@@ -109,7 +111,7 @@ def checked(contents: Contents) -> tuple[dict[str, Any], dict[str, Array], dict[
         # a pattern may speak of any number of rows
         _require(len(manifest.block(name)) == shape[-1], f"'{name}' has shape {shape}")
     _numbers(notes, values)
-    notes["scene"] = _scene(manifest, notes["scene"])
+    notes["scene"] = _scene(manifest, notes["scene"]) | _surfaces(manifest, values)
     frames = {row.name for row in manifest.frames}
     poses = {}
     for name, one in contents.variables.items():
@@ -175,6 +177,16 @@ def _scene(manifest: Manifest, scene: Any) -> dict[str, Array]:
     needed = {"mass", "first_moment", "position", "rotation", "ratio", "offset", "axis", "pitch"}
     _require(not names & set(BY_JOINT) or needed <= names, "its scene is damaged")
     return scene_arrays
+
+
+def _surfaces(manifest: Manifest, values: dict[str, Array]) -> dict[str, Array]:
+    """Surfaces of superelements; earlier files have none."""
+    arrays: dict[str, Array] = {}
+    for k, row in enumerate(manifest.superelements):
+        if entry("points", k) in values:
+            surface = surface_of(values, k, len(row.q)).arrays()
+            arrays |= {entry(name, k): array for name, array in surface.items()}
+    return arrays
 
 
 def _shaped(values: dict[str, Array], name: str, shape: tuple[int, ...]) -> None:

@@ -26,6 +26,7 @@ from ...schema.rows import column
 from ...version import RUN
 from .. import formats
 from ..formats.contents import Contents, Variable
+from ..models.finite_elements import superelements
 from . import energy_balance, motion_schema
 from .closure_errors import Ledger
 from .dense_output import Dense
@@ -100,7 +101,17 @@ def _variables(motion: TrajectoryRecord) -> dict[str, Variable]:
     if motion.dense is not None:
         axes = ("step", "row", "entry")
         variables[DENSE[motion.dense.charted]] = Variable(axes, motion.dense.spreads)
-    return {**variables, **_signals(motion.inputs_at), **_computed(motion)}
+    return {**variables, **_signals(motion.inputs_at), **_computed(motion), **_surfaces(motion)}
+
+
+def _surfaces(motion: TrajectoryRecord) -> dict[str, Variable]:
+    """Surfaces of superelements: points, shapes, and what is between the points."""
+    return {
+        name: Variable(tuple(f"{name}_{k}" for k in range(values.ndim)), values.astype(np.float64))
+        for name, values in superelements.arrays_of_run(motion).items()
+        # what has no numbers stands in no file
+        if values.size
+    }
 
 
 def _computed(motion: TrajectoryRecord) -> dict[str, Variable]:
@@ -172,7 +183,12 @@ def _notes(motion: TrajectoryRecord) -> dict[str, str]:
         for key, value in vars(motion.manifest).items()
         if key not in LEFT_OUT and (value or Manifest.lacking(key))
     }
-    scene = {name: np.asarray(values).tolist() for name, values in motion.scene.items()}
+    surfaces = superelements.arrays_of_run(motion)
+    scene = {
+        name: np.asarray(values).tolist()
+        for name, values in motion.scene.items()
+        if name not in surfaces
+    }
     recorded = motion.inputs_at
     signals = None
     if recorded is not None:

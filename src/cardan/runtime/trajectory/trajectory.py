@@ -46,7 +46,8 @@ class TrajectoryRecord:
         dense: Polynomials between the times, None where only output times were asked for.
         inputs_at: Inputs (m, nr) at times (m,), None where only those at ``t`` are known.
         stored: Histories read from a file or computed before, by name.
-        numbers: The flat scene of a run read from a file, see :attr:`scene`.
+        numbers: The flat scene of a run read from a file, see :attr:`scene`, and the surfaces of
+            its superelements.
         ledger: Residuals of the constraints over the run, None without loops.
         event_log: The discrete states along the run, and its events; see :attr:`events`.
     """

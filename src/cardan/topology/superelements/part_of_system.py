@@ -22,6 +22,8 @@ class PartOfSystem:
         rows: Which of the coordinates of the record these are.
         stiffening: Whether its geometric stiffness by rotation counts.
         inertia: Constants of its inertia.
+        bodies: Names of those without mass that stand for its interfaces, frame and modes.
+        undeformed: Names of frames that stand where it is without deformation.
     """
 
     name: str
@@ -31,3 +33,5 @@ class PartOfSystem:
     rows: tuple[int, ...]
     stiffening: bool
     inertia: ProjectedInertia = field(repr=False)
+    bodies: tuple[str, ...]
+    undeformed: tuple[str, ...]

@@ -140,6 +140,8 @@ def parts_of_system(model: SceneRecord, assembly: Assembly) -> tuple[PartOfSyste
             rows += range(at, record.n)
         axes = model.frames[f"{name}.axes"]
         frame = assembly.frame(axes, axes.name)
+        modal = (f"{name}.modes",) if record.n > at else ()
+        sides = (f"{superelement.place_name(one.name)}.undeformed" for one in record.interfaces)
         parts.append(
             PartOfSystem(
                 name=name,
@@ -149,6 +151,8 @@ def parts_of_system(model: SceneRecord, assembly: Assembly) -> tuple[PartOfSyste
                 rows=tuple(rows),
                 stiffening=superelement.stiffening,
                 inertia=superelement.constants,
+                bodies=(*superelement.places, *modal),
+                undeformed=(axes.name, *(side for side in sides if side in model.frames)),
             )
         )
     return tuple(parts)

@@ -91,6 +91,8 @@ class Page {
       return group;
     });
     this.named = [...this.bodies, ...this.beams, ...this.surfaces];
+    // what the camera may go with
+    this.carriers = [...this.bodies, ...this.surfaces];
   }
 
   // what hangs on the size of the scene, once it is known
@@ -148,8 +150,8 @@ class Page {
     const { data } = this, start = size(this.cloud([0])), rows = this.rows(60), whole = this.cloud(rows);
     if (size(whole) < 3 * start || !(start > 0)) return whole;
     const center = middle(this.cloud([0]));
-    const stays = this.bodies.map((_, b) => this.cloud(rows, [b]).every((p) => p.distanceTo(center) < 2 * start));
-    if (stays.filter(Boolean).length > this.bodies.length / 2) return this.cloud(rows, stays.flatMap((stay, b) => (stay ? [b] : [])));
+    const stays = this.carriers.map((_, b) => this.cloud(rows, [b]).every((p) => p.distanceTo(center) < 2 * start));
+    if (stays.filter(Boolean).length > this.carriers.length / 2) return this.cloud(rows, stays.flatMap((stay, b) => (stay ? [b] : [])));
     if (size(whole) < 12 * start) return whole;
     // the camera goes with what goes far
     if (data.follow === null) data.follow = Math.max(0, stays.indexOf(false));
@@ -186,9 +188,11 @@ class Page {
           points.push(p.clone().addScalar(r), p.clone().addScalar(-r));
         }
       }
-      if (!some || some.length > 1) this.surfaces.forEach((one, n) => {
-        const { amplitudes } = data.surfaces[n];
-        points.push(...one.cloud((m) => amplitudes[amplitudes.columns * i + m]));
+      this.surfaces.forEach((one, n) => {
+        if (some && !some.includes(data.bodies.length + n)) return;
+        const { amplitudes, places } = data.surfaces[n];
+        if (places) { p.fromArray(places, 7 * i); q.fromArray(places, 7 * i + 3); }
+        points.push(...one.cloud((m) => amplitudes[amplitudes.columns * i + m], places && p, q));
       });
       for (const s of some ? [] : data.springs) for (const k of [0, 3]) points.push(new Vector3().fromArray(s.ends, 6 * i + k));
     }
@@ -245,7 +249,8 @@ class Page {
       );
     });
     this.surfaces.forEach((one, n) => {
-      const { amplitudes } = data.surfaces[n], width = amplitudes.columns;
+      const { amplitudes, places } = data.surfaces[n], width = amplitudes.columns;
+      if (places) { mixed(places, 7, 0, one.position); turned(places, 7, 3, one.quaternion); }
       one.deform((m) => amplitudes[width * i + m] * (1 - k) + amplitudes[width * j + m] * k, this.stress);
     });
     const a = new Vector3(), b = new Vector3();
@@ -380,7 +385,8 @@ class Page {
   look(from) {
     this.stage.look(from);
     if (!this.following) return;
-    const start = new Vector3().fromArray(this.data.poses, 7 * this.bodies.indexOf(this.following));
+    const k = this.surfaces.indexOf(this.following);
+    const start = k < 0 ? new Vector3().fromArray(this.data.poses, 7 * this.bodies.indexOf(this.following)) : new Vector3().fromArray(this.data.surfaces[k].places);
     this.stage.carry(start.subVectors(this.was, start));
   }
 
@@ -408,13 +414,15 @@ class Page {
     this.named.forEach((thing, k) => {
       const body = k < this.bodies.length;
       if (body) $("follow").add(new Option(thing.name, k));
+      const n = this.surfaces.indexOf(thing);
+      if (n >= 0 && data.surfaces[n].places) $("follow").add(new Option(thing.name, this.bodies.length + n));
       const show = element("input", { type: "checkbox", checked: true, ariaLabel: `show ${thing.name}` });
       show.onchange = () => { thing.visible = show.checked; this.dirty = true; };
       const trace = element("input", { type: "checkbox", ariaLabel: `trace ${thing.name}` });
       trace.onchange = () => this.toggleTrace(k, trace.checked);
       $("bodies").append(element("tr", {}, element("td", { textContent: thing.name }), element("td", {}, show), element("td", {}, ...(body && this.nt > 1 ? [trace] : []))));
     });
-    $("follow").onchange = () => this.follow($("follow").value === "" ? null : this.bodies[Number($("follow").value)]);
+    $("follow").onchange = () => this.follow($("follow").value === "" ? null : this.carriers[Number($("follow").value)]);
     if (data.follow !== null) { this.pending = data.follow; $("follow").value = data.follow; }
     if (!this.named.length) $("list").hidden = true;
     const names = this.named.map((thing) => thing.name).join(", ");
@@ -430,7 +438,7 @@ class Page {
 
   layersOn(names) {
     for (const [name, set] of Object.entries(this.switches)) set(names.includes(name));
-    if (this.pending !== undefined) { this.place(); this.follow(this.bodies[this.pending]); }
+    if (this.pending !== undefined) { this.place(); this.follow(this.carriers[this.pending]); }
   }
 
   follow(group) {

@@ -105,12 +105,17 @@ export function surface(s, color, most) {
   };
   // places of some points, for the camera
   const some = Math.max(1, Math.floor(n / 300));
-  group.cloud = (amplitude) => {
+  group.cloud = (amplitude, at, turn) => {
     const places = [];
-    for (let i = 0; i < n; i += some) places.push(new Vector3(...[0, 1, 2].map((c) => points[3 * i + c] + move(3 * i + c, amplitude))));
+    for (let i = 0; i < n; i += some) {
+      const point = new Vector3(...[0, 1, 2].map((c) => points[3 * i + c] + move(3 * i + c, amplitude)));
+      places.push(at ? point.applyQuaternion(turn).add(at) : point);
+    }
     return places;
   };
   // place and color of a point
-  group.point = (k) => [[...positions.slice(3 * k, 3 * k + 3)], [...colors.slice(3 * k, 3 * k + 3)]];
+  group.point = (k) => [
+    new Vector3().fromArray(positions, 3 * k).applyQuaternion(group.quaternion).add(group.position).toArray(), [...colors.slice(3 * k, 3 * k + 3)],
+  ];
   return group;
 }
