@@ -30,7 +30,7 @@ class Case:
         input_functions: Whether inputs are functions of the user, of which no derivative is known.
         stiff: Whether stability has limited the steps of an explicit method.
         elements: Whether the model is one of elements in absolute coordinates.
-        beams: Whether some of them are beams, whose vibrations stability has to resolve.
+        flexible: Whether some of them are beams or superelements, whose vibrations are stiff.
     """
 
     rtol: float
@@ -40,7 +40,7 @@ class Case:
     input_functions: bool = False
     stiff: bool = False
     elements: bool = False
-    beams: bool = False
+    flexible: bool = False
 
     @property
     def hurried(self) -> bool:
@@ -77,7 +77,7 @@ STIFF = "stability limited the steps of DOP853, not accuracy"
 RULES: tuple[Rule, ...] = (
     Rule(
         "Radau",
-        lambda case: case.elements and (case.beams or case.stiff),
+        lambda case: case.elements and (case.flexible or case.stiff),
         "elements in absolute coordinates: stiff, with constraints, of order 5, solved with sparse "
         "matrices",
     ),

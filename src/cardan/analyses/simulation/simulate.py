@@ -188,7 +188,7 @@ def case_of(
         derived=JACOBIAN in model.manifest.available,
         input_functions=bool(input_signals.functions),
         elements=model.manifest.absolute,
-        beams=bool(model.manifest.beams),
+        flexible=bool(model.manifest.beams or model.manifest.superelements),
     )
 
 
