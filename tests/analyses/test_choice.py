@@ -24,8 +24,8 @@ CHOICES: list[tuple[Case, str, str]] = [
     (Case(1e-6, stiff=True, input_functions=True), "Radau", "slopes of f(t, x)"),
     (Case(1e-6, stiff=True, derived=False), "DOP853", "functions=[..., 'rhs_jacobian']"),
     (Case(1e-6, elements=True), "DOP853", "not stiff so far"),
-    (Case(1e-6, elements=True, beams=True), "Radau", "stiff, with constraints"),
-    (Case(1e-9, elements=True, beams=True), "Radau", "stiff, with constraints"),
+    (Case(1e-6, elements=True, flexible=True), "Radau", "stiff, with constraints"),
+    (Case(1e-9, elements=True, flexible=True), "Radau", "stiff, with constraints"),
     (Case(1e-6, elements=True, stiff=True), "Radau", "stiff, with constraints"),
 ]
 
