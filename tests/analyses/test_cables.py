@@ -231,7 +231,7 @@ def test_numbers_are_parameters() -> None:
 
 def test_pages_draw_lines_without_their_nodes() -> None:
     motion = cd.compile(crane()).simulate(0.05)
-    bodies, _, lines = solids_of(motion)
+    bodies, _, lines, _ = solids_of(motion)
     assert {line.name: line.sections.shape[1] for line in lines} == {"guy": 2, "rope": 4}
     # its free end is a body of its own
     assert {body.name for body in bodies} == {"boom", "load", "rope.end"}
