@@ -130,7 +130,7 @@ def test_pages_of_beams_of_files_say_what_they_lack(tmp_path: Path) -> None:
 
 
 def test_colors_without_beams_are_refused(motion: cd.Trajectory, tmp_path: Path) -> None:
-    with pytest.raises(cd.ModelError, match="'swing' has no beams and no superelements .* to color"):
+    with pytest.raises(cd.ModelError, match="'swing' has no beams and no superelements"):
         motion.animate(tmp_path / "page.html", show="stress")
-    with pytest.raises(cd.ArgumentError, match="by stress or by strain"):
+    with pytest.raises(cd.ArgumentError, match="only one of stress, strain"):
         motion.animate(tmp_path / "page.html", show=["stress", "strain"])
