@@ -356,6 +356,7 @@ class SceneRecord(Vocabulary):
         damping: Value = 0,
         elements: int = 1,
         base: Body | str | None = None,
+        compression: bool = False,
     ) -> Cable:
         """Add a cable: straight elastic pieces that pull and do not push, with mass in its nodes.
 
@@ -369,14 +370,15 @@ class SceneRecord(Vocabulary):
             damping: Tension of a rate of the strain is EA times this time [s].
             elements: Number of pieces of equal length.
             base: Body in whose axes free ends are told; None: the ground.
+            compression: True for a bar, which pushes too; elements have hinges between them.
 
         Raises:
             ModelError: unknown or foreign frames, numbers no cable has, or a name that is taken.
 
         Source: Irvine, Cable Structures (1981), chapter 1.
         """
-        numbers = {"EA": EA, "rhoA": rhoA, "damping": damping}
-        return add_cable(self, name, (start, end), numbers, length, tension, elements, base)
+        numbers, unloaded = {"EA": EA, "rhoA": rhoA, "damping": damping}, (length, tension)
+        return add_cable(self, name, (start, end), numbers, unloaded, elements, base, compression)
 
     @checked
     def include(self, other: SceneRecord, prefix: str, at: Place | str | None = None) -> Included:
