@@ -53,6 +53,7 @@ def from_mesh(
     Args:
         mesh: A mesh, or a file that :func:`read` reads.
         material: A material of ``cd.material`` or :func:`orthotropic`; or materials by region.
+            Its ``damping`` becomes part of C.
         interfaces: Names of surfaces and sets of the mesh, or node numbers, by the name that the
             interface gets: ``{"hinge": "hole"}``.
         method, modes, rigid, at, damping, rayleigh: As for ``cd.superelement.reduce``.
@@ -105,6 +106,7 @@ def from_mesh(
         modes=modes,
         rigid=rigid,
         at=at,
+        C=body.damping() if any(group.material.damping for group in body.groups) else None,
         damping=damping,
         rayleigh=rayleigh,
         loads=loads,
