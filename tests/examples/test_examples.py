@@ -41,6 +41,7 @@ LEAVES = {
     "29_rotor_on_a_shaft": ("rotor.html",),
     "30_flexible_link": ("link.html", "link.png"),
     "31_deployable_antenna": ("antenna.html",),
+    "32_truss_retraction": ("folding.html", "snap.html", "retraction.png"),
 }
 
 

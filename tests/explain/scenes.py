@@ -38,6 +38,7 @@ LONG = {
     "29_rotor_on_a_shaft",
     "30_flexible_link",
     "31_deployable_antenna",
+    "32_truss_retraction",
     "bicycle",
 }
 TWICE = {"02_robot_arm", "04_scene_file", "14_bend"}
