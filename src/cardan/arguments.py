@@ -361,7 +361,6 @@ def checked(function: Callable[P, R]) -> Callable[P, R]:
     kinds = {name: kind for name, kind in kinds.items() if kind}
     positional_names = [p.name for p in parameters if not _gathers(p)]
     open_ended = any(p.kind is p.VAR_KEYWORD for p in parameters)
-    # what adds to a scene is called without the prefix
     title, plain = function.__name__.removeprefix("add_"), cast(Any, function)
     if title == "__init__":
         title = function.__qualname__.split(".")[-2]

@@ -256,14 +256,14 @@ HOSTILE: list[tuple[str, Any, str]] = [
     ("triangles", lambda x: x[:, :2], r"'triangles' of its surface has shape"),
     ("triangles", lambda x: np.zeros((300_000, 3)), "has shape"),
     ("points", lambda x: np.where(x == x.max(), np.nan, x), "'points'.*entries that are no numb"),
-    ("points", lambda x: 1e200 * np.ones_like(x), "entries that are no numbers"),
+    ("points", lambda x: 1e200 * np.ones_like(x), "entries that are not numbers"),
     ("points", lambda x: np.vstack([x, x]), "'shapes' of its surface has shape"),
-    ("points", lambda x: x.astype(str), "entries that are no numbers"),
+    ("points", lambda x: x.astype(str), "entries that are not numbers"),
     ("shapes", lambda x: x[:-1], "'shapes' of its surface has shape"),
-    ("shapes", lambda x: np.where(x == x.max(), np.inf, x), "entries that are no numbers"),
+    ("shapes", lambda x: np.where(x == x.max(), np.inf, x), "entries that are not numbers"),
     ("stressed", lambda x: x * 0, "two stresses at one point"),
     ("stresses", lambda x: x[:, 1:], "'stresses' of its surface has shape"),
-    ("stresses", lambda x: x * np.nan, "entries that are no numbers"),
+    ("stresses", lambda x: x * np.nan, "entries that are not numbers"),
 ]
 
 

@@ -78,12 +78,7 @@ def from_mesh(
             f"interfaces={brief(interfaces)}: give surfaces, sets or nodes by name, such as "
             "{'hinge': 'hole'}"
         )
-    body = Solid(mesh, material)
-    if not any(group.material.density for group in body.groups):
-        raise ModelError(
-            f"{mesh.source}: no material has a density: give rho= [kg/m^3], "
-            "cd.material(E=210e9, nu=0.3, rho=7850)"
-        )
+    body = _with_density(mesh, material)
     nodes = {name: mesh.nodes(place) for name, place in interfaces.items()}
     loads: dict[str, Array] = {}
     if any(group.material.expansion.any() for group in body.groups):
@@ -116,6 +111,21 @@ def from_mesh(
     )
     triangles = coarsened(mesh.points, mesh.triangles, MOST_TRIANGLES)
     return replace(record, surface=joined(NONE, triangles, np.zeros((0, 2), np.intp)))
+
+
+def _with_density(mesh: Mesh, material: AnyMaterial | Mapping[str, AnyMaterial]) -> Solid:
+    """The body.
+
+    Raises:
+        ModelError: it has no mass.
+    """
+    body = Solid(mesh, material)
+    if not any(group.material.density for group in body.groups):
+        raise ModelError(
+            f"{mesh.source}: no material has a density: give rho= [kg/m^3], "
+            "cd.material(E=210e9, nu=0.3, rho=7850)"
+        )
+    return body
 
 
 @checked

@@ -222,13 +222,13 @@ def rooted_tree(model: SceneRecord) -> tuple[list[Branch], list[Closing]]:
         flexible = [*dict.fromkeys(owners[name] for name in unconnected if name in owners)]
         rigid = [name for name in unconnected if name not in owners]
         kinds = (("body", "bodies", rigid), ("superelement", "superelements", flexible))
-        loose = " and ".join(
+        floating = " and ".join(
             f"{many if len(names) > 1 else one} {_listed(names)}"
             for one, many, names in kinds
             if names
         )
         raise TopologyError(
-            f"nothing joins {loose} to the ground. Add the missing joint"
+            f"nothing joins {floating} to the ground. Add the missing joint"
             f"{', or fix an interface to something (interfaces=)' if flexible else ''}; "
             f"Free() lets a body float"
         )
