@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from scipy.linalg import eigh
 
 import cardan as cd
 from cardan import solids as fem
-from solids.meshes import block
+from solids.meshes import block, grid
 
 LUG = Path(__file__).with_name("files") / "lug.inp"
 ALUMINIUM = cd.material(E=70e9, nu=0.3, rho=2700, expansion=2.3e-5)
@@ -87,6 +88,34 @@ def test_frequencies_of_a_beam_of_solids() -> None:
     K, M = body.stiffness().toarray(), body.mass().toarray()
     exact = np.sqrt(eigh(K, M, eigvals_only=True, subset_by_index=(6, 9)))
     assert link.frequencies[:4] == pytest.approx(exact, rel=1e-7)
+
+
+def test_damping_of_materials() -> None:
+    """C is the sum of the stiffnesses of materials times their damping."""
+    points, cells = grid((4, 1, 1), kind="hex20", size=(0.4, 0.05, 0.05))
+    regions = {"stiff": {"hex20": [0, 1]}, "soft": {"hex20": [2, 3]}}
+    mesh = fem.from_arrays(points, cells, regions=regions)
+    x = mesh.points[:, 0]
+    ends = {"a": np.flatnonzero(x < 1e-9), "b": np.flatnonzero(x > 0.4 - 1e-9)}
+
+    def reduced(E: float, soft: float, *damping: float) -> Any:
+        pairs = zip((E, soft), damping or (0.0, 0.0), strict=True)
+        materials = [cd.material(E=E, nu=0.3, rho=2700, damping=d) for E, d in pairs]
+        by_region = dict(zip(("stiff", "soft"), materials, strict=True))
+        return cd.superelement.from_mesh(mesh, by_region, ends, modes=6)
+
+    alike = reduced(70e9, 70e9, 2e-6, 2e-6)
+    assert abs(alike.C - 2e-6 * alike.K).max() < 1e-12 * abs(alike.C).max()
+    mixed = reduced(70e9, 2e9, 2e-6, 3e-4)
+    plain = reduced(70e9, 2e9)
+    assert not plain.C.any()
+    # the stiffness of a region is what its modulus adds
+    body = fem.solid(mesh, {"stiff": ALUMINIUM, "soft": cd.material(E=2e9, nu=0.3)})
+    twice = fem.solid(mesh, {"stiff": ALUMINIUM, "soft": cd.material(E=4e9, nu=0.3)})
+    soft = (twice.stiffness() - body.stiffness()).toarray()
+    C = 2e-6 * (body.stiffness().toarray() - soft) + 3e-4 * soft
+    expected = plain.basis.T @ C @ plain.basis
+    assert abs(mixed.C - expected).max() < 1e-9 * abs(expected).max()
 
 
 def test_faults_are_named() -> None:

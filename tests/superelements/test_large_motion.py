@@ -254,6 +254,7 @@ def test_a_hub_with_a_brick_has_known_frequencies(modes: int) -> None:
     ("interfaces", "options", "text"),
     [
         ({"rot": "ground"}, {}, "no interface 'rot'.*Did you mean 'root'"),
+        ({"ground": "root"}, {}, "no interface 'ground'.*Interfaces come first: {'root': ...}"),
         ({"root": "nowhere"}, {}, "'nowhere' does not exist"),
         ({}, {"frame": "middle"}, "no frame 'middle'"),
         ({}, {"weights": [1.0]}, "give 2 numbers"),
@@ -277,6 +278,18 @@ def test_names_that_are_taken() -> None:
         scene.body("boom.tip")
     with pytest.raises(cd.ModelError, match="no interface"):
         scene.superelement("other", soft_brick()).at("middle")
+
+
+def test_superelements_are_no_frames_and_files_no_records() -> None:
+    scene = cd.Scene("mistaken")
+    boom = scene.superelement("boom", soft_brick())
+    load = scene.body("load", mass=1.0)
+    with pytest.raises(cd.ModelError, match=r"not a frame: take its interface at\('root'\) or"):
+        scene.joint("pin", cd.Fixed(), load, boom)  # type: ignore[arg-type]
+    with pytest.raises(cd.TopologyError, match=r"body 'load' and superelement 'boom' to the gro"):
+        cd.derive(scene)
+    with pytest.raises(cd.ArgumentError, match=r"record='boom.npz': give a Superelement, as cd"):
+        scene.superelement("other", "boom.npz")  # type: ignore[arg-type]
 
 
 def test_a_massless_record_is_refused() -> None:

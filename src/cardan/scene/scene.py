@@ -10,7 +10,7 @@ from ..arguments import checked
 from ..elements.forces.force import ForceElement, refuse_several
 from ..elements.joints.joint import Joint as JointElement
 from ..elements.quantity import Direction, Rows, Value
-from ..errors import ModelError, brief, counted, near
+from ..errors import ModelError, brief, counted
 from ..notebooks import html
 from . import checks
 from .beam import Beam, Cable
@@ -175,9 +175,7 @@ class SceneRecord(Vocabulary):
             located = located or named.get(str(place))
         if located is None:
             names = ["ground", *self.bodies, *self.nodes, *(self.beams if "beam" in role else ())]
-            listed = near(place, names).replace(" Known:", " Bodies:")
-            place_text = f"'{place}'" if isinstance(place, str) else brief(place)
-            raise ModelError(f"{who}: {role} {place_text} does not exist.{listed}")
+            raise checks.no_place(who, role, place, names)
         return located
 
     # joints and forces

@@ -53,6 +53,7 @@ def from_mesh(
     Args:
         mesh: A mesh, or a file that :func:`read` reads.
         material: A material of ``cd.material`` or :func:`orthotropic`; or materials by region.
+            Its ``damping`` becomes part of C.
         interfaces: Names of surfaces and sets of the mesh, or node numbers, by the name that the
             interface gets: ``{"hinge": "hole"}``.
         method, modes, rigid, at, damping, rayleigh: As for ``cd.superelement.reduce``.
@@ -77,12 +78,7 @@ def from_mesh(
             f"interfaces={brief(interfaces)}: give surfaces, sets or nodes by name, such as "
             "{'hinge': 'hole'}"
         )
-    body = Solid(mesh, material)
-    if not any(group.material.density for group in body.groups):
-        raise ModelError(
-            f"{mesh.source}: no material has a density: give rho= [kg/m^3], "
-            "cd.material(E=210e9, nu=0.3, rho=7850)"
-        )
+    body = _with_density(mesh, material)
     nodes = {name: mesh.nodes(place) for name, place in interfaces.items()}
     loads: dict[str, Array] = {}
     if any(group.material.expansion.any() for group in body.groups):
@@ -105,6 +101,7 @@ def from_mesh(
         modes=modes,
         rigid=rigid,
         at=at,
+        C=body.damping() if any(group.material.damping for group in body.groups) else None,
         damping=damping,
         rayleigh=rayleigh,
         loads=loads,
@@ -114,6 +111,21 @@ def from_mesh(
     )
     triangles = coarsened(mesh.points, mesh.triangles, MOST_TRIANGLES)
     return replace(record, surface=joined(NONE, triangles, np.zeros((0, 2), np.intp)))
+
+
+def _with_density(mesh: Mesh, material: AnyMaterial | Mapping[str, AnyMaterial]) -> Solid:
+    """The body.
+
+    Raises:
+        ModelError: it has no mass.
+    """
+    body = Solid(mesh, material)
+    if not any(group.material.density for group in body.groups):
+        raise ModelError(
+            f"{mesh.source}: no material has a density: give rho= [kg/m^3], "
+            "cd.material(E=210e9, nu=0.3, rho=7850)"
+        )
+    return body
 
 
 @checked
