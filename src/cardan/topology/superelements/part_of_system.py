@@ -15,6 +15,7 @@ class PartOfSystem:
     Attributes:
         name: Its own.
         record: Its matrices.
+        frame_choice: ``"mean"``, ``"chord"`` or the interface that its frame is fixed to.
         frame: Index in ``System.frames`` of its axes and origin, where they are without
             deformation.
         joints: Numbers of the joints whose coordinates are its own, interface by interface, then
@@ -28,6 +29,7 @@ class PartOfSystem:
 
     name: str
     record: SuperelementRecord = field(repr=False)
+    frame_choice: str
     frame: int
     joints: tuple[int, ...]
     rows: tuple[int, ...]

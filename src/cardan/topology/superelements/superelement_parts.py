@@ -146,6 +146,7 @@ def parts_of_system(model: SceneRecord, assembly: Assembly) -> tuple[PartOfSyste
             PartOfSystem(
                 name=name,
                 record=record,
+                frame_choice=superelement.frame,
                 frame=frame,
                 joints=tuple(joints),
                 rows=tuple(rows),
