@@ -889,12 +889,16 @@ class CompiledModel(LoadedModel):
         self,
         name: str,
         q: State,
+        *,
+        t: float = 0.0,
+        r: State | None = None,
     ) -> DeformedSuperelement:
         """A superelement with its deformation: positions and stress at points of its surface.
 
         Args:
             name: Of the superelement.
             q: Coordinates (..., nq), such as those of an equilibrium.
+            t, r: Time [s] and inputs (nr,), on which loads may depend; those of the model by default.
 
         Raises:
             ModelError: there is no such superelement. ArgumentError: q has another shape.

@@ -206,6 +206,11 @@ class SuperelementRow(Record):
     undeformed: Sequence[str] = field(
         listed(text), "frames that stand where it is without deformation"
     )
+    loads: Sequence[str] = field(
+        listed(text),
+        "loads of its record that act; <name>.<load> is the output of a factor",
+        default=(),
+    )
     frame_choice: str = field(
         text, "interface that its frame is fixed to, or the mean or chord of all", default=""
     )
@@ -221,6 +226,16 @@ class SuperelementRow(Record):
         "inertia about that interface over its largest moment, row by row",
         default=(0.0,) * 9,
     )
+
+    @property
+    def amplitudes(self) -> int:
+        """Number of its coordinates and loads."""
+        return len(self.q) + len(self.loads)
+
+    @property
+    def outputs(self) -> list[str]:
+        """Outputs that are the factors of its loads."""
+        return [f"{self.name}.{load}" for load in self.loads]
 
 
 class ForceElementRow(Record):

@@ -25,12 +25,14 @@ COLUMNS = {"triangles": 3, "lines": 2}
 class MovingSurface:
     """Points that move by the coordinates of a superelement, in axes of its frame.
 
+    Behind n coordinates stand factors of loads, which move nothing and may add to the stress.
+
     Attributes:
         points: Undeformed (points, 3) [m].
-        shapes: Displacements by coordinates of 1 (n, points, 3).
+        shapes: Displacements by coordinates of 1 (n + loads, points, 3).
         triangles, lines: Between the points (triangles, 3), (lines, 2).
         stressed: Points whose stress is known (k,).
-        stresses: Their stress by coordinates of 1 (n, k, 6): xx, yy, zz, yz, zx, xy.
+        stresses: Their stress by coordinates of 1 (n + loads, k, 6): xx, yy, zz, yz, zx, xy.
     """
 
     points: Array
@@ -69,14 +71,20 @@ def stressed_points(record: SuperelementRecord) -> tuple[Integers, Integers]:
 
 
 @lru_cache(maxsize=16)
-def moving_surface(record: SuperelementRecord, rows: tuple[int, ...]) -> MovingSurface:
+def moving_surface(
+    record: SuperelementRecord, rows: tuple[int, ...], loads: tuple[str, ...] = ()
+) -> MovingSurface:
     """The surface of a component by some of its coordinates, with few enough numbers for a file.
 
     Args:
         record: The component.
         rows: Which coordinates move.
+        loads: Names of the loads that act. Where nobody said what one of them adds to the stress,
+            no stress is known.
     """
     points, rows_of_stress = stressed_points(record)
+    if not record.load_stresses.keys() >= {*loads}:
+        points, rows_of_stress = points[:0], rows_of_stress[:0]
     each = len(rows) * (3 + 6 * bool(len(points))) or 1
     most = max(100, MOST_NUMBERS // each)  # points
     surface, positions = record.surface, record.surface_points
@@ -93,13 +101,16 @@ def moving_surface(record: SuperelementRecord, rows: tuple[int, ...]) -> MovingS
     place[chosen] = np.arange(len(chosen))
     drawn = place[points] >= 0
     stresses = record.stress[rows_of_stress[drawn]] if drawn.any() else np.zeros((0, 6, record.n))
+    shapes = record.surface_basis[chosen][..., list(rows)].transpose(2, 0, 1)
+    added = [record.load_stresses[name][rows_of_stress[drawn]] for name in loads if drawn.any()]
+    stress = stresses[..., list(rows)].transpose(2, 0, 1)
     return MovingSurface(
         points=positions[chosen],
-        shapes=record.surface_basis[chosen][..., list(rows)].transpose(2, 0, 1).copy(),
+        shapes=np.concatenate([shapes, np.zeros((len(loads), *shapes.shape[1:]))]),
         triangles=place[triangles],
         lines=place[lines],
         stressed=place[points[drawn]],
-        stresses=stresses[..., list(rows)].transpose(2, 0, 1).copy(),
+        stresses=np.concatenate([stress, np.reshape(added, (len(loads), *stress.shape[1:]))]),
     )
 
 
@@ -108,7 +119,7 @@ def surface_of_arrays(arrays: Mapping[str, Array], n: int) -> MovingSurface:
 
     Args:
         arrays: By the names of :class:`MovingSurface`.
-        n: Number of coordinates.
+        n: Number of coordinates and loads.
 
     Raises:
         ValueError: sizes that do not fit, points that do not exist, or no numbers.

@@ -31,6 +31,7 @@ def superelement_rows(absolute: FiniteElementRecord) -> Iterator[SuperelementRow
             q=[k for place in joints for k in range(places.q[place], places.q[place + 1])],
             bodies=list(part.bodies),
             undeformed=list(part.undeformed),
+            loads=list(part.loads),
             frame_choice=part.frame_choice,
             stiffening=part.stiffening,
             fixed=spin.interface,
@@ -44,6 +45,6 @@ def surface_files(absolute: FiniteElementRecord) -> dict[str, bytes]:
     arrays = {
         entry(name, k): values
         for k, part in enumerate(absolute.system.superelements)
-        for name, values in moving_surface(part.record, part.rows).arrays().items()
+        for name, values in moving_surface(part.record, part.rows, part.loads).arrays().items()
     }
     return {FILE: packed(arrays)} if arrays else {}

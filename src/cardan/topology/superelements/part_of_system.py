@@ -23,6 +23,7 @@ class PartOfSystem:
         rows: Which of the coordinates of the record these are.
         stiffening: Whether its geometric stiffness by rotation counts.
         inertia: Constants of its inertia.
+        loads: Names of loads of its record that act.
         bodies: Names of those without mass that stand for its interfaces, frame and modes.
         undeformed: Names of frames that stand where it is without deformation.
     """
@@ -35,5 +36,6 @@ class PartOfSystem:
     rows: tuple[int, ...]
     stiffening: bool
     inertia: ProjectedInertia = field(repr=False)
+    loads: tuple[str, ...]
     bodies: tuple[str, ...]
     undeformed: tuple[str, ...]

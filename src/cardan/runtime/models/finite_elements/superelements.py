@@ -34,12 +34,14 @@ class DeformedSuperelementRecord:
         name: Of the superelement.
         pose: Transforms (..., 4, 4) from the axes of its frame to those of the ground.
         z: Its coordinates (..., n) that move: of interfaces, then of modes [m, rad, 1].
+        factors: Of the loads that act on it (..., loads), which may add to its stress.
         surface: What is drawn of it: points X, shapes Psi, triangles, lines, stress.
     """
 
     name: str
     pose: Array
     z: Array
+    factors: Array
     surface: MovingSurface = field(repr=False)
 
     @property
@@ -57,10 +59,15 @@ class DeformedSuperelementRecord:
         """Points whose stress is known (k,)."""
         return self.surface.stressed
 
+    @property
+    def amplitudes(self) -> Array:
+        """What shapes and stresses of the surface are multiplied by (..., n + loads)."""
+        return np.concatenate([self.z, self.factors], axis=-1)
+
     @cached_property
     def displacements(self) -> Array:
         """Displacements Psi z of the points (..., points, 3) [m], in axes of its frame."""
-        return np.tensordot(self.z, self.surface.shapes, 1)
+        return np.tensordot(self.amplitudes, self.surface.shapes, 1)
 
     @cached_property
     def positions(self) -> Array:
@@ -79,7 +86,7 @@ class DeformedSuperelementRecord:
             ModelError: the record has no stress at points of its surface.
         """
         self.check_stress()
-        return np.tensordot(self.z, self.surface.stresses, 1)
+        return np.tensordot(self.amplitudes, self.surface.stresses, 1)
 
     @cached_property
     def von_mises(self) -> Array:
@@ -98,7 +105,7 @@ class DeformedSuperelementRecord:
             ModelError: as :attr:`stress`.
         """
         self.check_stress()
-        z = self.z.reshape(-1, self.z.shape[-1])
+        z = self.amplitudes.reshape(-1, len(self.surface.stresses))
         most = [
             von_mises(np.tensordot(z[k : k + ROWS], self.surface.stresses, 1)).max(axis=1)
             for k in range(0, len(z), ROWS)
@@ -114,7 +121,8 @@ class DeformedSuperelementRecord:
         if not len(self.stressed):
             raise ModelError(
                 f"superelement '{self.name}' has no stress at points of its surface. Reduce its "
-                "mesh with stress=, a surface or a set of nodes, and compile again"
+                "mesh with stress=, a surface or a set of nodes, and matrices with load_stresses= "
+                "of every load that acts, and compile again"
             )
 
     def __repr__(self) -> str:
@@ -152,7 +160,7 @@ def surfaces_of(model: LoadedModel) -> dict[str, Array]:
         if hashlib.sha256(content).hexdigest() != model.manifest.sha256.get(FILE):
             raise ValueError("it is not the file its manifest speaks of")
         arrays = unpacked(content)
-        surfaces = [surface_of(arrays, k, len(row.q)) for k, row in enumerate(rows)]
+        surfaces = [surface_of(arrays, k, row.amplitudes) for k, row in enumerate(rows)]
     except (OSError, ValueError) as error:
         raise ModelError(
             f"{path} does not hold the surfaces of superelements: {error}. Compile the model again"
@@ -177,13 +185,16 @@ def surface_of(arrays: dict[str, Array], number: int, n: int) -> MovingSurface:
 
 
 @checked
-def superelement(model: LoadedModel, name: str, q: State) -> DeformedSuperelementRecord:
+def superelement(
+    model: LoadedModel, name: str, q: State, *, t: float = 0.0, r: State | None = None
+) -> DeformedSuperelementRecord:
     """A superelement with its deformation: positions and stress at points of its surface.
 
     Args:
         model: In absolute coordinates.
         name: Of the superelement.
         q: Coordinates (..., nq), such as those of an equilibrium.
+        t, r: Time [s] and inputs (nr,), on which loads may depend; those of the model by default.
 
     Raises:
         ModelError: there is no such superelement. ArgumentError: q has another shape.
@@ -193,9 +204,15 @@ def superelement(model: LoadedModel, name: str, q: State) -> DeformedSuperelemen
     places = np.asarray(model._vector("q", q), dtype=np.float64)
     if places.shape[-1:] != (model.nq,):
         raise ArgumentError(f"q has shape {places.shape}, expected (..., {model.nq})")
-    surface = surface_of(_cached(model), number, len(row.q))
-    pose = model.pose(row.frame, places)
-    return DeformedSuperelementRecord(name, pose, places[..., list(row.q)], surface)
+    surface = surface_of(_cached(model), number, row.amplitudes)
+    pose = model.pose(row.frame, places, t=t, r=r)
+    factors = np.zeros((*places.shape[:-1], 0))
+    if row.loads:
+        speeds = np.zeros((*places.shape[:-1], model.nu))
+        names = [output.name for output in model.manifest.outputs]
+        chosen = [names.index(one) for one in row.outputs]
+        factors = model.outputs(places, speeds, t=t, r=r)[..., chosen]
+    return DeformedSuperelementRecord(name, pose, places[..., list(row.q)], factors, surface)
 
 
 def _cached(model: LoadedModel) -> dict[str, Array]:
@@ -228,11 +245,12 @@ def superelement_of_run(motion: TrajectoryRecord, name: str) -> DeformedSuperele
     if entry("points", number) not in arrays:
         motion._model(f"the surface of superelement '{name}'")
     try:
-        surface = surface_of(arrays, number, len(row.q))
+        surface = surface_of(arrays, number, row.amplitudes)
     except ValueError as error:
         raise ModelError(
             f"superelement '{name}' is damaged: {error}. Save the run again"
         ) from error
+    factors = np.array([motion[one] for one in row.outputs]).reshape(-1, len(motion)).T
     return DeformedSuperelementRecord(
-        name, motion.pose(row.frame), motion.q[:, list(row.q)], surface
+        name, motion.pose(row.frame), motion.q[:, list(row.q)], factors, surface
     )

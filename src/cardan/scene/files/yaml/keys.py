@@ -124,6 +124,7 @@ SUPERELEMENT = (
     Key("weights", "column"),
     Key("stiffening", "flag"),
     Key("inertia", "text"),
+    Key("loads", "factors"),
 )
 _REDUCTION = (
     Key("method", "text"),
