@@ -211,6 +211,7 @@ class SuperelementRow(Record):
         "loads of its record that act; <name>.<load> is the output of a factor",
         default=(),
     )
+    beams: Sequence[str] = field(listed(text), "beams of a scene that it was made of", default=())
     frame_choice: str = field(
         text, "interface that its frame is fixed to, or the mean or chord of all", default=""
     )

@@ -28,6 +28,7 @@ from .response import (
     impedance,
     reduced_modes,
 )
+from .section_forces import COMPONENTS, BeamSections, SectionForces, forces_of
 from .surface import Surface
 from .values import numbers
 
@@ -63,6 +64,7 @@ class SuperelementRecord:
         stress: Rows of stress by the coordinates (components, n).
         load_stresses: What loads add to these rows where nothing moves, by name (components,).
         stress_names: Of these rows.
+        sections: Sections of beams whose forces these rows are, if it is of beams.
         geometric: Geometric stiffness by the names of loads of unit size (n, n).
         surface: What one sees of it.
         notes: What may not be meant.
@@ -91,6 +93,7 @@ class SuperelementRecord:
     stress: Array
     load_stresses: Mapping[str, Array]
     stress_names: tuple[str, ...]
+    sections: BeamSections
     geometric: Mapping[str, Array]
     surface: Surface
     notes: tuple[str, ...]
@@ -267,6 +270,23 @@ class SuperelementRecord:
         for name, factor in (loads or {}).items():
             stress = stress + factor * self.load_stress(name)
         return stress
+
+    def section_forces(self, z: ArrayLike, beam: str) -> SectionForces:
+        """Forces and moments in the sections of a beam by coordinates.
+
+        Args:
+            z: Coordinates (..., n).
+            beam: Name of a beam from which the component was made.
+
+        Returns:
+            N, Qy, Qz [N] and Mx, My, Mz [N m] at the ends of its elements, in axes of the section.
+
+        Raises:
+            ModelError: there is no such beam.
+        """
+        self.sections.of(beam)
+        rows = self.stresses(z)
+        return forces_of(beam, self.sections, rows.reshape(*rows.shape[:-1], -1, len(COMPONENTS)))
 
     def load_stress(self, name: str) -> Array:
         """What a load adds to the rows of stress where nothing moves (components,).

@@ -21,6 +21,7 @@ from .matrices import check_diagonals, square_size, symmetric, symmetric_part
 from .methods import METHODS, STATIC
 from .node_dofs import NodeDofs, number_rows
 from .record import SuperelementRecord
+from .section_forces import BeamSections
 from .static_shapes import with_static_shapes
 from .surface import Surface, surface_of
 
@@ -179,6 +180,7 @@ def _reduced(
         stress=additions.stress @ shapes,
         load_stresses=additions.load_stresses,
         stress_names=additions.stress_names,
+        sections=BeamSections(),
         geometric={
             name: symmetric_part(shapes.T @ (one @ shapes))
             for name, one in additions.geometric.items()

@@ -24,6 +24,8 @@ from .interfaces import SPIDERS, InterfaceFrame
 from .methods import METHODS
 from .node_dofs import COMPONENTS, NodeDofs
 from .record import SuperelementRecord
+from .section_forces import COMPONENTS as SECTION
+from .section_forces import BeamSections
 from .surface import MOST_POINTS, Surface, sampled
 from .values import LARGEST
 
@@ -47,6 +49,7 @@ SHAPES: dict[str, tuple[str | int, ...]] = {
     "loads": ("loads", "n"),
     "stress": ("stress", "n"),
     "load_stresses": ("load stresses", "stress"),
+    "stations": ("sections",),
     "geometric": ("geometric", "n", "n"),
     "surface_nodes": ("points",),
     "surface_arms": ("points", 3),
@@ -104,6 +107,7 @@ def save(record: SuperelementRecord, path: Path) -> Path:
         "load_stresses": np.array([*record.load_stresses.values()]).reshape(
             len(record.load_stresses), len(record.stress)
         ),
+        "stations": record.sections.stations,
         "geometric": np.array([*record.geometric.values()]).reshape(-1, n, n),
     }
     for part in ("inertia", "surface"):
@@ -124,6 +128,7 @@ def save(record: SuperelementRecord, path: Path) -> Path:
         "loads": [*record.loads],
         "stress_names": [*record.stress_names],
         "load_stresses": [*record.load_stresses],
+        "sections": [*record.sections.beams],
         "geometric": [*record.geometric],
         "notes": [*record.notes],
     }
@@ -167,6 +172,7 @@ def load(path: Path) -> SuperelementRecord:
             # nobody asked yet what loads add to stress
             arrays["load_stresses"] = np.zeros((0, len(arrays["stress"])))
             about["load_stresses"] = []
+            arrays["stations"], about["sections"] = np.zeros(0), []
         return _record(about, arrays)
     except FileNotFoundError:
         raise ModelError(f"{path}: there is no such file") from None
@@ -214,6 +220,12 @@ def _record(
     for name, array in NAMED.items():
         if len({*texts[name]}) != len(texts[name]) or len(texts[name]) != len(arrays[array]):
             raise ValueError(f"'{name}' does not name the rows of '{array}'")
+    sections = _texts(about["sections"])
+    if len(sections) != len(arrays["stations"]) or len(sections) * len(SECTION) not in (
+        0,
+        len(arrays["stress"]),
+    ):
+        raise ValueError("its sections are not those of its stress")
     if not {*texts["load_stresses"]} <= {*texts["loads"]}:
         raise ValueError("'load_stresses' names loads that there are not")
     method, massless = _text(about["method"]), about["massless"]
@@ -250,6 +262,7 @@ def _record(
         stress=numbers["stress"],
         load_stresses=dict(zip(texts["load_stresses"], numbers["load_stresses"], strict=True)),
         stress_names=texts["stress_names"],
+        sections=BeamSections(sections, numbers["stations"]),
         geometric=dict(zip(texts["geometric"], numbers["geometric"], strict=True)),
         surface=Surface(
             labels["surface_nodes"],

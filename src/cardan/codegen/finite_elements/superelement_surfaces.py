@@ -32,6 +32,7 @@ def superelement_rows(absolute: FiniteElementRecord) -> Iterator[SuperelementRow
             bodies=list(part.bodies),
             undeformed=list(part.undeformed),
             loads=list(part.loads),
+            beams=list(part.record.sections.names),
             frame_choice=part.frame_choice,
             stiffening=part.stiffening,
             fixed=spin.interface,

@@ -15,7 +15,9 @@ from ....arrays import Array, Integers
 from ....errors import ArgumentError, ModelError, counted, near
 from ....number_file import unpacked
 from ....schema.manifest import Manifest
+from ....schema.mechanism import SuperelementRow
 from ....superelements.moving_surface import FILE, MovingSurface, entry, surface_of_arrays
+from ....superelements.section_forces import BeamSections, SectionForces, forces_of
 from ....superelements.stress_recovery import von_mises
 from ...calls.evaluation import State
 
@@ -36,6 +38,7 @@ class DeformedSuperelementRecord:
         z: Its coordinates (..., n) that move: of interfaces, then of modes [m, rad, 1].
         factors: Of the loads that act on it (..., loads), which may add to its stress.
         surface: What is drawn of it: points X, shapes Psi, triangles, lines, stress.
+        beams: Beams of a scene that it was made of.
     """
 
     name: str
@@ -43,6 +46,7 @@ class DeformedSuperelementRecord:
     z: Array
     factors: Array
     surface: MovingSurface = field(repr=False)
+    beams: tuple[str, ...] = ()
 
     @property
     def triangles(self) -> Integers:
@@ -112,6 +116,24 @@ class DeformedSuperelementRecord:
         ]
         return np.concatenate([*most, np.zeros(0)]).reshape(self.z.shape[:-1])
 
+    def section_forces(self, beam: str) -> SectionForces:
+        """Forces and moments in the sections of a beam that the component was made of.
+
+        Args:
+            beam: Its name, as in the scene that was reduced.
+
+        Returns:
+            N, Qy, Qz [N] and Mx, My, Mz [N m] at the ends of its elements (..., 2 n, 3), in axes of
+            the section.
+
+        Raises:
+            ModelError: there is no such beam.
+        """
+        surface = self.surface
+        names = tuple(self.beams[k] for k in surface.section_beams)
+        rows = np.tensordot(self.amplitudes, surface.section_forces, 1)
+        return forces_of(beam, BeamSections(names, surface.stations), rows)
+
     def check_stress(self) -> None:
         """Make sure that stress is known somewhere.
 
@@ -160,7 +182,7 @@ def surfaces_of(model: LoadedModel) -> dict[str, Array]:
         if hashlib.sha256(content).hexdigest() != model.manifest.sha256.get(FILE):
             raise ValueError("it is not the file its manifest speaks of")
         arrays = unpacked(content)
-        surfaces = [surface_of(arrays, k, row.amplitudes) for k, row in enumerate(rows)]
+        surfaces = [surface_of(arrays, k, row) for k, row in enumerate(rows)]
     except (OSError, ValueError) as error:
         raise ModelError(
             f"{path} does not hold the surfaces of superelements: {error}. Compile the model again"
@@ -172,7 +194,7 @@ def surfaces_of(model: LoadedModel) -> dict[str, Array]:
     }
 
 
-def surface_of(arrays: dict[str, Array], number: int, n: int) -> MovingSurface:
+def surface_of(arrays: dict[str, Array], number: int, row: SuperelementRow) -> MovingSurface:
     """The surface of a superelement out of the arrays of a file.
 
     Raises:
@@ -181,7 +203,7 @@ def surface_of(arrays: dict[str, Array], number: int, n: int) -> MovingSurface:
     names = MovingSurface.__dataclass_fields__
     places = {name: entry(name, number) for name in names}
     selected = {name: arrays[place] for name, place in places.items() if place in arrays}
-    return surface_of_arrays(selected, n)
+    return surface_of_arrays(selected, row.amplitudes, len(row.beams))
 
 
 @checked
@@ -204,7 +226,7 @@ def superelement(
     places = np.asarray(model._vector("q", q), dtype=np.float64)
     if places.shape[-1:] != (model.nq,):
         raise ArgumentError(f"q has shape {places.shape}, expected (..., {model.nq})")
-    surface = surface_of(_cached(model), number, row.amplitudes)
+    surface = surface_of(_cached(model), number, row)
     pose = model.pose(row.frame, places, t=t, r=r)
     factors = np.zeros((*places.shape[:-1], 0))
     if row.loads:
@@ -212,7 +234,8 @@ def superelement(
         names = [output.name for output in model.manifest.outputs]
         chosen = [names.index(one) for one in row.outputs]
         factors = model.outputs(places, speeds, t=t, r=r)[..., chosen]
-    return DeformedSuperelementRecord(name, pose, places[..., list(row.q)], factors, surface)
+    z = places[..., list(row.q)]
+    return DeformedSuperelementRecord(name, pose, z, factors, surface, tuple(row.beams))
 
 
 def _cached(model: LoadedModel) -> dict[str, Array]:
@@ -245,12 +268,12 @@ def superelement_of_run(motion: TrajectoryRecord, name: str) -> DeformedSuperele
     if entry("points", number) not in arrays:
         motion._model(f"the surface of superelement '{name}'")
     try:
-        surface = surface_of(arrays, number, row.amplitudes)
+        surface = surface_of(arrays, number, row)
     except ValueError as error:
         raise ModelError(
             f"superelement '{name}' is damaged: {error}. Save the run again"
         ) from error
     factors = np.array([motion[one] for one in row.outputs]).reshape(-1, len(motion)).T
     return DeformedSuperelementRecord(
-        name, motion.pose(row.frame), motion.q[:, list(row.q)], factors, surface
+        name, motion.pose(row.frame), motion.q[:, list(row.q)], factors, surface, tuple(row.beams)
     )

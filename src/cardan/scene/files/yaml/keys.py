@@ -150,6 +150,7 @@ SOLID_MESH = (
     Key("material", "materials", True),
     Key("interfaces", "node_sets", True),
     *_REDUCTION,
+    Key("static_shapes", "texts"),
     Key("stress", "node_set"),
     Key("stiffening", "text"),
 )
