@@ -178,6 +178,7 @@ def test_in_files_and_in_other_scenes(tmp_path: Path) -> None:
     scene.superelement(
         "bar", bar(), {"left": scene.ground}, loads={"heat": 20 * rise + cd.t}, frame="left"
     )
+    assert "heat 20*rise + t" in str(scene)
     scene.save(tmp_path / "part.yaml")
     assert complaints(document(tmp_path / "part.yaml")) == []
     again = cd.load(tmp_path / "part.yaml")

@@ -43,6 +43,24 @@ def test_fast_spins_are_warned_of(frame: str, slow: float, fast: float) -> None:
     assert ("a part of their stiffening" in text) == (frame == "mean")
 
 
+def test_steady_motions_are_warned_of() -> None:
+    """And states of rest, of rotations of interfaces; the others are not."""
+    scene = cd.Scene("rotor", gravity=(0, 0, 0))
+    hub = scene.body("hub", 1.0, inertia=(1.0, 1.0, 1.0))
+    scene.joint("bearing", cd.Revolute("z"), scene.ground, hub)
+    body = scene.superelement("boom", soft_brick(), {"root": hub}, frame="root")
+    force = scene.parameter("force", 0.0)
+    scene.force("push", cd.Force(body.at("tip"), (0, 0, force), in_=hub))
+    model = cd.compile(scene)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", cd.SolveWarning)
+        model.equilibrium(u={"bearing": 1.0})
+    with pytest.warns(cd.SolveWarning, match="'boom' spins with w = 3 rad/s"):
+        model.equilibrium(u={"bearing": 3.0})
+    with pytest.warns(cd.SolveWarning, match=r"'boom\.tip' turns by"):
+        model.equilibrium(parameters={"force": 500.0}, locked={"bearing": 0.0})
+
+
 def test_a_shaft_that_turns_about_itself_is_not_stretched() -> None:
     model = free("root", (0.0, 0.0, 0.0))
     assert warned(model, (5.0, 0, 0)) == []

@@ -1,4 +1,4 @@
-"""Runs in which superelements leave the range where they are told as linear."""
+"""Runs and equilibria in which superelements leave the range where they are told as linear."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from ...arrays import Array
+from ...errors import SolveWarning, warn
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ...schema.mechanism import SuperelementRow
@@ -25,6 +26,19 @@ def excesses(motion: TrajectoryRecord) -> Iterator[str]:
     """
     if motion.model is not None and len(motion):
         yield from (text for limit in LIMITS if (text := limit(motion.model, motion)))
+
+
+def warn_of_state(model: LoadedModel, x: Array, t: float, r: Array) -> None:
+    """Warn of every limit that a state of rest or of steady motion passes.
+
+    Args:
+        model: Any.
+        x: State (nx,).
+        t, r: Time [s] and inputs (nr,).
+    """
+    there = TrajectoryRecord.of_states(model, np.array([t]), x[None], np.atleast_2d(r), "state")
+    for text in excesses(there):
+        warn(text, SolveWarning)
 
 
 def rotated(model: LoadedModel, motion: TrajectoryRecord) -> str:
