@@ -151,7 +151,7 @@ ENSEMBLE_FILE = Format("ensemble checkpoint", "ensemble", 1, 1, "start the ensem
 MANIFEST = Format("manifest", "schema", 3, 3, "compile the model again")
 ABI = Format("C interface", "abi", 2, 2, "compile the model again")
 PICKLE = Format("pickle", "pickle", 3, 3, "pickle again what it was made of")
-SUPERELEMENT = Format("superelement", "superelement", 2, 1, "reduce its matrices again")
+SUPERELEMENT = Format("superelement", "superelement", 3, 1, "reduce its matrices again")
 FORMATS = (
     *(SCENE, RUN, ENSEMBLE, SUPERELEMENT, STEPPER, RUN_FILE, ENSEMBLE_FILE),
     *(MANIFEST, ABI, PICKLE),

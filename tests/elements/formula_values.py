@@ -19,7 +19,7 @@ def skew(v: Any) -> Any:
 
 
 def _dot(a: Any, b: Any) -> float:
-    return float(np.ravel(a) @ np.ravel(b))
+    return (np.ravel(a) @ np.ravel(b)).item()
 
 
 FUNCTIONS: Values = {

@@ -202,6 +202,7 @@ KINDS |= {
     "labels": {"anyOf": [TEXT, by_name(TEXT)]},
     "points": by_name({"type": "array", "items": NUMBER, "minItems": 3, "maxItems": 3}),
     "places": by_name(reference("place")),
+    "factors": by_name(EXPRESSION),
     "node_set": NODES,
     "node_sets": by_name(NODES),
     "materials": {"anyOf": [record(keys.MATERIAL), by_name(record(keys.MATERIAL))]},

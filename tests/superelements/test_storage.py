@@ -86,6 +86,7 @@ FORGERIES: dict[str, Any] = {
     "method": lambda arrays, about: about.update(method="guess"),
     "massless": lambda arrays, about: about.update(massless=1e9),
     "names": lambda arrays, about: about.update(loads=["a", "b"]),
+    "load stresses": lambda arrays, about: about.update(load_stresses=["a"]),
     "interfaces": lambda arrays, about: about.update(interfaces=[]),
     "frame": lambda arrays, about: about["interfaces"][0].update(components=["x", "x", "rz"]),
     "position": lambda arrays, about: about["interfaces"][0].update(position=[0, 0]),
@@ -103,9 +104,20 @@ def test_a_forged_component_is_refused(tmp_path: Path) -> None:
         file = forged(tmp_path, change)
         with pytest.raises(cd.ModelError, match=r"forged\.npz is not a superelement"):
             cd.superelement.load(file)
-    newer = forged(tmp_path, lambda arrays, about: about.update(superelement=3, cardan="9"))
-    with pytest.raises(cd.ModelError, match=r"superelement format 3.*reduce its matrices again"):
+    newer = forged(tmp_path, lambda arrays, about: about.update(superelement=4, cardan="9"))
+    with pytest.raises(cd.ModelError, match=r"superelement format 4.*reduce its matrices again"):
         cd.superelement.load(newer)
+
+
+def test_files_before_stresses_of_loads(tmp_path: Path) -> None:
+    def earlier(arrays: dict[str, Any], about: dict[str, Any]) -> None:
+        del arrays["load_stresses"], about["load_stresses"]
+        about["superelement"] = 2
+
+    saved(tmp_path)
+    again = cd.superelement.load(forged(tmp_path, earlier))
+    assert again.load_stresses == {}
+    assert [*again.loads] == [*cd.superelement.load(tmp_path / "beam.npz").loads]
 
 
 def test_a_damaged_component_is_refused(tmp_path: Path) -> None:

@@ -67,6 +67,9 @@ class CompiledModel(LoadedModel):
     stiffness = verb("cardan.analyses.simulation.precision.stiffness:stiffness")
     beam = verb("cardan.runtime.models.finite_elements.beams:beam")
     superelement = verb("cardan.runtime.models.finite_elements.superelements:superelement")
+    superelement_parts = verb(
+        "cardan.runtime.models.finite_elements.superelement_parts:superelement_parts"
+    )
     cable = verb("cardan.runtime.trajectory.cables:cable")
 
     # measured motions

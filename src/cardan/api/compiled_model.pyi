@@ -28,6 +28,7 @@ from ..runtime.calls.evaluation import State
 from ..runtime.calls.objects import Key
 from ..runtime.models.finite_elements.beams import BeamStress
 from ..runtime.models.finite_elements.elements import Elements
+from ..runtime.models.finite_elements.superelement_parts import SuperelementParts
 from ..runtime.models.loaded_model import LoadedModel
 from ..runtime.trajectory.cables import CableTension
 from ..runtime.verification.verify import Verification
@@ -888,15 +889,41 @@ class CompiledModel(LoadedModel):
         self,
         name: str,
         q: State,
+        *,
+        t: float = 0.0,
+        r: State | None = None,
     ) -> DeformedSuperelement:
         """A superelement with its deformation: positions and stress at points of its surface.
 
         Args:
             name: Of the superelement.
             q: Coordinates (..., nq), such as those of an equilibrium.
+            t, r: Time [s] and inputs (nr,), on which loads may depend; those of the model by default.
 
         Raises:
             ModelError: there is no such superelement. ArgumentError: q has another shape.
+        """
+    def superelement_parts(
+        self,
+        name: str,
+        q: State,
+        u: State | None = None,
+        udot: State | None = None,
+    ) -> SuperelementParts:
+        """Forces of a superelement and their derivatives by name: gyroscopic ones, and so on.
+
+        Args:
+            name: Of the superelement.
+            q: Coordinates (nq,).
+            u, udot: Speeds and accelerations (nu,), 0 by default.
+
+        Returns:
+            Parts of forces, M, C and K.
+
+        Raises:
+            ModelError: there is no such superelement. ArgumentError: a block has another shape.
+
+        Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), section 8.7.2.
         """
     def cable(
         self,

@@ -120,6 +120,7 @@ class ComponentMatrices(ComponentMatricesRecord):
         static_shapes: Sequence[str] = (),
         stress: object = None,
         stress_names: Sequence[str] | None = None,
+        load_stresses: Mapping[str, object] | None = None,
         geometric: Mapping[str, object] | None = None,
         triangles: ArrayLike | None = None,
         lines: ArrayLike | None = None,
@@ -132,7 +133,7 @@ class ComponentMatrices(ComponentMatricesRecord):
             nodes: Positions (n_nodes, 3) [m] where the files have none, nodes in rising numbers.
             method, modes, rigid, at, frame_dofs, node_dofs, order: As there.
             supported, C, damping, rayleigh, loads, static_shapes, stress, stress_names: As there.
-            geometric, triangles, lines, make_free: As there.
+            load_stresses, geometric, triangles, lines, make_free: As there.
 
         Raises:
             ModelError: no positions of nodes, or as there.

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import final
 
+from ..elements.quantity import Value
 from ..equations.components.beams import Where
 from ..scene.beam import Beam
 from ..scene.body import Body
@@ -47,6 +48,7 @@ class Scene(SceneRecord):
         weights: Sequence[float] | None = None,
         stiffening: bool = False,
         inertia: str = "nodal",
+        loads: Mapping[str, Value] | None = None,
     ) -> FlexibleBody:
         """Add a flexible body that was reduced from finite elements: see ``cd.superelement``.
 
@@ -71,6 +73,9 @@ class Scene(SceneRecord):
                 alone, the simpler form of the source. Its modal coordinates feel neither their
                 centrifugal force nor that the frame moves, so that a spin beside a velocity of the
                 body bends it.
+            loads: Factors of loads of the record, by name: numbers, parameters, inputs or expressions
+                in these and t. The loads act where the body is without deformation and turn with its
+                frame. ``scene.superelement("arm", link, loads={"temperature": 40.0})``.
 
         Returns:
             The superelement; ``at`` gives its interfaces as frames.

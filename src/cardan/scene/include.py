@@ -226,7 +226,8 @@ class _Copy:
     def superelement(self, old: PlacedSuperelement) -> None:
         """The superelement with its interfaces; the record is the same."""
         joined = {interface: self.name(place) for interface, place in old.joined.items()}
-        copied = dataclasses.replace(old, name=self.name(old.name), joined=joined)
+        loads = {name: self.value(factor) for name, factor in old.loads.items()}
+        copied = dataclasses.replace(old, name=self.name(old.name), joined=joined, loads=loads)
         checks.new("superelement", copied.name, self.model.superelements)
         add_interfaces(self.model, copied)
         for node in old.places:

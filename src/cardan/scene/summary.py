@@ -124,7 +124,9 @@ def cable_rows(model: SceneRecord) -> list[list[str]]:
 
 def superelement_rows(model: SceneRecord) -> list[list[str]]:
     """Superelements, below their titles."""
-    rows = [["superelement", "mass [kg]", "method", "modes", "frame", "interfaces"]]
+    loaded = any(one.loads for one in model.superelements.values())
+    heads = ["superelement", "mass [kg]", "method", "modes", "frame", "interfaces"]
+    rows = [[*heads, "loads"] if loaded else heads]
     for name, one in model.superelements.items():
         record = one.record
         ends = [
@@ -133,7 +135,9 @@ def superelement_rows(model: SceneRecord) -> list[list[str]]:
         ]
         modes = str(record.n - record.n_boundary)
         mass = _short(record.properties.mass)
-        rows.append([name, mass, record.method, modes, one.frame, ", ".join(ends)])
+        row = [name, mass, record.method, modes, one.frame, ", ".join(ends)]
+        loads = (f"{load} {_short(factor)}" for load, factor in one.loads.items())
+        rows.append([*row, *([", ".join(loads)] if loaded else [])])
     return rows
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from ..arrays import Array
+from ..elements.quantity import Value
 from ..elements.superelement_joints import ROTATIONS, TRANSLATIONS
 from ..superelements.inertia import ProjectedInertia, of_interfaces
 from ..superelements.record import SuperelementRecord
@@ -28,6 +29,7 @@ class PlacedSuperelement:
         weights: Of the interfaces in a mean frame, of sum 1.
         stiffening: Whether its geometric stiffness by rotation counts.
         inertia: Form of its inertia, by name in :data:`INERTIAS`.
+        loads: Factors of loads of the record, by name.
     """
 
     name: str
@@ -37,6 +39,7 @@ class PlacedSuperelement:
     weights: tuple[float, ...]
     stiffening: bool = False
     inertia: str = "nodal"
+    loads: Mapping[str, Value] = field(default_factory=dict)
 
     def place_name(self, interface: str) -> str:
         """Name of the frame of an interface."""

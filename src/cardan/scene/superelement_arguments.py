@@ -8,8 +8,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..arguments import checked
+from ..elements.quantity import Value
 from ..elements.superelement_joints import ROTATIONS
 from ..errors import ModelError, brief, near
+from ..superelements.additions import GRAVITY
 from ..superelements.record import SuperelementRecord
 from . import checks
 from .beam_arguments import add_interfaces
@@ -62,6 +64,7 @@ def add_superelement(
     weights: Sequence[float] | None = None,
     stiffening: bool = False,
     inertia: str = NODAL,
+    loads: Mapping[str, Value] | None = None,
 ) -> FlexibleBody:
     """Add a flexible body that was reduced from finite elements: see ``cd.superelement``.
 
@@ -87,6 +90,9 @@ def add_superelement(
             alone, the simpler form of the source. Its modal coordinates feel neither their
             centrifugal force nor that the frame moves, so that a spin beside a velocity of the
             body bends it.
+        loads: Factors of loads of the record, by name: numbers, parameters, inputs or expressions
+            in these and t. The loads act where the body is without deformation and turn with its
+            frame. ``scene.superelement("arm", link, loads={"temperature": 40.0})``.
 
     Returns:
         The superelement; ``at`` gives its interfaces as frames.
@@ -118,10 +124,43 @@ def add_superelement(
         weights=_weights(who, weights, len(names)),
         stiffening=stiffening,
         inertia=chosen("inertia", who, inertia, INERTIAS),
+        loads=_loads(model, who, record, loads or {}),
     )
     _check_frame(who, superelement)
     add_interfaces(model, superelement)
     return FlexibleBody(model, name, record)
+
+
+def _loads(
+    model: SceneRecord, who: str, record: SuperelementRecord, loads: Mapping[str, Value]
+) -> dict[str, Value]:
+    """Factors of loads that the record has.
+
+    Raises:
+        ModelError: it has none of a name, or a factor is of what moves.
+    """
+    names = [one.name for one in record.interfaces]
+    for name, factor in loads.items():
+        if name == GRAVITY:
+            raise ModelError(f"{who}: loads: its weight acts by gravity= of the scene already")
+        if name not in record.loads:
+            cure = near(name, record.loads) if record.loads else ""
+            raise ModelError(
+                f"{who}: its record has no load {brief(name)}.{cure} Give loads= to the reduction"
+            )
+        if name in (*names, "frame", "modes", "axes"):
+            raise ModelError(f"{who}: a load and a part of it are called '{name}'; rename the load")
+        checks.quantity(f"{who}: load '{name}'", factor)
+        symbols = getattr(factor, "free_symbols", ())
+        for symbol in sorted(map(str, symbols)):
+            if symbol in model.atoms:
+                raise ModelError(
+                    f"{who}: load '{name}' reads '{symbol}', which moves; give numbers, "
+                    "parameters, inputs and t"
+                )
+        if not symbols:
+            checks.number(f"{who}: load '{name}'", factor)
+    return dict(loads)
 
 
 def chosen(what: str, who: str, value: str, names: Collection[str]) -> str:

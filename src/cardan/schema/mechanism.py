@@ -206,6 +206,37 @@ class SuperelementRow(Record):
     undeformed: Sequence[str] = field(
         listed(text), "frames that stand where it is without deformation"
     )
+    loads: Sequence[str] = field(
+        listed(text),
+        "loads of its record that act; <name>.<load> is the output of a factor",
+        default=(),
+    )
+    beams: Sequence[str] = field(listed(text), "beams of a scene that it was made of", default=())
+    frame_choice: str = field(
+        text, "interface that its frame is fixed to, or the mean or chord of all", default=""
+    )
+    stiffening: bool = field(flag, "whether its rotation stiffens it", default=False)
+    fixed: str = field(
+        text,
+        "interface with which fixed its first frequency is lowest: that of the frame",
+        default="",
+    )
+    first_frequency: float = field(number, "with that fixed [rad/s], 0 without any", default=0.0)
+    relative_inertia: Sequence[float] = field(
+        listed(number, 9),
+        "inertia about that interface over its largest moment, row by row",
+        default=(0.0,) * 9,
+    )
+
+    @property
+    def amplitudes(self) -> int:
+        """Number of its coordinates and loads."""
+        return len(self.q) + len(self.loads)
+
+    @property
+    def outputs(self) -> list[str]:
+        """Outputs that are the factors of its loads."""
+        return [f"{self.name}.{load}" for load in self.loads]
 
 
 class ForceElementRow(Record):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -23,7 +23,7 @@ from .files import read
 from .loads import centrifugal_products, thermal
 from .record import Mesh, Place
 from .solid import AnyMaterial, Solid
-from .stress import stress_operator
+from .stress import stress_operator, thermal_stresses
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_matrix
@@ -44,6 +44,7 @@ def from_mesh(
     at: Mapping[str, object] | None = None,
     damping: object = None,
     rayleigh: tuple[float, float] | None = None,
+    static_shapes: Sequence[str] = (),
     stress: Place | None = None,
     stiffening: str | None = None,
     scale: float | None = None,
@@ -56,7 +57,8 @@ def from_mesh(
             Its ``damping`` becomes part of C.
         interfaces: Names of surfaces and sets of the mesh, or node numbers, by the name that the
             interface gets: ``{"hinge": "hole"}``.
-        method, modes, rigid, at, damping, rayleigh: As for ``cd.superelement.reduce``.
+        method, modes, rigid, at, damping, rayleigh, static_shapes: As for
+            ``cd.superelement.reduce``.
         stress: Nodes whose stresses are recovered: a surface, a set or numbers; none by default.
         stiffening: Name of the interface that holds the body while it spins: the record gets the
             geometric stiffness of :func:`spin_stiffness` with it; none by default.
@@ -105,9 +107,14 @@ def from_mesh(
         damping=damping,
         rayleigh=rayleigh,
         loads=loads,
+        static_shapes=static_shapes,
         geometric=geometric,
         stress=stress_operator(body, recovered) if recovered else None,
         stress_names=nodal_names(recovered) or None,
+        load_stresses={
+            name: thermal_stresses(body, np.ones(len(mesh.points)), recovered)
+            for name in (loads if recovered else ())
+        },
     )
     triangles = coarsened(mesh.points, mesh.triangles, MOST_TRIANGLES)
     return replace(record, surface=joined(NONE, triangles, np.zeros((0, 2), np.intp)))

@@ -17,8 +17,9 @@ from .interfaces import InterfaceFrame
 from .methods import METHODS
 from .readers import READERS, read
 from .readers.matrix_files import ComponentMatricesRecord
-from .record import ReducedModes, SuperelementRecord
+from .record import SuperelementRecord
 from .reduction import reduce
+from .response import ReducedModes
 from .storage import load
 from .surface import Surface
 

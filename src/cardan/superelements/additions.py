@@ -33,6 +33,7 @@ class Additions:
         loads: Forces by name (rows,).
         static_shapes: Names of loads whose static response is among the shapes.
         stress: Operator (components, rows).
+        load_stresses: What loads add to its rows (components,).
         stress_names: Of its rows.
         geometric: Geometric stiffness by name (rows, rows).
     """
@@ -44,6 +45,7 @@ class Additions:
     loads: Mapping[str, Array]
     static_shapes: tuple[str, ...]
     stress: Sparse
+    load_stresses: Mapping[str, Array]
     stress_names: tuple[str, ...]
     geometric: Mapping[str, Sparse]
 
@@ -89,6 +91,7 @@ def additions_of(
     static_shapes: Sequence[str],
     stress: object,
     stress_names: Sequence[str] | None,
+    load_stresses: Mapping[str, object],
     geometric: Mapping[str, object],
 ) -> Additions:
     """What a user adds, checked.
@@ -121,6 +124,10 @@ def additions_of(
         loads=forces,
         static_shapes=tuple(dict.fromkeys(names)),
         stress=rows,
+        load_stresses={
+            name: _load_stress(name, one, forces, len(labels))
+            for name, one in load_stresses.items()
+        },
         stress_names=labels,
         geometric={
             checked_name("geometric", name): symmetric(f"geometric '{name}'", one, dofs)
@@ -140,6 +147,19 @@ def _load(name: str, values: object, dofs: NodeDofs) -> Array:
     if len(bad):
         raise ModelError(f"loads: '{name}' is {force[bad[0]]} at {dofs.label(bad[0])}")
     return force
+
+
+def _load_stress(name: str, values: object, loads: Mapping[str, Array], rows: int) -> Array:
+    """What a load adds to the rows of stress (rows,)."""
+    if name not in loads:
+        raise ModelError(f"load_stresses: there is no load {brief(name)}.{near(name, loads)}")
+    stress = numbers(f"load_stresses: '{name}'", values)
+    if stress.shape != (rows,) or not (abs(stress) < LARGEST).all():
+        raise ModelError(
+            f"load_stresses: '{name}' has shape {stress.shape}; give a finite number for each of "
+            f"the {rows} rows of stress="
+        )
+    return stress
 
 
 def _stress(

@@ -11,7 +11,8 @@ import numpy as np
 from ..errors import SolveError, counted
 
 if TYPE_CHECKING:
-    from .record import ReducedModes, SuperelementRecord
+    from .record import SuperelementRecord
+    from .response import ReducedModes
 
 MAX_PRINTED = 6
 

@@ -11,6 +11,7 @@ import numpy as np
 from ..arrays import Array, Integers
 from .coarsening import coarsened
 from .record import SuperelementRecord
+from .section_forces import COMPONENTS
 from .stress_recovery import STRESSES, nodal_rows
 from .surface import MOST_POINTS, MOST_TRIANGLES
 
@@ -25,12 +26,17 @@ COLUMNS = {"triangles": 3, "lines": 2}
 class MovingSurface:
     """Points that move by the coordinates of a superelement, in axes of its frame.
 
+    Behind n coordinates stand factors of loads, which move nothing and may add to the stress.
+
     Attributes:
         points: Undeformed (points, 3) [m].
-        shapes: Displacements by coordinates of 1 (n, points, 3).
+        shapes: Displacements by coordinates of 1 (n + loads, points, 3).
         triangles, lines: Between the points (triangles, 3), (lines, 2).
         stressed: Points whose stress is known (k,).
-        stresses: Their stress by coordinates of 1 (n, k, 6): xx, yy, zz, yz, zx, xy.
+        stresses: Their stress by coordinates of 1 (n + loads, k, 6): xx, yy, zz, yz, zx, xy.
+        stations: Arc length of the sections of its beams (sections,) [m].
+        section_beams: Which beam each of them is of (sections,).
+        section_forces: Theirs by coordinates of 1 (n + loads, sections, 6).
     """
 
     points: Array
@@ -39,6 +45,9 @@ class MovingSurface:
     lines: Integers
     stressed: Integers
     stresses: Array
+    stations: Array
+    section_beams: Integers
+    section_forces: Array
 
     def __post_init__(self) -> None:
         for array in self.arrays().values():
@@ -69,14 +78,20 @@ def stressed_points(record: SuperelementRecord) -> tuple[Integers, Integers]:
 
 
 @lru_cache(maxsize=16)
-def moving_surface(record: SuperelementRecord, rows: tuple[int, ...]) -> MovingSurface:
+def moving_surface(
+    record: SuperelementRecord, rows: tuple[int, ...], loads: tuple[str, ...] = ()
+) -> MovingSurface:
     """The surface of a component by some of its coordinates, with few enough numbers for a file.
 
     Args:
         record: The component.
         rows: Which coordinates move.
+        loads: Names of the loads that act. Where nobody said what one of them adds to the stress,
+            no stress is known.
     """
     points, rows_of_stress = stressed_points(record)
+    if not record.load_stresses.keys() >= {*loads}:
+        points, rows_of_stress = points[:0], rows_of_stress[:0]
     each = len(rows) * (3 + 6 * bool(len(points))) or 1
     most = max(100, MOST_NUMBERS // each)  # points
     surface, positions = record.surface, record.surface_points
@@ -93,33 +108,52 @@ def moving_surface(record: SuperelementRecord, rows: tuple[int, ...]) -> MovingS
     place[chosen] = np.arange(len(chosen))
     drawn = place[points] >= 0
     stresses = record.stress[rows_of_stress[drawn]] if drawn.any() else np.zeros((0, 6, record.n))
+    shapes = record.surface_basis[chosen][..., list(rows)].transpose(2, 0, 1)
+    added = [record.load_stresses[name][rows_of_stress[drawn]] for name in loads if drawn.any()]
+    stress = stresses[..., list(rows)].transpose(2, 0, 1)
     return MovingSurface(
         points=positions[chosen],
-        shapes=record.surface_basis[chosen][..., list(rows)].transpose(2, 0, 1).copy(),
+        shapes=np.concatenate([shapes, np.zeros((len(loads), *shapes.shape[1:]))]),
         triangles=place[triangles],
         lines=place[lines],
         stressed=place[points[drawn]],
-        stresses=stresses[..., list(rows)].transpose(2, 0, 1).copy(),
+        stresses=np.concatenate([stress, np.reshape(added, (len(loads), *stress.shape[1:]))]),
+        stations=record.sections.stations.copy(),
+        section_beams=record.sections.numbers,
+        section_forces=_section_forces(record, rows, len(loads)),
     )
 
 
-def surface_of_arrays(arrays: Mapping[str, Array], n: int) -> MovingSurface:
+def _section_forces(record: SuperelementRecord, rows: tuple[int, ...], loads: int) -> Array:
+    """Forces in sections of beams, to which loads add nothing where nothing moves."""
+    count = len(record.sections.stations)
+    stress = record.stress[: len(COMPONENTS) * count, list(rows)]
+    forces = stress.T.reshape(len(rows), count, len(COMPONENTS))
+    return np.concatenate([forces, np.zeros((loads, count, len(COMPONENTS)))])
+
+
+def surface_of_arrays(arrays: Mapping[str, Array], n: int, beams: int = 0) -> MovingSurface:
     """The surface that arrays of a file say; what has no entries may be missing.
 
     Args:
         arrays: By the names of :class:`MovingSurface`.
-        n: Number of coordinates.
+        n: Number of coordinates and loads.
+        beams: Number of its beams.
 
     Raises:
         ValueError: sizes that do not fit, points that do not exist, or no numbers.
     """
     points = _numbers(arrays, "points", (-1, 3))
     stressed = _places(arrays, "stressed", (-1,), len(points))
+    stations = _numbers(arrays, "stations", (-1,))
     surface = MovingSurface(
         points=points,
         shapes=_numbers(arrays, "shapes", (n, len(points), 3)),
         stressed=stressed,
         stresses=_numbers(arrays, "stresses", (n, len(stressed), len(STRESSES))),
+        stations=stations,
+        section_beams=_places(arrays, "section_beams", (len(stations),), beams),
+        section_forces=_numbers(arrays, "section_forces", (n, len(stations), len(COMPONENTS))),
         **{
             name: _places(arrays, name, (-1, width), len(points)) for name, width in COLUMNS.items()
         },

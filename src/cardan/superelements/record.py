@@ -19,49 +19,20 @@ from .error_bounds import Residuals, relative_bounds
 from .inertia import ProjectedInertia
 from .interfaces import InterfaceFrame, frame_motions
 from .node_dofs import NodeDofs
-from .response import admittance, free_motions, frequencies_of, impedance, reduced_modes
+from .response import (
+    MAX_PRINTED,
+    ReducedModes,
+    admittance,
+    free_motions,
+    frequencies_of,
+    impedance,
+    reduced_modes,
+)
+from .section_forces import COMPONENTS, BeamSections, SectionForces, forces_of
 from .surface import Surface
 from .values import numbers
 
-MAX_PRINTED = 12
 ISOTROPIC = 1e-8  # of the largest mass: what rounded texts leave
-
-
-@dataclass(frozen=True, eq=False)
-class ReducedModes:
-    """Modes of a reduced component, rigid motions left out.
-
-    Attributes:
-        frequencies: omega (modes,) [rad/s].
-        shapes: In the reduced coordinates, of unit modal mass (n, modes).
-        displacements: In the rows of the nodes (rows, modes).
-        bounds: An exact frequency lies within this relative distance (modes,).
-        estimates: Of the relative errors, which use the distances of the frequencies (modes,).
-        n_rigid: Number of rigid motions that are left out.
-        locked: Motions of interfaces that were fixed.
-    """
-
-    frequencies: Array
-    shapes: Array
-    displacements: Array
-    bounds: Array
-    estimates: Array
-    n_rigid: int
-    locked: tuple[str, ...]
-
-    def __repr__(self) -> str:
-        where = f", {', '.join(self.locked)} fixed" if self.locked else ", all interfaces free"
-        lines = [
-            f"{counted(len(self.frequencies), 'mode')}{where}, {self.n_rigid} rigid",
-            "        frequency [rad/s]    error, bound  error, estimate",
-        ]
-        for k in range(min(len(self.frequencies), MAX_PRINTED)):
-            lines.append(
-                f"  {k + 1:>3} {self.frequencies[k]:>18.9g} {self.bounds[k]:>14.1e} "
-                f"{self.estimates[k]:>15.1e}"
-            )
-        more = len(self.frequencies) - MAX_PRINTED
-        return "\n".join([*lines, *([f"  ... {more} more"] if more > 0 else [])])
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,7 +62,9 @@ class SuperelementRecord:
             one; the constants are exact where it is 0.
         loads: Forces in the coordinates by the names of loads (n,).
         stress: Rows of stress by the coordinates (components, n).
+        load_stresses: What loads add to these rows where nothing moves, by name (components,).
         stress_names: Of these rows.
+        sections: Sections of beams whose forces these rows are, if it is of beams.
         geometric: Geometric stiffness by the names of loads of unit size (n, n).
         surface: What one sees of it.
         notes: What may not be meant.
@@ -118,7 +91,9 @@ class SuperelementRecord:
     anisotropy: float
     loads: Mapping[str, Array]
     stress: Array
+    load_stresses: Mapping[str, Array]
     stress_names: tuple[str, ...]
+    sections: BeamSections
     geometric: Mapping[str, Array]
     surface: Surface
     notes: tuple[str, ...]
@@ -273,21 +248,60 @@ class SuperelementRecord:
         moved: Array = np.einsum("...n,pin->...pi", values, self.surface_basis)
         return moved
 
-    def stresses(self, z: ArrayLike) -> Array:
-        """Rows of the stress operator by coordinates.
+    @checked
+    def stresses(self, z: ArrayLike, loads: Mapping[str, float] | None = None) -> Array:
+        """Rows of the stress operator by coordinates, and by loads that act.
+
+        Heat that nothing resists gives displacements without stress: the load counts too.
 
         Args:
             z: Coordinates (..., n).
+            loads: Factors of loads by name; none by default.
 
         Returns:
             (..., stress rows), in the order of ``stress_names``.
 
         Raises:
-            ModelError: no operator was given to the reduction.
+            ModelError: no operator was given to the reduction, or not what a load adds.
         """
         if not len(self.stress):
             raise ModelError("stresses: the component has none; give stress= to the reduction")
-        return self._coordinates(z, "stresses") @ self.stress.T
+        stress: Array = self._coordinates(z, "stresses") @ self.stress.T
+        for name, factor in (loads or {}).items():
+            stress = stress + factor * self.load_stress(name)
+        return stress
+
+    def section_forces(self, z: ArrayLike, beam: str) -> SectionForces:
+        """Forces and moments in the sections of a beam by coordinates.
+
+        Args:
+            z: Coordinates (..., n).
+            beam: Name of a beam from which the component was made.
+
+        Returns:
+            N, Qy, Qz [N] and Mx, My, Mz [N m] at the ends of its elements, in axes of the section.
+
+        Raises:
+            ModelError: there is no such beam.
+        """
+        self.sections.of(beam)
+        rows = self.stresses(z)
+        return forces_of(beam, self.sections, rows.reshape(*rows.shape[:-1], -1, len(COMPONENTS)))
+
+    def load_stress(self, name: str) -> Array:
+        """What a load adds to the rows of stress where nothing moves (components,).
+
+        Raises:
+            ModelError: there is no such load, or nobody said what it adds.
+        """
+        if name not in self.loads:
+            raise ModelError(f"there is no load {brief(name)}.{near(name, self.loads)}")
+        if name not in self.load_stresses:
+            raise ModelError(
+                f"what load '{name}' adds to the stress is not known: give load_stresses= to the "
+                f"reduction, {{'{name}': zeros}} for forces, -elasticity times expansion for heat"
+            )
+        return self.load_stresses[name]
 
     @checked
     def save(self, path: Path) -> Path:

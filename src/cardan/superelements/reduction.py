@@ -21,6 +21,7 @@ from .matrices import check_diagonals, square_size, symmetric, symmetric_part
 from .methods import METHODS, STATIC
 from .node_dofs import NodeDofs, number_rows
 from .record import SuperelementRecord
+from .section_forces import BeamSections
 from .static_shapes import with_static_shapes
 from .surface import Surface, surface_of
 
@@ -55,6 +56,7 @@ def reduce(
     static_shapes: Sequence[str] = (),
     stress: object = None,
     stress_names: Sequence[str] | None = None,
+    load_stresses: Mapping[str, object] | None = None,
     geometric: Mapping[str, object] | None = None,
     triangles: ArrayLike | None = None,
     lines: ArrayLike | None = None,
@@ -80,6 +82,7 @@ def reduce(
         loads: Forces in the rows (rows,) by name, such as those by a unit rise of temperature.
         static_shapes: Loads and ``"gravity"`` whose static response is among the shapes.
         stress, stress_names: Rows of stress by the rows of K (components, rows), and their names.
+        load_stresses: What loads add to these rows where nothing moves (components,) by name.
         geometric: Geometric stiffness (rows, rows) by name, for loads of unit size.
         triangles, lines: Nodes between which pictures have them (triangles, 3), (lines, 2).
         make_free: Take out of K what resists rigid motions of the interfaces, as rounded texts do.
@@ -113,6 +116,7 @@ def reduce(
             static_shapes=static_shapes,
             stress=stress,
             stress_names=stress_names,
+            load_stresses=load_stresses or {},
             geometric=geometric or {},
         ),
     )
@@ -174,7 +178,9 @@ def _reduced(
         anisotropy=anisotropy(M, dofs, component.length),
         loads={name: shapes.T @ force for name, force in additions.loads.items()},
         stress=additions.stress @ shapes,
+        load_stresses=additions.load_stresses,
         stress_names=additions.stress_names,
+        sections=BeamSections(),
         geometric={
             name: symmetric_part(shapes.T @ (one @ shapes))
             for name, one in additions.geometric.items()

@@ -2,16 +2,56 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arrays import Array, Complex, Integers
-from ..errors import ArgumentError, SolveError
+from ..errors import ArgumentError, SolveError, counted
 from .eigenproblem import dense_modes
 
 MASSLESS = 1e-12  # of the largest mass: what rounding leaves of none
 FASTEST = 1e30  # so that squares of frequencies do not overflow [rad/s]
+MAX_PRINTED = 12  # of frequencies
 RESONANT = 1e13  # condition of a dynamic stiffness beyond which there is no response
+
+
+@dataclass(frozen=True, eq=False)
+class ReducedModes:
+    """Modes of a reduced component, rigid motions left out.
+
+    Attributes:
+        frequencies: omega (modes,) [rad/s].
+        shapes: In the reduced coordinates, of unit modal mass (n, modes).
+        displacements: In the rows of the nodes (rows, modes).
+        bounds: An exact frequency lies within this relative distance (modes,).
+        estimates: Of the relative errors, which use the distances of the frequencies (modes,).
+        n_rigid: Number of rigid motions that are left out.
+        locked: Motions of interfaces that were fixed.
+    """
+
+    frequencies: Array
+    shapes: Array
+    displacements: Array
+    bounds: Array
+    estimates: Array
+    n_rigid: int
+    locked: tuple[str, ...]
+
+    def __repr__(self) -> str:
+        where = f", {', '.join(self.locked)} fixed" if self.locked else ", all interfaces free"
+        lines = [
+            f"{counted(len(self.frequencies), 'mode')}{where}, {self.n_rigid} rigid",
+            "        frequency [rad/s]    error, bound  error, estimate",
+        ]
+        for k in range(min(len(self.frequencies), MAX_PRINTED)):
+            lines.append(
+                f"  {k + 1:>3} {self.frequencies[k]:>18.9g} {self.bounds[k]:>14.1e} "
+                f"{self.estimates[k]:>15.1e}"
+            )
+        more = len(self.frequencies) - MAX_PRINTED
+        return "\n".join([*lines, *([f"  ... {more} more"] if more > 0 else [])])
 
 
 def free_motions(rigid: Array, locked: Integers) -> Array:

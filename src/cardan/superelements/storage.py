@@ -24,6 +24,8 @@ from .interfaces import SPIDERS, InterfaceFrame
 from .methods import METHODS
 from .node_dofs import COMPONENTS, NodeDofs
 from .record import SuperelementRecord
+from .section_forces import COMPONENTS as SECTION
+from .section_forces import BeamSections
 from .surface import MOST_POINTS, Surface, sampled
 from .values import LARGEST
 
@@ -46,6 +48,8 @@ SHAPES: dict[str, tuple[str | int, ...]] = {
     "residual_stiffness": ("b", "b"),
     "loads": ("loads", "n"),
     "stress": ("stress", "n"),
+    "load_stresses": ("load stresses", "stress"),
+    "stations": ("sections",),
     "geometric": ("geometric", "n", "n"),
     "surface_nodes": ("points",),
     "surface_arms": ("points", 3),
@@ -61,6 +65,13 @@ SHAPES: dict[str, tuple[str | int, ...]] = {
     "inertia_spin_modal": (3, "n", "n"),
     "inertia_spin_spin": (3, 3, "n", "n"),
     "inertia_modal": ("n", "n"),
+}
+# names of rows -> the array that has them
+NAMED = {
+    "loads": "loads",
+    "stress_names": "stress",
+    "load_stresses": "load_stresses",
+    "geometric": "geometric",
 }
 SYMMETRIC = ("M", "C", "K", "residual_inner", "residual_stiffness", "inertia_modal")
 SURFACE = ("surface_nodes", "surface_triangles", "surface_lines")
@@ -93,6 +104,10 @@ def save(record: SuperelementRecord, path: Path) -> Path:
         "residual_stiffness": record.residuals.stiffness,
         "loads": np.array([*record.loads.values()]).reshape(len(record.loads), n),
         "stress": record.stress,
+        "load_stresses": np.array([*record.load_stresses.values()]).reshape(
+            len(record.load_stresses), len(record.stress)
+        ),
+        "stations": record.sections.stations,
         "geometric": np.array([*record.geometric.values()]).reshape(-1, n, n),
     }
     for part in ("inertia", "surface"):
@@ -112,6 +127,8 @@ def save(record: SuperelementRecord, path: Path) -> Path:
         "anisotropy": record.anisotropy,
         "loads": [*record.loads],
         "stress_names": [*record.stress_names],
+        "load_stresses": [*record.load_stresses],
+        "sections": [*record.sections.beams],
         "geometric": [*record.geometric],
         "notes": [*record.notes],
     }
@@ -151,6 +168,11 @@ def load(path: Path) -> SuperelementRecord:
             raise ValueError("its hash differs from that of its content")
         if version == 1:
             _add_surface(arrays)
+        if version < 3:
+            # nobody asked yet what loads add to stress
+            arrays["load_stresses"] = np.zeros((0, len(arrays["stress"])))
+            about["load_stresses"] = []
+            arrays["stations"], about["sections"] = np.zeros(0), []
         return _record(about, arrays)
     except FileNotFoundError:
         raise ModelError(f"{path}: there is no such file") from None
@@ -194,10 +216,18 @@ def _record(
         raise ValueError(f"it has the arrays {', '.join(sorted(arrays))[:80]}")
     interfaces = tuple(_frame(row) for row in _rows(about["interfaces"]))
     _check_arrays(arrays, sum(len(frame.components) for frame in interfaces))
-    texts = {name: _texts(about[name]) for name in ("loads", "stress_names", "geometric", "notes")}
-    for name, array in (("loads", "loads"), ("stress_names", "stress"), ("geometric", "geometric")):
+    texts = {name: _texts(about[name]) for name in (*NAMED, "notes")}
+    for name, array in NAMED.items():
         if len({*texts[name]}) != len(texts[name]) or len(texts[name]) != len(arrays[array]):
             raise ValueError(f"'{name}' does not name the rows of '{array}'")
+    sections = _texts(about["sections"])
+    if len(sections) != len(arrays["stations"]) or len(sections) * len(SECTION) not in (
+        0,
+        len(arrays["stress"]),
+    ):
+        raise ValueError("its sections are not those of its stress")
+    if not {*texts["load_stresses"]} <= {*texts["loads"]}:
+        raise ValueError("'load_stresses' names loads that there are not")
     method, massless = _text(about["method"]), about["massless"]
     if method not in METHODS or type(massless) is not int or not 0 <= massless <= len(arrays["M"]):
         raise ValueError("its method is unknown")
@@ -230,7 +260,9 @@ def _record(
         anisotropy=_floats([about["anisotropy"]], 1)[0],
         loads=dict(zip(texts["loads"], numbers["loads"], strict=True)),
         stress=numbers["stress"],
+        load_stresses=dict(zip(texts["load_stresses"], numbers["load_stresses"], strict=True)),
         stress_names=texts["stress_names"],
+        sections=BeamSections(sections, numbers["stations"]),
         geometric=dict(zip(texts["geometric"], numbers["geometric"], strict=True)),
         surface=Surface(
             labels["surface_nodes"],

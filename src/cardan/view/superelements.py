@@ -138,7 +138,8 @@ def plot_deformed(
         ModelError: no stress, or no picture file. ArgumentError: there is no such row or color.
         ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
     """
-    z, poses = deformed.z.reshape(-1, deformed.z.shape[-1]), deformed.pose.reshape(-1, 4, 4)
+    amplitudes, poses = deformed.amplitudes, deformed.pose.reshape(-1, 4, 4)
+    z = amplitudes.reshape(-1, amplitudes.shape[-1])
     if color not in (*NAMES, None):
         raise ArgumentError(f"color={brief(color)}: there is no such color.{near(color, NAMES)}")
     if not -len(z) <= row < len(z):

@@ -122,7 +122,7 @@ def drawn_surface(deformed: DeformedSuperelementRecord, kind: str | None) -> Dra
         lines=surface.lines,
         outline=np.zeros((0, 2), np.intp),
         shapes=surface.shapes,
-        amplitudes=deformed.z,
+        amplitudes=deformed.amplitudes,
         kind=kind if stressed or kind == DISPLACEMENT else None,
         stressed=surface.stressed[:count],
         stresses=surface.stresses[:, :count],

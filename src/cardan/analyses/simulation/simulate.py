@@ -24,6 +24,7 @@ from .discontinuities import stops_of
 from .energy_accounting import excess
 from .events import NOTHING, EventTable, check_start, event_table_of
 from .files.run_file import RunFile, run_file
+from .linear_limits import excesses
 from .method_choice import JACOBIAN, Case, Limited, abandoned, choose, reconsider
 from .method_requirements import suited
 from .outcome import explain
@@ -34,7 +35,7 @@ from .settings import Settings, Start, Values, blocks, settings, start, watched
 from .signals import Signals, signals
 from .spare_runners import put_aside, spare
 from .starts.start import closed_start
-from .starts.strain_limits import folded, rotated
+from .starts.strain_limits import folded
 from .times import Span, span
 
 LARGE = 1600  # pairs of speeds, as in a chain of 40: more are derived for minutes
@@ -134,8 +135,8 @@ def _reported(motion: TrajectoryRecord, check: bool) -> TrajectoryRecord:
     for text in said:
         warn(text, SolveWarning)
     # which is no matter of the tolerance
-    if motion.model and (far := rotated(motion.model, motion.x)):
-        warn(far, SolveWarning)
+    for text in excesses(motion):
+        warn(text, SolveWarning)
     return motion
 
 

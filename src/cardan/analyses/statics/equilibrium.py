@@ -17,6 +17,7 @@ from ...runtime.models.finite_elements.beam_sections import sections
 from ...runtime.models.wrenches import force_names, force_part, reaction_part
 from ...schema.functions import FUNCTIONS
 from ...schema.rows import column
+from ..simulation.linear_limits import warn_of_state
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import DynamicSystem, NamedState
 from .force_balance import WORTH_A_WARNING, balance
@@ -208,6 +209,8 @@ def equilibrium(
         if check:
             raise SolveError(result.message)
         warn(result.message, SolveWarning)
+    else:
+        warn_of_state(model, result.x, result.t, load.r)
     return result
 
 

@@ -8,6 +8,7 @@ from ...equations.finite_elements.record import FiniteElementRecord
 from ...number_file import packed
 from ...schema.mechanism import SuperelementRow
 from ...superelements.moving_surface import FILE, entry, moving_surface
+from ...superelements.spin import spin_scale
 
 
 def superelement_rows(absolute: FiniteElementRecord) -> Iterator[SuperelementRow]:
@@ -22,12 +23,21 @@ def superelement_rows(absolute: FiniteElementRecord) -> Iterator[SuperelementRow
     for part in system.superelements:
         # its joints come last, behind the node that carries its frame
         joints = couples[part.name][-len(part.joints) :]
+        interfaces = [one.name for one in part.record.interfaces]
+        spin = spin_scale(part.record, {part.frame_choice}.intersection(interfaces) or interfaces)
         yield SuperelementRow(
             name=part.name,
             frame=system.frames[part.frame].name,
             q=[k for place in joints for k in range(places.q[place], places.q[place + 1])],
             bodies=list(part.bodies),
             undeformed=list(part.undeformed),
+            loads=list(part.loads),
+            beams=list(part.record.sections.names),
+            frame_choice=part.frame_choice,
+            stiffening=part.stiffening,
+            fixed=spin.interface,
+            first_frequency=spin.frequency,
+            relative_inertia=spin.inertia.ravel().tolist(),
         )
 
 
@@ -36,6 +46,6 @@ def surface_files(absolute: FiniteElementRecord) -> dict[str, bytes]:
     arrays = {
         entry(name, k): values
         for k, part in enumerate(absolute.system.superelements)
-        for name, values in moving_surface(part.record, part.rows).arrays().items()
+        for name, values in moving_surface(part.record, part.rows, part.loads).arrays().items()
     }
     return {FILE: packed(arrays)} if arrays else {}

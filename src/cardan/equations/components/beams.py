@@ -24,6 +24,7 @@ from ..finite_elements.record import FiniteElementRecord
 from .beam_system import BeamSystem, isolated, named_beams
 from .element_matrices import element_matrices
 from .geometric_stiffness import spin_stiffness
+from .section_forces import row_names, section_operator
 
 # an end, a node, a body or a frame; or a beam and a place in 0 ... 1 of its length
 Where: TypeAlias = "Place | str | tuple[Beam | str, float]"
@@ -104,6 +105,7 @@ def from_beams(
             )
         fixed, _ = places[stiffening]
         geometric = spin_stiffness(record, matrices, q, rotations, positions, fixed)
+    operator, sections = section_operator(component, record, q, rotations)
     reduced = reduce(
         matrices.M,
         matrices.K,
@@ -116,9 +118,12 @@ def from_beams(
         damping=damping,
         rayleigh=rayleigh,
         static_shapes=static_shapes,
+        stress=operator,
+        stress_names=row_names(sections),
         geometric=geometric,
     )
-    return replace(reduced, surface=_centerlines(component, record, positions))
+    surface = _centerlines(component, record, positions)
+    return replace(reduced, surface=surface, sections=sections)
 
 
 def _centerlines(component: BeamSystem, record: FiniteElementRecord, positions: Array) -> Surface:

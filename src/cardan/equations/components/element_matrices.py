@@ -43,7 +43,7 @@ def element_matrices(record: FiniteElementRecord, q: Array, rotations: Array) ->
     entries: dict[str, list[tuple[Integers, Array]]] = {"M": [], "C": [], "K": []}
     p = np.array([parameter.value for parameter in record.system.parameters])
     for group in record.groups:
-        results = _tangents(group, q, p)
+        results = element_tangents(group, q, p)
         columns = (U * group.places[:, :, None] + np.arange(U)).reshape(len(group.places), -1)
         for name in entries.keys() & results.keys():
             entries[name].append((columns, results[name]))
@@ -66,7 +66,7 @@ def element_matrices(record: FiniteElementRecord, q: Array, rotations: Array) ->
     return ElementMatrices(**matrices)
 
 
-def _tangents(group: Group, q: Array, p: Array) -> dict[str, Array]:
+def element_tangents(group: Group, q: Array, p: Array) -> dict[str, Array]:
     """Matrices of the elements of a group by name (n, k, k)."""
     function = group.kind.functions.get("balance_tangent")
     if function is None:

@@ -23,7 +23,7 @@ from .record import BlockKind, Group, Kind, unique
 HEADERS = ("frame_motion.h", "rows.h", "superelement.h")
 # what a routine includes besides
 MORE_HEADERS = {
-    "balance_tangent": ("superelement_terms.h", "superelement_drift.h", "superelement_tangent.h"),
+    "tangent": ("superelement_terms.h", "superelement_drift.h", "superelement_tangent.h"),
     "generalized_momenta": ("superelement_momenta.h",),
 }
 # pairs of axes in the order of the header
@@ -32,6 +32,8 @@ NAMES = ("xx", "yy", "zz", "yz", "zx", "xy")
 DATA = (*(f"R{i}{j}" for i in "123" for j in "123"), *("px", "py", "pz"), *("gx", "gy", "gz"))
 # of the mass, below which its dependence on directions is rounding
 ISOTROPIC = 1e-12
+# functions that the routine of the tangent computes
+CALLS = {"balance_tangent": "tangent", "geometric": "tangent"}
 # work that the routines need, by coordinates
 ROOM, TANGENT_ROOM = 13, 37
 PAIR_NAMES = ("11", "22", "33", "23", "31", "12")
@@ -69,9 +71,14 @@ FORMULAS: Lines = (
     ("moment on it",
      "n = skew(s) @ alpha + J @ omegadot + skew(omega) @ (J @ omega + H @ zdot) + Jdot @ omega"
      " + H @ zddot + column(dot(zdot, A_1 @ zdot), dot(zdot, A_2 @ zdot), dot(zdot, A_3 @ zdot))"),
-    ("what acts along z",
-     "b_z = P.T @ alpha + H.T @ omegadot"
-     + "".join(f" + omega_{k} * (A_{k}.T - A_{k}) @ zdot" for k in "123")
+    ("gyroscopic matrix of the coordinates",
+     "C_g = " + " + ".join(f"omega_{k} * (A_{k}.T - A_{k})" for k in "123")),
+    ("centrifugal stiffness of the coordinates",
+     "K_c = "
+     + " + ".join([*(f"omega_{k} ** 2 * S_{k}{k}" for k in "123"),
+                   *(f"2 * omega_{kl[0]} * omega_{kl[1]} * S_{kl}" for kl in PAIR_NAMES[3:])])),
+    ("what acts along z; the slopes d are those of centrifugal forces",
+     "b_z = P.T @ alpha + H.T @ omegadot + C_g @ zdot"
      + "".join(f" - omega_{k} ** 2 * d_{k}{k}" for k in "123")
      + "".join(f" - 2 * omega_{kl[0]} * omega_{kl[1]} * d_{kl}" for kl in PAIR_NAMES[3:])
      + " + M @ zddot + D @ zdot + K @ z"),
@@ -187,10 +194,7 @@ def constants(part: PartOfSystem) -> Array:
     spin = inertia.spin_modal[:, rows][:, :, rows]
     squares = np.array([_symmetric(inertia.spin_spin[k, m][both]) for k, m in PAIRS])
     if part.stiffening:
-        # a product of two axes is there twice
-        for pair, (name, (k, m)) in enumerate(zip(NAMES, PAIRS, strict=True)):
-            if name in record.geometric:
-                squares[pair] -= record.geometric[name][both] * (1.0 if k == m else 0.5)
+        squares += _stiffening(part)
     # (S X + e) against S_k Psi, symmetric in both axes
     bent = [(inertia.spin_angular[k, m] + inertia.spin_angular[m, k])[rows] / 2 for k, m in PAIRS]
     flat = [
@@ -211,6 +215,17 @@ def constants(part: PartOfSystem) -> Array:
     if drifts(part):
         flat.append(inertia.drift[:, :, rows])
     return np.concatenate([np.ravel(np.asarray(x, dtype=float)) for x in flat]) + 0.0
+
+
+def _stiffening(part: PartOfSystem) -> Array:
+    """What the geometric stiffness takes from S (6, n, n), by pairs."""
+    geometric, rows = part.record.geometric, list(part.rows)
+    squares = np.zeros((len(PAIRS), len(rows), len(rows)))
+    for pair, (name, (k, m)) in enumerate(zip(NAMES, PAIRS, strict=True)):
+        if name in geometric:
+            # a product of two axes is there twice
+            squares[pair] = -geometric[name][np.ix_(rows, rows)] * (1.0 if k == m else 0.5)
+    return squares
 
 
 def drifts(part: PartOfSystem) -> bool:
@@ -269,6 +284,11 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
     }
     if not damped:
         del results["power"]
+    constants_of = dict.fromkeys(results, member.constants)
+    if member.part.stiffening:
+        # its part of the tangent alone
+        results["geometric"] = results["balance_tangent"]
+        constants_of["geometric"] = _geometric(member)
     functions = {
         key: Routine(
             name=f"{name}__{key}",
@@ -277,11 +297,11 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
             outputs=outputs,
             owners=(name,),
             about="Reduced flexible body in a frame that moves far.",
-            call=f"cardan_superelement_{key.removeprefix('balance_')}",
-            headers=(*HEADERS, *MORE_HEADERS.get(key, ())),
+            call=f"cardan_superelement_{CALLS.get(key, key)}",
+            headers=(*HEADERS, *MORE_HEADERS.get(CALLS.get(key, key), ())),
             sizes=(n, int(on_node), int(drifts(member.part))),
-            constants=tuple(member.constants.tolist()),
-            work=(TANGENT_ROOM * n + n * n if key == "balance_tangent" else ROOM * n),
+            constants=tuple(constants_of[key].tolist()),
+            work=(TANGENT_ROOM * n + n * n if key in CALLS else ROOM * n),
             counts={"mul": products * n * n, "add": products * n * n},
         )
         for key, (outputs, read, products) in results.items()
@@ -299,6 +319,14 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
         element="superelement",
         part="superelement",
     )
+
+
+def _geometric(member: _Member) -> Array:
+    """Constants (k,) of an element of nothing but geometric stiffness."""
+    n, values = len(member.part.rows), np.zeros_like(member.constants)
+    end = len(values) - 9 * n * drifts(member.part)
+    values[end - 6 * n * n : end] = _stiffening(member.part).ravel()
+    return values
 
 
 def _shapes(n: int) -> Shapes:

@@ -184,7 +184,7 @@ def _surfaces(manifest: Manifest, values: dict[str, Array]) -> dict[str, Array]:
     arrays: dict[str, Array] = {}
     for k, row in enumerate(manifest.superelements):
         if entry("points", k) in values:
-            surface = surface_of(values, k, len(row.q)).arrays()
+            surface = surface_of(values, k, row).arrays()
             arrays |= {entry(name, k): array for name, array in surface.items()}
     return arrays
 

@@ -70,6 +70,7 @@ def reduced(
     static_shapes: Sequence[str] = (),
     stress: object = None,
     stress_names: Sequence[str] | None = None,
+    load_stresses: Mapping[str, object] | None = None,
     geometric: Mapping[str, object] | None = None,
     triangles: ArrayLike | None = None,
     lines: ArrayLike | None = None,
@@ -83,7 +84,7 @@ def reduced(
         nodes: Positions (n_nodes, 3) [m] where the files have none, nodes in rising numbers.
         method, modes, rigid, at, frame_dofs, node_dofs, order: As there.
         supported, C, damping, rayleigh, loads, static_shapes, stress, stress_names: As there.
-        geometric, triangles, lines, make_free: As there.
+        load_stresses, geometric, triangles, lines, make_free: As there.
 
     Raises:
         ModelError: no positions of nodes, or as there.
@@ -113,6 +114,7 @@ def reduced(
         static_shapes=static_shapes,
         stress=stress,
         stress_names=stress_names,
+        load_stresses=load_stresses,
         geometric=geometric,
         triangles=triangles,
         lines=lines,

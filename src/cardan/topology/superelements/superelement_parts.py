@@ -11,13 +11,17 @@ from __future__ import annotations
 import copy
 from collections.abc import Sequence
 
+import numpy as np
+
 from ...elements.joints.fixed import Fixed
+from ...elements.quantity import Value
 from ...elements.superelement_joints import Elastic, Modal
+from ...elements.superelement_load import SuperelementLoad
 from ...errors import ModelError
 from ...scene.body import Body
-from ...scene.connections import Joint
+from ...scene.connections import Force, Joint
 from ...scene.frame import Frame
-from ...scene.parameters import Constraint
+from ...scene.parameters import Constraint, Output
 from ...scene.scene import SceneRecord
 from ...scene.superelement import CHORD, MEAN, PlacedSuperelement, frame_condition
 from ..assembly import Assembly
@@ -26,6 +30,8 @@ from .part_of_system import PartOfSystem
 # rows of the condition of a frame whose coefficients are smaller than this part of the largest
 # one say nothing
 ROUNDING = 1e-14
+# of the sum of magnitudes, below which the resultant of a load is what rounding leaves of 0
+BALANCED = 1e-9
 ROWS = ("px", "py", "pz", "rx", "ry", "rz")
 
 
@@ -43,6 +49,7 @@ def with_superelements(model: SceneRecord) -> SceneRecord:
     extended = copy.copy(model)
     extended.bodies, extended.joints = dict(model.bodies), dict(model.joints)
     extended.frames, extended.constraints = dict(model.frames), dict(model.constraints)
+    extended.forces, extended.outputs = dict(model.forces), dict(model.outputs)
     for superelement in model.superelements.values():
         _add(extended, superelement)
     return extended
@@ -76,6 +83,36 @@ def _add(model: SceneRecord, superelement: PlacedSuperelement) -> None:
         _enter(model.joints, joint.name, joint, superelement)
     if superelement.frame in (MEAN, CHORD):
         _add_condition(model, superelement)
+    for load, factor in superelement.loads.items():
+        label = superelement.place_name(load)
+        element = _load(superelement, load, factor, axes)
+        _enter(model.forces, label, Force(label, element), superelement)
+        # what stresses and readers of motions take
+        _enter(model.outputs, label, Output(label, factor, ""), superelement)
+
+
+def _load(
+    superelement: PlacedSuperelement, load: str, factor: Value, axes: Frame
+) -> SuperelementLoad:
+    """A load of the record as forces along the coordinates and on the frame."""
+    record, members, forces, at = superelement.record, list[str](), list[tuple[float, ...]](), 0
+    values = record.loads[load]
+    for one in record.interfaces:
+        if one.name != superelement.frame:
+            members.append(superelement.place_name(one.name))
+            forces.append(tuple(values[at : at + len(one.components)].tolist()))
+        at += len(one.components)
+    if record.n > at:
+        members.append(superelement.name)
+        forces.append(tuple(values[at:].tolist()))
+    motions = record.rigid_motions()
+    resultant = motions.T @ values
+    # what loads in balance leave by rounding
+    resultant[abs(resultant) <= BALANCED * (abs(motions).T @ abs(values))] = 0.0
+    force, torque = np.split(resultant, 2)
+    return SuperelementLoad(
+        axes, factor, tuple(torque.tolist()), tuple(force.tolist()), tuple(members), tuple(forces)
+    )
 
 
 def _frame(
@@ -146,11 +183,13 @@ def parts_of_system(model: SceneRecord, assembly: Assembly) -> tuple[PartOfSyste
             PartOfSystem(
                 name=name,
                 record=record,
+                frame_choice=superelement.frame,
                 frame=frame,
                 joints=tuple(joints),
                 rows=tuple(rows),
                 stiffening=superelement.stiffening,
                 inertia=superelement.constants,
+                loads=tuple(superelement.loads),
                 bodies=(*superelement.places, *modal),
                 undeformed=(axes.name, *(side for side in sides if side in model.frames)),
             )

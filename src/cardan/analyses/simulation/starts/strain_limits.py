@@ -10,7 +10,7 @@ from ....runtime.models.finite_elements import table_loading
 from ....runtime.models.finite_elements.joint_driven_nodes import Carrier
 from ....runtime.models.loaded_model import LoadedModel
 
-# strain: no linear elastic material is meant to bear more; rotation of an interface [rad]
+# strain: no linear elastic material is meant to bear more
 LARGE = 0.1
 SMALL_ANGLE = 1e-4
 # angle from one end of an element to the other: at half a turn its rotation vector jumps
@@ -72,34 +72,6 @@ def folded(model: LoadedModel, states: Array) -> str:
     return (
         f"An element of beam '{name}' is bent by {np.degrees(worst):.0f} degrees from end to end, "
         "and its strain is defined below 180: take more elements, or a stiffer beam"
-    )
-
-
-def rotated(model: LoadedModel, states: Array) -> str:
-    """A sentence about the interface of a superelement that turns most in its frame.
-
-    Those are told as linear there; "" if none turns by more than :data:`LARGE` radians.
-
-    Args:
-        model: Any.
-        states: Of the run (n, nx).
-    """
-    worst, name = 0.0, ""
-    for joint in model.manifest.joints:
-        if joint.kind != "elastic" or not len(states):
-            continue
-        first, count = joint.slot("q")
-        entries = range(first, first + count)
-        turns = [k for k in entries if model.manifest.coordinates[k].unit == "rad"]
-        angles = np.linalg.norm(states[:, turns], axis=1)
-        # of numbers that are none nothing is said here
-        worst, name = max((worst, name), (float(np.nanmax(angles, initial=0.0)), joint.name))
-    if worst <= LARGE:
-        return ""
-    return (
-        f"model '{model.name}': '{name}' turns by {worst:.2g} rad in the frame of its "
-        f"superelement, which is linear and good up to about {LARGE:g}: divide the body into "
-        "several superelements, take beams, or another frame="
     )
 
 

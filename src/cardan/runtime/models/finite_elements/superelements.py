@@ -15,7 +15,9 @@ from ....arrays import Array, Integers
 from ....errors import ArgumentError, ModelError, counted, near
 from ....number_file import unpacked
 from ....schema.manifest import Manifest
+from ....schema.mechanism import SuperelementRow
 from ....superelements.moving_surface import FILE, MovingSurface, entry, surface_of_arrays
+from ....superelements.section_forces import BeamSections, SectionForces, forces_of
 from ....superelements.stress_recovery import von_mises
 from ...calls.evaluation import State
 
@@ -34,13 +36,17 @@ class DeformedSuperelementRecord:
         name: Of the superelement.
         pose: Transforms (..., 4, 4) from the axes of its frame to those of the ground.
         z: Its coordinates (..., n) that move: of interfaces, then of modes [m, rad, 1].
+        factors: Of the loads that act on it (..., loads), which may add to its stress.
         surface: What is drawn of it: points X, shapes Psi, triangles, lines, stress.
+        beams: Beams of a scene that it was made of.
     """
 
     name: str
     pose: Array
     z: Array
+    factors: Array
     surface: MovingSurface = field(repr=False)
+    beams: tuple[str, ...] = ()
 
     @property
     def triangles(self) -> Integers:
@@ -57,10 +63,15 @@ class DeformedSuperelementRecord:
         """Points whose stress is known (k,)."""
         return self.surface.stressed
 
+    @property
+    def amplitudes(self) -> Array:
+        """What shapes and stresses of the surface are multiplied by (..., n + loads)."""
+        return np.concatenate([self.z, self.factors], axis=-1)
+
     @cached_property
     def displacements(self) -> Array:
         """Displacements Psi z of the points (..., points, 3) [m], in axes of its frame."""
-        return np.tensordot(self.z, self.surface.shapes, 1)
+        return np.tensordot(self.amplitudes, self.surface.shapes, 1)
 
     @cached_property
     def positions(self) -> Array:
@@ -79,7 +90,7 @@ class DeformedSuperelementRecord:
             ModelError: the record has no stress at points of its surface.
         """
         self.check_stress()
-        return np.tensordot(self.z, self.surface.stresses, 1)
+        return np.tensordot(self.amplitudes, self.surface.stresses, 1)
 
     @cached_property
     def von_mises(self) -> Array:
@@ -98,12 +109,30 @@ class DeformedSuperelementRecord:
             ModelError: as :attr:`stress`.
         """
         self.check_stress()
-        z = self.z.reshape(-1, self.z.shape[-1])
+        z = self.amplitudes.reshape(-1, len(self.surface.stresses))
         most = [
             von_mises(np.tensordot(z[k : k + ROWS], self.surface.stresses, 1)).max(axis=1)
             for k in range(0, len(z), ROWS)
         ]
         return np.concatenate([*most, np.zeros(0)]).reshape(self.z.shape[:-1])
+
+    def section_forces(self, beam: str) -> SectionForces:
+        """Forces and moments in the sections of a beam that the component was made of.
+
+        Args:
+            beam: Its name, as in the scene that was reduced.
+
+        Returns:
+            N, Qy, Qz [N] and Mx, My, Mz [N m] at the ends of its elements (..., 2 n, 3), in axes of
+            the section.
+
+        Raises:
+            ModelError: there is no such beam.
+        """
+        surface = self.surface
+        names = tuple(self.beams[k] for k in surface.section_beams)
+        rows = np.tensordot(self.amplitudes, surface.section_forces, 1)
+        return forces_of(beam, BeamSections(names, surface.stations), rows)
 
     def check_stress(self) -> None:
         """Make sure that stress is known somewhere.
@@ -114,7 +143,8 @@ class DeformedSuperelementRecord:
         if not len(self.stressed):
             raise ModelError(
                 f"superelement '{self.name}' has no stress at points of its surface. Reduce its "
-                "mesh with stress=, a surface or a set of nodes, and compile again"
+                "mesh with stress=, a surface or a set of nodes, and matrices with load_stresses= "
+                "of every load that acts, and compile again"
             )
 
     def __repr__(self) -> str:
@@ -152,7 +182,7 @@ def surfaces_of(model: LoadedModel) -> dict[str, Array]:
         if hashlib.sha256(content).hexdigest() != model.manifest.sha256.get(FILE):
             raise ValueError("it is not the file its manifest speaks of")
         arrays = unpacked(content)
-        surfaces = [surface_of(arrays, k, len(row.q)) for k, row in enumerate(rows)]
+        surfaces = [surface_of(arrays, k, row) for k, row in enumerate(rows)]
     except (OSError, ValueError) as error:
         raise ModelError(
             f"{path} does not hold the surfaces of superelements: {error}. Compile the model again"
@@ -164,7 +194,7 @@ def surfaces_of(model: LoadedModel) -> dict[str, Array]:
     }
 
 
-def surface_of(arrays: dict[str, Array], number: int, n: int) -> MovingSurface:
+def surface_of(arrays: dict[str, Array], number: int, row: SuperelementRow) -> MovingSurface:
     """The surface of a superelement out of the arrays of a file.
 
     Raises:
@@ -173,17 +203,20 @@ def surface_of(arrays: dict[str, Array], number: int, n: int) -> MovingSurface:
     names = MovingSurface.__dataclass_fields__
     places = {name: entry(name, number) for name in names}
     selected = {name: arrays[place] for name, place in places.items() if place in arrays}
-    return surface_of_arrays(selected, n)
+    return surface_of_arrays(selected, row.amplitudes, len(row.beams))
 
 
 @checked
-def superelement(model: LoadedModel, name: str, q: State) -> DeformedSuperelementRecord:
+def superelement(
+    model: LoadedModel, name: str, q: State, *, t: float = 0.0, r: State | None = None
+) -> DeformedSuperelementRecord:
     """A superelement with its deformation: positions and stress at points of its surface.
 
     Args:
         model: In absolute coordinates.
         name: Of the superelement.
         q: Coordinates (..., nq), such as those of an equilibrium.
+        t, r: Time [s] and inputs (nr,), on which loads may depend; those of the model by default.
 
     Raises:
         ModelError: there is no such superelement. ArgumentError: q has another shape.
@@ -193,9 +226,16 @@ def superelement(model: LoadedModel, name: str, q: State) -> DeformedSuperelemen
     places = np.asarray(model._vector("q", q), dtype=np.float64)
     if places.shape[-1:] != (model.nq,):
         raise ArgumentError(f"q has shape {places.shape}, expected (..., {model.nq})")
-    surface = surface_of(_cached(model), number, len(row.q))
-    pose = model.pose(row.frame, places)
-    return DeformedSuperelementRecord(name, pose, places[..., list(row.q)], surface)
+    surface = surface_of(_cached(model), number, row)
+    pose = model.pose(row.frame, places, t=t, r=r)
+    factors = np.zeros((*places.shape[:-1], 0))
+    if row.loads:
+        speeds = np.zeros((*places.shape[:-1], model.nu))
+        names = [output.name for output in model.manifest.outputs]
+        chosen = [names.index(one) for one in row.outputs]
+        factors = model.outputs(places, speeds, t=t, r=r)[..., chosen]
+    z = places[..., list(row.q)]
+    return DeformedSuperelementRecord(name, pose, z, factors, surface, tuple(row.beams))
 
 
 def _cached(model: LoadedModel) -> dict[str, Array]:
@@ -228,11 +268,12 @@ def superelement_of_run(motion: TrajectoryRecord, name: str) -> DeformedSuperele
     if entry("points", number) not in arrays:
         motion._model(f"the surface of superelement '{name}'")
     try:
-        surface = surface_of(arrays, number, len(row.q))
+        surface = surface_of(arrays, number, row)
     except ValueError as error:
         raise ModelError(
             f"superelement '{name}' is damaged: {error}. Save the run again"
         ) from error
+    factors = np.array([motion[one] for one in row.outputs]).reshape(-1, len(motion)).T
     return DeformedSuperelementRecord(
-        name, motion.pose(row.frame), motion.q[:, list(row.q)], surface
+        name, motion.pose(row.frame), motion.q[:, list(row.q)], factors, surface, tuple(row.beams)
     )

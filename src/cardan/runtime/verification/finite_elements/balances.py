@@ -233,9 +233,28 @@ def _blur(members: Members) -> Array:
     return members.blur(lambda at: (at.call("balance")[:, : at.table.kind.nu],))
 
 
+def _geometric(members: Members) -> float:
+    """Forces of second order in u, M u' + C u / 2, change by K u + C u' along the motion."""
+    inputs, n = members.inputs, members.table.kind.nu
+
+    def blocks(b: dict[str, Array]) -> Array:
+        return members.call("geometric", b).reshape(-1, 3, n, n)
+
+    def force(b: dict[str, Array]) -> Array:
+        _, C, M = np.moveaxis(blocks(b), 1, 0)
+        return times(M, b["udot"]) + times(C, b["u"]) / 2
+
+    K, C, _ = np.moveaxis(blocks(dict(inputs)), 1, 0)
+    rates = {"q": members.along(inputs["u"]), "u": inputs["udot"]}
+    change, off = members.slope(force, rates)
+    terms = [times(K, inputs["u"]), times(C, inputs["udot"])]
+    return missing(change, off, terms[0] + terms[1], *terms)
+
+
 LAWS: dict[str, Callable[[Members], float | str]] = {
     "balance": balance,
     "balance_tangent": _tangent,
+    "geometric": _geometric,
     "gamma": _gamma,
     "power": balance,
     "generalized_momenta": _generalized_momenta,

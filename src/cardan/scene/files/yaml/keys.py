@@ -125,6 +125,7 @@ SUPERELEMENT = (
     Key("weights", "column"),
     Key("stiffening", "flag"),
     Key("inertia", "text"),
+    Key("loads", "factors"),
 )
 _REDUCTION = (
     Key("method", "text"),
@@ -150,6 +151,7 @@ SOLID_MESH = (
     Key("material", "materials", True),
     Key("interfaces", "node_sets", True),
     *_REDUCTION,
+    Key("static_shapes", "texts"),
     Key("stress", "node_set"),
     Key("stiffening", "text"),
 )

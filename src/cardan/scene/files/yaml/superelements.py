@@ -84,6 +84,9 @@ class Superelements:
             )
         del arguments[sources[0]]
         record = self._record(sources[0], item.items()[sources[0]])
+        if "loads" in arguments:
+            factors = arguments["loads"].items("factors by name")
+            arguments["loads"] = {load: self.values.motion(one) for load, one in factors.items()}
         with item.at_item():
             add_superelement(model, name, record, **arguments)
 

@@ -335,10 +335,10 @@ class Values:
     # what superelements are made of
 
     def matrices(self, item: Item) -> Item:
-        """What is reduced, which :mod:`.superelements` reads."""
+        """What :mod:`.superelements` reads."""
         return item
 
-    solid_mesh = matrices
+    solid_mesh = factors = matrices
 
     def materials(self, item: Item) -> object:
         """A material, or materials by region."""

@@ -275,7 +275,10 @@ class _Writer:
         if len({*one.weights}) > 1:
             keys["weights"] = [number(weight) for weight in one.weights]
         keys |= {"stiffening": True} if one.stiffening else {}
-        return keys | ({"inertia": one.inertia} if one.inertia != NODAL else {})
+        keys |= {"inertia": one.inertia} if one.inertia != NODAL else {}
+        where = f"superelement '{one.name}'"
+        loads = {name: self.value(factor, where) for name, factor in one.loads.items()}
+        return keys | ({"loads": loads} if loads else {})
 
     def _ends(self, ends: tuple[End, End], where: str) -> dict[str, object]:
         return {

@@ -1,0 +1,122 @@
+"""Runs and equilibria in which superelements leave the range where they are told as linear."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import SolveWarning, warn
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ...schema.mechanism import SuperelementRow
+
+ANGLE = 0.1  # of an interface in the frame [rad]
+# spin over the first frequency. The lowest bending of a blade, w1 sqrt(1 + 1.19 (w/w1)^2), is off
+# by 2 % there: a frame on an interface has nothing of the stiffening, the others have most of it
+SPIN, SPIN_OF_SEVERAL = 0.2, 0.5
+
+
+def excesses(motion: TrajectoryRecord) -> Iterator[str]:
+    """A sentence for every limit that a run passes.
+
+    Args:
+        motion: Any; those without their model pass none.
+    """
+    if motion.model is not None and len(motion):
+        yield from (text for limit in LIMITS if (text := limit(motion.model, motion)))
+
+
+def warn_of_state(model: LoadedModel, x: Array, t: float, r: Array) -> None:
+    """Warn of every limit that a state of rest or of steady motion passes.
+
+    Args:
+        model: Any.
+        x: State (nx,).
+        t, r: Time [s] and inputs (nr,).
+    """
+    there = TrajectoryRecord.of_states(model, np.array([t]), x[None], np.atleast_2d(r), "state")
+    for text in excesses(there):
+        warn(text, SolveWarning)
+
+
+def rotated(model: LoadedModel, motion: TrajectoryRecord) -> str:
+    """A sentence about the interface of a superelement that turns most in its frame.
+
+    "" if none turns by more than :data:`ANGLE` radians.
+    """
+    worst, name = 0.0, ""
+    for joint in model.manifest.joints:
+        if joint.kind != "elastic":
+            continue
+        first, count = joint.slot("q")
+        entries = range(first, first + count)
+        turns = [k for k in entries if model.manifest.coordinates[k].unit == "rad"]
+        angles = np.linalg.norm(motion.x[:, turns], axis=1)
+        # of numbers that are none nothing is said here
+        worst, name = max((worst, name), (float(np.nanmax(angles, initial=0.0)), joint.name))
+    if worst <= ANGLE:
+        return ""
+    return (
+        f"model '{model.name}': '{name}' turns by {worst:.2g} rad in the frame of its "
+        f"superelement, which is linear and good up to about {ANGLE:g}: divide the body into "
+        "several superelements, take beams, or another frame="
+    )
+
+
+def spun(model: LoadedModel, motion: TrajectoryRecord) -> str:
+    """A sentence about the superelement that spins fastest for its stiffness, which is constant.
+
+    "" if all spin slowly against their first frequency, or are stiffened by it.
+    """
+    worst, text = 1.0, ""
+    for row in model.manifest.superelements:
+        if row.stiffening or not row.first_frequency > 0:
+            continue
+        spin, several = _spin(motion, row), row.frame_choice != row.fixed
+        ratio = spin / row.first_frequency
+        excess = ratio / (SPIN_OF_SEVERAL if several else SPIN)
+        if excess > worst:
+            worst = excess
+            what = f"a part of their stiffening (frame '{row.frame_choice}')" if several else "none"
+            text = (
+                f"model '{model.name}': superelement '{row.name}' spins with w = {spin:.4g} rad/s, "
+                f"{ratio:.2g} times its first frequency w1 = {row.first_frequency:.4g} rad/s with "
+                f"'{row.fixed}' fixed, and centrifugal forces give it {what}: reduce it with "
+                f"stiffening='{row.fixed}' and place it with frame='{row.fixed}', stiffening=True, "
+                "or divide it into several superelements with frame='chord'"
+            )
+    return text
+
+
+def _spin(motion: TrajectoryRecord, row: SuperelementRow) -> float:
+    """The largest spin in the mean over a period of the first vibration [rad/s].
+
+    It is sqrt(w^T J w), with the inertia J over its largest moment: what turns about the axis of a
+    slender body does not stretch it, and what swings faster than the body bends neither.
+    """
+    assert motion.model is not None
+    w = motion.model.velocity(row.frame, motion.q, motion.u, in_="frame", t=motion.t, r=motion._r)[
+        :, :3
+    ]
+    squares = np.einsum("ti,ij,tj->t", w, np.reshape(row.relative_inertia, (3, 3)), w)
+    good = np.isfinite(squares)
+    t, squares = motion.t[good], squares[good]
+    if len(t) < 2 or t[-1] <= t[0]:
+        return float(np.sqrt(squares.max(initial=0.0)))
+    return float(np.sqrt(_means(t, squares, 2 * np.pi / row.first_frequency).max()))
+
+
+def _means(t: Array, values: Array, period: float) -> Array:
+    """Means (n,) over a period that ends at each time, over what there is at the start."""
+    parts = np.diff(t) * (values[1:] + values[:-1]) / 2
+    integral = np.concatenate([[0.0], np.cumsum(parts)])
+    width = min(period, t[-1] - t[0])
+    starts = np.maximum(t - width, t[0])
+    means = (integral - np.interp(starts, t, integral)) / width
+    # the first ones are of shorter times, and part of later ones
+    return np.asarray(means)
+
+
+LIMITS: tuple[Callable[[LoadedModel, TrajectoryRecord], str], ...] = (rotated, spun)
