@@ -160,6 +160,22 @@ def test_a_spinning_blade_by_its_geometric_stiffness() -> None:
         assert first / unit == pytest.approx(exact, rel=2e-3)
 
 
+def test_a_body_spins_about_the_origin_of_its_frame() -> None:
+    """Beside the nodes of the interface, as on a hub: the tension is that of the longer arms."""
+    mesh = block("hex20", (4, 1, 1), (1.0, 0.1, 0.1))
+    root = np.flatnonzero(mesh.points[:, 0] < 1e-9)
+    center = (-0.3, 0.05, 0.05)
+    options = {"modes": 2, "stiffening": "root"}
+    metal = cd.material(E=70e9, nu=0.0, rho=2700)
+    record = cd.superelement.from_mesh(mesh, metal, {"root": root}, at={"root": center}, **options)
+    K_G = fem.spin_stiffness(fem.solid(mesh, metal), root, center)["zz"]
+    expected = record.basis.T @ (K_G @ record.basis)
+    scale = abs(expected).max()
+    np.testing.assert_allclose(record.geometric["zz"], expected, atol=1e-9 * scale)
+    plain = cd.superelement.from_mesh(mesh, metal, {"root": root}, **options)
+    assert record.geometric["zz"][-1, -1] > 1.3 * plain.geometric["zz"][-1, -1] > 0
+
+
 def test_products_of_angular_velocities() -> None:
     mesh = block("tet10", (1, 1, 1), (0.3, 0.2, 0.1))
     body = fem.solid(mesh, ALUMINIUM)

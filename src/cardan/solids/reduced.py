@@ -15,6 +15,7 @@ from ..arrays import Array, Integers
 from ..errors import ModelError, brief, near
 from ..superelements.coarsening import coarsened
 from ..superelements.factor import Factor
+from ..superelements.interfaces import origin_of
 from ..superelements.record import SuperelementRecord
 from ..superelements.reduction import reduce
 from ..superelements.stress_recovery import nodal_names
@@ -60,8 +61,9 @@ def from_mesh(
         method, modes, rigid, at, damping, rayleigh, static_shapes: As for
             ``cd.superelement.reduce``.
         stress: Nodes whose stresses are recovered: a surface, a set or numbers; none by default.
-        stiffening: Name of the interface that holds the body while it spins: the record gets the
-            geometric stiffness of :func:`spin_stiffness` with it; none by default.
+        stiffening: Name of the interface that holds the body while it spins about an axis through
+            the origin of its frame: the record gets the geometric stiffness of
+            :func:`spin_stiffness` with it; none by default.
         scale: Length of a unit of the file [m]: 1e-3 for millimeters.
 
     Returns:
@@ -92,7 +94,11 @@ def from_mesh(
                 f"stiffening={brief(stiffening)}: there is no interface of that name."
                 f"{near(stiffening, nodes)}"
             )
-        geometric = spin_stiffness(body, nodes[stiffening])
+        # it spins about the origin of the frame
+        given = at.get(stiffening) if isinstance(at, Mapping) else None
+        fixed = nodes[stiffening]
+        center = origin_of(stiffening, mesh.points[fixed], given)
+        geometric = spin_stiffness(body, fixed, center)
     recovered = [] if stress is None else mesh.nodes(stress).tolist()
     record = reduce(
         body.mass(),
