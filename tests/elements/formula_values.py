@@ -18,8 +18,8 @@ def skew(v: Any) -> Any:
     return np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
 
 
-def _dot(a: Any, b: Any) -> float:
-    return float(np.ravel(a) @ np.ravel(b))
+def _dot(a: Any, b: Any) -> Any:
+    return np.ravel(a) @ np.ravel(b)
 
 
 FUNCTIONS: Values = {
