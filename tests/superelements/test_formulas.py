@@ -159,7 +159,7 @@ def test_tangents_are_those_of_the_formulas_by_complex_steps(inertia: str) -> No
     node = {k.removesuffix("_1"): v for k, v in (poses(q[:7]) | motions(u[:6], udot[:6])).items()}
     names = {"K": ("", "p", "z"), "C": ("omega", "v", "zdot"), "M": ("omegadot", "vdot", "zddot")}
     local = {"z": column(q[7:]), "zdot": column(u[6:]), "zddot": column(udot[6:])}
-    mesh = model._source.results(model).mesh  # type: ignore[attr-defined]
+    mesh = model._source.results(model).mesh
     tangent = mesh.tangent(State(q=q, u=u, udot=udot))
     for part, (turned, moved, deformed) in names.items():
         slopes = np.zeros((15, 15))
