@@ -69,6 +69,7 @@ FEATURES: dict[str, Feature] = {
         Feature("second loop", "structure", structures.second_loop),
         Feature("redundant loop", "structure", structures.redundant_loop),
         Feature("beam", "structure", structures.beam, before=1),
+        Feature("superelement", "structure", structures.superelement, before=1),
         Feature("cable", "structure", structures.cable),
         Feature("prescribed motion", "structure", structures.prescribed_motion),
         Feature("moving base", "structure", structures.moving_base, before=0),
@@ -86,17 +87,19 @@ def closed(names: Iterable[str]) -> tuple[str, ...]:
     return tuple(name for name in FEATURES if name in every)
 
 
-def mechanism(names: Iterable[str], without: str | None = None) -> Mechanism:
+def mechanism(
+    names: Iterable[str], without: str | None = None, by_conditions: bool = False
+) -> Mechanism:
     """A scene with features; ``without`` one of them, of which the masses stay."""
     every = closed(names)
     # those under the mechanism first, then its chain, then what hangs beside it
     order = sorted(every, key=lambda name: FEATURES[name].before)
     scene = cd.Scene("combination", gravity=(0, 0, -9.81))
-    made = Mechanism(scene, scene.ground)
+    made = Mechanism(scene, scene.ground, by_conditions=by_conditions)
     below = [name for name in order if FEATURES[name].before == 0]
     for name in below:
         FEATURES[name].add(made, name != without)
-    made = trunk(scene, made.root)
+    trunk(made)
     for name in order[len(below) :]:
         FEATURES[name].add(made, name != without)
     outputs(made)

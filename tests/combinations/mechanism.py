@@ -23,6 +23,8 @@ class Mechanism:
         tip: The end of the chain, to which the next link is joined.
         reach: Coordinate x of the tip where all coordinates are 0.
         inputs: Values of inputs during a run.
+        by_conditions: Whether frames of superelements are placed by conditions among interfaces,
+            not by coordinates: other equations of the same motion.
     """
 
     scene: cd.Scene
@@ -32,6 +34,7 @@ class Mechanism:
     tip: Any = None
     reach: float = 0.9
     inputs: dict[str, object] = field(default_factory=dict)
+    by_conditions: bool = False
 
     def link(self, name: str, joint: Any, length: float = 0.12, **start: Any) -> Any:
         """One more link of the chain, behind a joint."""
@@ -51,9 +54,9 @@ class Mechanism:
         )
 
 
-def trunk(scene: cd.Scene, root: Any) -> Mechanism:
+def trunk(made: Mechanism) -> None:
     """Two bars in a plane, behind each other."""
-    made = Mechanism(scene, root)
+    scene, root = made.scene, made.root
     inertia = cd.inertia.rod(1.0, 0.5, axis="x")
     made.arm = scene.body("arm", mass=1.0, com=(0.25, 0, 0), inertia=inertia)
     inertia = cd.inertia.rod(0.6, 0.4, axis="x")
@@ -62,7 +65,6 @@ def trunk(scene: cd.Scene, root: Any) -> Mechanism:
     elbow = cd.Revolute("y")
     scene.joint("elbow", elbow, made.arm.at(0.5, 0, 0), made.forearm, q0=0.5, u0=1.5)
     made.tip = made.forearm.at(0.4, 0, 0)
-    return made
 
 
 def outputs(made: Mechanism) -> None:

@@ -18,7 +18,7 @@ CONSERVATIVE = (
 )
 # features that a method refuses, each for the reason in the list of refusals
 REFUSED: dict[str, tuple[str, ...]] = {
-    "Newmark": ("wheel", *DECISIONS, *LOOPS),
+    "Newmark": ("wheel", *DECISIONS, *LOOPS, "superelement"),
     "EnergyMomentum": tuple(name for name in FEATURES if name not in CONSERVATIVE),
 }
 # one that it takes, and with which others it does not: where bodies have nodes, a base that moves

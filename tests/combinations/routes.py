@@ -21,6 +21,8 @@ OUTPUTS = tuple(f"{place}_{axis}" for place in ("tip", "hand") for axis in "xyz"
 # of places of about 1 m: what two integrations with 1e-10 of a step leave, sticking and impacts
 # between
 NEAR = 1e-6
+# features with coordinates of their own beside those of joints
+FLEXIBLE = {"beam", "superelement"}
 Names = tuple[str, ...]
 
 
@@ -62,20 +64,24 @@ class Route:
 
 
 @functools.lru_cache(maxsize=8)
-def route(names: Names, coordinates: str = "auto", without: str | None = None) -> Route:
+def route(
+    names: Names, coordinates: str = "auto", without: str | None = None, by_conditions: bool = False
+) -> Route:
     """A combination in one kind of coordinates."""
-    made = mechanism(names, without)
+    made = mechanism(names, without, by_conditions)
     return Route(made, cd.compile(made.scene, coordinates=coordinates))
 
 
 def other_route(names: Names) -> Route:
     """The route that is compared with: everything in nodes; joint by joint where nodes refuse.
 
+    Frames of superelements are bodies there that conditions place among the interfaces.
+
     Raises:
         DerivationError: a refusal that is not on the list.
     """
     try:
-        return route(names, "absolute")
+        return route(names, "absolute", by_conditions=True)
     except cd.DerivationError as problem:
         expected(names, "absolute", str(problem))
     made = mechanism(names)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import cache
+from typing import Any
+
 import sympy as sp
 
 import cardan as cd
@@ -50,20 +53,44 @@ def beam(made: Mechanism, present: bool) -> None:
     """An elastic link of the chain; without the feature a rigid one of its mass."""
     length, mass = 0.3, 0.3
     if not present:
-        rod = made.scene.body(
-            "beam",
-            mass=mass,
-            com=(length / 2, 0, 0),
-            inertia=cd.inertia.rod(mass, length, axis="x"),
-        )
-        made.scene.joint("beam_joint", cd.Fixed(), made.tip, rod)
-        made.tip = rod.at(length, 0, 0)
+        made.tip = rigid_link(made, "beam", length, mass)
     else:
         section = cd.section.general(EA=2e3, GA=1e3, GJ=1.5, EI=2.0, rhoA=mass / length, rhoI=1e-3)
         end = (made.reach + length, 0, 0)
         elastic = made.scene.beam("beam", made.tip, end, section, elements=2, up="z")
         made.tip = elastic.end
     made.reach += length
+
+
+def superelement(made: Mechanism, present: bool) -> None:
+    """A reduced link of the chain; without the feature a rigid one of its mass."""
+    length, mass = 0.25, 0.25
+    if not present:
+        made.tip = rigid_link(made, "boom", length, mass)
+    else:
+        # the mean of the interfaces by the weight of one of them is that interface
+        placed = {"frame": "mean", "weights": (1, 0)} if made.by_conditions else {"frame": "start"}
+        record = reduced_link(length, mass)
+        made.tip = made.scene.superelement("boom", record, {"start": made.tip}, **placed).at("end")
+    made.reach += length
+
+
+@cache
+def reduced_link(length: float, mass: float) -> Any:
+    """Beams along x as one component."""
+    scene = cd.Scene("link")
+    section = cd.section.general(EA=2e3, GA=1e3, GJ=3.0, EI=4.0, rhoA=mass / length, rhoI=1e-3)
+    scene.beam("boom", (0, 0, 0), (length, 0, 0), section, elements=4, up="z")
+    return cd.superelement.from_beams(scene, "boom", modes=2)
+
+
+def rigid_link(made: Mechanism, name: str, length: float, mass: float) -> Any:
+    """A rod at the tip; its other end."""
+    rod = made.scene.body(
+        name, mass=mass, com=(length / 2, 0, 0), inertia=cd.inertia.rod(mass, length, axis="x")
+    )
+    made.scene.joint(f"{name}_joint", cd.Fixed(), made.tip, rod)
+    return rod.at(length, 0, 0)
 
 
 def cable(made: Mechanism, present: bool) -> None:

@@ -19,7 +19,7 @@ from .arrays import SCENES
 from .covering import covering, smallest
 from .features import FEATURES, PRESENT, closed
 from .refusals import expected
-from .routes import Names, apart, other_route, outputs_at, route
+from .routes import FLEXIBLE, Names, apart, other_route, outputs_at, route
 from .uses import USES
 
 # in every run: those that build soonest, every group of features among them
@@ -97,7 +97,7 @@ def test_every_feature_has_an_effect(name: str) -> None:
 def agree(names: Names) -> None:
     """Two routes have the same motion, and account for all energy."""
     mine, theirs = route(names), other_route(names)
-    start = {} if "beam" in names else mine.start
+    start = {} if FLEXIBLE & {*names} else mine.start
     motions = mine.run(), theirs.run(**start)
     said = apart(*motions)
     assert not said, said
@@ -108,7 +108,8 @@ def agree(names: Names) -> None:
 def rows() -> list[Any]:
     """The scenes, all but some of them slow."""
     # a line load brings a beam with it
-    short = sorted(range(len(SCENES)), key=lambda k: ("beam" in SCENES[k], len(SCENES[k]), k))
+    flexible = [bool(FLEXIBLE & {*scene}) for scene in SCENES]
+    short = sorted(range(len(SCENES)), key=lambda k: (flexible[k], len(SCENES[k]), k))
     quick = short[:QUICK]
     return [
         pytest.param(scene, id=f"scene{k}", marks=[] if k in quick else [pytest.mark.slow])

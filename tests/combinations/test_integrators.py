@@ -16,7 +16,7 @@ from cardan.schema.integrators import INTEGRATORS
 from .features import PRESENT, closed
 from .method_arrays import ARRAYS, COORDINATES, EXCLUDED, REFUSED
 from .refusals import expected
-from .routes import Names, outputs_at, route
+from .routes import FLEXIBLE, Names, outputs_at, route
 from .test_combinations import checked
 
 # of methods of low order and of others: the tolerance they are given, and what is left of 1 m
@@ -61,7 +61,8 @@ def test_every_two_features_meet_every_integrator() -> None:
 
 def rows() -> list[Any]:
     """Scene by scene, so that each is derived once; all but some of them slow."""
-    scenes = sorted({s for array in ARRAYS.values() for s in array}, key=lambda s: ("beam" in s, s))
+    every = {s for array in ARRAYS.values() for s in array}
+    scenes = sorted(every, key=lambda s: (bool(FLEXIBLE & {*s}), s))
     number = {scene: k for k, scene in enumerate(scenes)}
     return [
         pytest.param(

@@ -16,6 +16,8 @@ def test_rows_and_columns_are_those_there_are() -> None:
         assert text.count(f"| | {' | '.join(columns)} |") == 2, page.SCRIPT
     for name in PRESENT:
         assert text.count(f"\n| {name} |") == 4, page.SCRIPT
+    # it can be read, so that some of its features can be tried anew
+    assert page.page(*page.stated(text)) == text
 
 
 def test_a_feature_of_the_page_is_up_to_date() -> None:

@@ -23,6 +23,7 @@ from mechanisms import ZOO
 from mechanisms.carried import CARRIED
 from mechanisms.closed import CLOSED
 from mechanisms.flexible import FLEXIBLE
+from mechanisms.superelements import FLYERS
 from spread import some
 
 WAYS = tuple(itertools.product(("body", "ground"), ("forth", "back"), ("offsets", "plain")))
@@ -100,6 +101,7 @@ SCENES = {
     **{name: member.build for name, member in ZOO.items()},
     **{name: member.build for name, member in (CLOSED | CARRIED).items()},
     **FLEXIBLE,
+    **{name: flyer.build for name, flyer in FLYERS.items()},
 }
 
 

@@ -21,6 +21,7 @@ from mechanisms.closed import CLOSED
 from mechanisms.flexible import FLEXIBLE
 from mechanisms.mechanism import State
 from mechanisms.rolling import ROLLING
+from mechanisms.superelements import FLYERS
 
 SPAN = 0.02  # s
 REST = State()
@@ -29,6 +30,7 @@ SCENES: dict[str, Callable[[], tuple[cd.Scene, State]]] = {
     **{n: (lambda m=m: (m.build(), m.state(0.3))) for n, m in (CLOSED | CARRIED).items()},
     **{n: (lambda build=build: (build(), REST)) for n, build in ROLLING.items()},
     **{f"flexible {n}": (lambda build=build: (build(), REST)) for n, build in FLEXIBLE.items()},
+    **{f"superelement {n}": (lambda f=f: (f.build(), REST)) for n, f in FLYERS.items()},
     **{path.name: (lambda path=path: (scene_of(path), REST)) for path in EXAMPLES},
 }
 KINDS = ("relative", "absolute")
@@ -257,5 +259,5 @@ def test_ensembles(name: str, kind: str, tmp_path: Path) -> None:
 
 def test_every_scene_is_here() -> None:
     print(f"{len(CASES)} scenes and kinds of coordinates, of motions twice, dense and sampled")
-    assert len(SCENES) >= len(ZOO) + len(CLOSED) + len(FLEXIBLE) + len(EXAMPLES) + 5
+    assert len(SCENES) >= len(ZOO) + len(CLOSED) + len(FLEXIBLE) + len(FLYERS) + len(EXAMPLES) + 5
     assert set(CASES) >= SHOWN

@@ -8,29 +8,18 @@ from typing import Any
 import numpy as np
 
 import cardan as cd
-from superelements.components import brick_matrices, faces
+from mechanisms.superelements import FLYERS, soft_brick
 from superelements.corotational import Corotational
 from superelements.rotations import rotation
 
 Array = Any
-FRAMES = ("root", "tip", "mean", "chord")
 GRAVITY = (1.0, -2.0, -9.81)
-
-
-@cache
-def soft_brick(modes: int = 2) -> Any:
-    """The brick with its stiffness times 1e-4: frequencies of some rad/s and up."""
-    M, K, nodes = brick_matrices()
-    return cd.superelement.reduce(M, 1e-4 * K, nodes, faces(), modes=modes)
 
 
 @cache
 def free(frame: str, gravity: Any = GRAVITY) -> Any:
     """The brick, free in space."""
-    scene = cd.Scene("flying", gravity=gravity)
-    boom = scene.superelement("boom", soft_brick(), frame=frame)
-    scene.joint("free", cd.Free(), scene.ground, boom.at("root"))
-    return cd.compile(scene)
+    return cd.compile(FLYERS[frame].build(gravity))
 
 
 def reference(frame: str, gravity: Any = GRAVITY) -> Corotational:

@@ -13,6 +13,7 @@ import sympy
 import cardan as cd
 from cardan.equations.finite_elements.superelements import PAIR_NAMES, PAIRS
 from cardan.equations.reading.energy_expressions import _symbols_of
+from cardan.runtime.models.finite_elements.elements import State
 from cardan.scene.superelement import INERTIAS
 from elements.formula_values import column, computed, motions, poses, skew
 from superelements.components import brick, brick_matrices, faces
@@ -77,12 +78,26 @@ def constants(rows: slice, form: str = "nodal") -> dict[str, Any]:
 def frame_of(q: Any, u: Any, udot: Any) -> dict[str, Any]:
     """Pose and motion of the frame: the node is at ROOT in its axes."""
     node = {k.removesuffix("_1"): v for k, v in (poses(q) | motions(u, udot)).items()}
+    return of_node(node)
+
+
+def of_node(node: dict[str, Any]) -> dict[str, Any]:
+    """Those of the frame by those of the node, complex ones too."""
     R, arm, omega, omegadot = node["R"], -column(ROOT), node["omega"], node["omegadot"]
     return node | {
         "p": node["p"] + R @ arm,
         "v": node["v"] + R @ skew(omega) @ arm,
         "vdot": node["vdot"] + R @ (skew(omegadot) + skew(omega) @ skew(omega)) @ arm,
     }
+
+
+def shown_by(kind: Any, given: dict[str, Any], frame: dict[str, Any], moving: Any) -> Any:
+    """Everything that the formulas define, and the balance about the node."""
+    spin = {f"omega_{k + 1}": x for k, x in enumerate(frame["omega"].ravel())}
+    shown = computed(kind.formulas, given | frame | moving | spin, "nu")
+    b = shown["b"].ravel().copy()
+    b[:3] -= np.cross(ROOT, shown["f"].ravel())
+    return shown, b
 
 
 def kinetic_energy_of_all_nodes(z: Any, rate: Any, frame: dict[str, Any]) -> float:
@@ -119,12 +134,7 @@ def test_balance_and_energy_are_those_of_the_compiled_element(
         resting = np.zeros(6)
         frame = frame_of(pose, *fast) if nodes else frame_of([1, 0, 0, 0, *ROOT], resting, resting)
         moving = {"z": column(z), "zdot": column(rate), "zddot": column(second)}
-        spin = {f"omega_{k + 1}": float(x) for k, x in enumerate(frame["omega"].ravel())}
-        shown = computed(kind.formulas, given | frame | moving | spin, "nu")
-        b = shown["b"].ravel()
-        if nodes:
-            # the moment about the node
-            b[:3] -= np.cross(ROOT, shown["f"].ravel())
+        shown, b = shown_by(kind, given, frame, moving)
         expected = model.residual(0.0, q, u, udot)[model.nq :]
         b = b if nodes else b[6:]
         np.testing.assert_allclose(expected, b, atol=ROUNDING * np.abs(b).max())
@@ -135,6 +145,34 @@ def test_balance_and_energy_are_those_of_the_compiled_element(
         by_nodes = kinetic_energy_of_all_nodes(z, rate, frame)
         np.testing.assert_allclose(shown["T"], by_nodes, rtol=ROUNDING)
         np.testing.assert_allclose(energy.potential, shown["V"], rtol=ROUNDING)
+
+
+@each("inertia", ("nodal", "corotated"))
+def test_tangents_are_those_of_the_formulas_by_complex_steps(inertia: str) -> None:
+    """K, C and M in C against the formulas, which complex steps differentiate to rounding."""
+    model = cd.compile(scene(False, inertia), functions=("residual", "energy"))
+    kind = cd.derive(scene(False, inertia)).kinds["superelement"].kinds[0]
+    rng, given, h = np.random.default_rng(6), constants(slice(6, 15), inertia), 1e-40
+    q, (u, udot) = rng.normal(size=16), rng.normal(size=(2, 15))
+    q[:4] /= np.linalg.norm(q[:4])
+    q[7:] *= 0.05
+    node = {k.removesuffix("_1"): v for k, v in (poses(q[:7]) | motions(u[:6], udot[:6])).items()}
+    names = {"K": ("", "p", "z"), "C": ("omega", "v", "zdot"), "M": ("omegadot", "vdot", "zddot")}
+    local = {"z": column(q[7:]), "zdot": column(u[6:]), "zddot": column(udot[6:])}
+    mesh = model._source.results(model).mesh
+    tangent = mesh.tangent(State(q=q, u=u, udot=udot))
+    for part, (turned, moved, deformed) in names.items():
+        slopes = np.zeros((15, 15))
+        for k, step in enumerate(1j * h * np.eye(15)[:, :, None]):
+            change = node | {moved: node[moved] + step[3:6]}
+            if turned:
+                change[turned] = node[turned] + step[:3]
+            else:
+                change["R"] = node["R"] @ (np.eye(3) + skew(step[:3]))
+            moving = local | {deformed: local[deformed] + step[6:]}
+            slopes[:, k] = shown_by(kind, given, of_node(change), moving)[1].imag / h
+        compiled = tangent[part].toarray()
+        np.testing.assert_allclose(compiled, slopes, atol=1e-10 * np.abs(slopes).max())
 
 
 def test_energies_in_sympy_are_the_same() -> None:

@@ -21,9 +21,10 @@ from cardan.schema.fields import Misfit
 from cardan.schema.seal import sealed, unsealed
 from cardan.superelements import moving_surface as surfaces
 from cardan.superelements.moving_surface import FILE, surface_of_arrays
+from mechanisms.superelements import soft_brick
 from solids.meshes import block
 from superelements.corotational import Corotational
-from superelements.moving import free, soft_brick, state_of
+from superelements.moving import free, state_of
 from superelements.moving import reference as by_numpy
 from superelements.rotations import exponential, rotation
 from table import each

@@ -11,10 +11,10 @@ import pytest
 
 import cardan as cd
 from cardan.runtime.models.initial import start_of
+from mechanisms.superelements import FRAMES
 from scene.test_scene_schema import complaints, document
 from solids.meshes import block
 from superelements.components import brick_matrices, faces, planar_beam
-from superelements.moving import FRAMES
 
 RUBBER = cd.material(E=5e6, nu=0.4, rho=1100, expansion=2e-4)
 SIZE = (0.4, 0.05, 0.02)

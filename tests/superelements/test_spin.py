@@ -14,8 +14,9 @@ from sympy import Symbol, exp
 import cardan as cd
 from cardan.analyses.simulation.linear_limits import excesses
 from cardan.superelements.spin import spin_scale
+from mechanisms.superelements import soft_brick
 from superelements.components import brick
-from superelements.moving import free, soft_brick
+from superelements.moving import free
 from table import each
 
 FIRST = 6.259491671  # rad/s of the soft brick with one end fixed

@@ -20,7 +20,8 @@ static const real FORCES = 1e-6;
 /* what resists a speed, of what resists most, for a unit of its own: below that it may be rounding, or
  * the forces of a short step at bodies without inertia, and beside them other bodies would vanish */
 static const real LEAST = 1e-8;
-enum { IMPROVE = 4 };
+/* corrections of a solution, and of one that is not good yet while it becomes better */
+enum { IMPROVE = 4, AT_MOST = 20 };
 
 ptrdiff_t cardan_mesh_lay(const cardan_mesh *mesh, real *block, cardan_mesh_system *system)
 {
@@ -203,7 +204,8 @@ static int solve_weak(const cardan_mesh *mesh, cardan_mesh_system *system)
 
     pass(mesh, system, system->right, x, t);
     /* what is judged is what is given: the last correction is measured too */
-    for (int step = 0; step <= IMPROVE; step++) {
+    for (int step = 0; step <= AT_MOST; step++) {
+        const real last = error;
         real most;
         error = cardan_sparse_residual(mesh->plan, &system->factors, system->a, system->right, x, r);
         if (!(error < INFINITY))
@@ -215,7 +217,10 @@ static int solve_weak(const cardan_mesh *mesh, cardan_mesh_system *system)
         pass(mesh, system, r, d, t);
         if (fits(mesh, system, r, d, error, t))
             return 0;
-        if (step == IMPROVE || !(most < before))
+        /* what redundant rows miss may rise while all else becomes better */
+        if ((step >= IMPROVE || !(most < before)) && !(error > GOOD && error < last))
+            break;
+        if (step == AT_MOST)
             break;
         before = most;
         for (ptrdiff_t i = 0; i < n; i++)
