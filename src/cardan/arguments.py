@@ -289,6 +289,7 @@ OF_USERS = {
     "EquationRecord": "Equations",
     "Explained": "Equations",
     "FiniteElementRecord": "FiniteElementEquations",
+    "SuperelementRecord": "Superelement, as cd.superelement.from_mesh, reduce and load give it",
 }
 
 
@@ -360,7 +361,7 @@ def checked(function: Callable[P, R]) -> Callable[P, R]:
     kinds = {name: kind for name, kind in kinds.items() if kind}
     positional_names = [p.name for p in parameters if not _gathers(p)]
     open_ended = any(p.kind is p.VAR_KEYWORD for p in parameters)
-    title, plain = function.__name__, cast(Any, function)
+    title, plain = function.__name__.removeprefix("add_"), cast(Any, function)
     if title == "__init__":
         title = function.__qualname__.split(".")[-2]
 

@@ -287,3 +287,62 @@ def test_messages() -> None:
         cd.derive(loop)
     with pytest.raises(cd.ArgumentError, match=r"cable 'rop' does not exist.*Did you mean 'rope'"):
         cd.compile(hung(2)).cable("rop", np.zeros(3))
+
+
+@each("tension", (40.0, -4.0))
+def test_a_prestressed_bar_with_a_hinge(tension: float) -> None:
+    """Along and across a mass in its middle; one that pushes buckles there."""
+    scene, L, mass = cd.Scene("bar", gravity=(0, 0, 0)), 2.0, 0.3
+    far = scene.ground.at(L, 0, 0)
+    numbers = {"EA": EA, "rhoA": 1e-9, "tension": tension, "elements": 2, "compression": True}
+    bar = scene.cable("bar", scene.ground, far, **numbers)
+    load = scene.body("load", mass)
+    scene.joint("weld", cd.Fixed(), bar.at(0.5), load)
+    model = cd.compile(scene)
+    assert np.allclose(model.cable("bar", model.initial()[: model.nq]).tension, tension, rtol=1e-9)
+    q, still, d = model.initial()[: model.nq], np.zeros(model.nu), 1e-6
+    ends = [[model.forward_dynamics(q + s * row, still) for s in (-d, d)] for row in np.eye(3)]
+    k = -mass * np.diff(ends, axis=1)[:, 0] / (2 * d)
+    unloaded = L / (1 + tension / EA)
+    expected = np.diag([4 * EA / unloaded, *([4 * tension / L] * 2)])
+    np.testing.assert_allclose(k, expected, rtol=1e-6, atol=1e-5)
+
+
+def test_a_shallow_truss_of_bars_snaps() -> None:
+    """The load over the height, in closed form; prestressed bars have more of it."""
+    width, height = 1.0, 0.2
+    size = np.hypot(width, height)
+    for tension in (0.0, -30.0):
+        scene = cd.Scene("truss", gravity=(0, 0, 0))
+        top = scene.body("top", 1.0)
+        scene.joint("slide", cd.Prismatic("z"), scene.ground, top)
+        for side in (-1, 1):
+            foot = scene.ground.at(side * width, 0, -height)
+            scene.cable(f"bar{side + 1}", foot, top, EA, tension=tension, compression=True)
+        model = cd.compile(scene)
+        length = size / (1 + tension / EA)
+        for z in np.linspace(-0.3, 0.3, 7):
+            distance = np.hypot(width, z)
+            pull = -2 * EA * (distance / length - 1) * z / distance
+            energy = EA * length * (distance / length - 1) ** 2
+            q = [z - height]
+            assert model.forward_dynamics(q, [0.0])[0] == pytest.approx(pull, rel=1e-12, abs=1e-9)
+            assert model.energy(q, [0.0]).potential == pytest.approx(energy, rel=1e-12, abs=1e-12)
+
+
+def test_bars_in_files_and_what_they_refuse(tmp_path: Path) -> None:
+    scene = cd.Scene("truss", gravity=(0, 0, 0))
+    far = scene.ground.at(2.0, 0, 0)
+    bar = {"EA": EA, "rhoA": 0.1, "compression": True}
+    scene.cable("strut", scene.ground, far, tension=-5.0, elements=2, **bar)
+    scene.save(tmp_path / "truss.yaml")
+    again = cd.load(tmp_path / "truss.yaml")
+    assert again.cables["strut"].compression
+    assert again.cables["strut"].tension == -5.0
+    with pytest.raises(cd.ModelError, match="compression=True for a bar"):
+        scene.cable("rope", scene.ground, far, EA, tension=-5.0)
+    with pytest.raises(cd.ModelError, match="no length gives"):
+        scene.cable("rod", scene.ground, far, EA, tension=-2 * EA, compression=True)
+    page = cd.derive(scene).explain(tmp_path / "truss.html").read_text("utf-8")
+    assert "strain" in page
+    assert "slack" not in page

@@ -113,6 +113,43 @@ def test_both_formulations_agree_in_motion(
     assert apart[pairs][still].max(initial=0.0) < 1e-5 * largest
 
 
+def sleeping_top() -> cd.Scene:
+    """A top on its tip, which spins about the vertical."""
+    scene = cd.Scene("top", gravity=(0, 0, -G))
+    top = scene.body("top", mass=1.0, com=(0, 0, 0.3), inertia=(0.012, 0.012, 0.02))
+    scene.joint("ball", cd.Spherical(), scene.ground, top)
+    return scene
+
+
+@pytest.mark.parametrize("coordinates", ["relative", "absolute"])
+def test_a_sleeping_top_has_known_frequencies(coordinates: str) -> None:
+    """Its axes turn along: the rates of its nutation and precession, less that of the spin."""
+    model, spin = cd.compile(sleeping_top(), coordinates=coordinates), 60.0
+    steady = model.equilibrium(u={"ball": [0, 0, spin]}, check=True)
+    # I r^2 - I_p spin r + m g L = 0 about the tip
+    rates = np.roots([0.012 + 0.3**2, -0.02 * spin, G * 0.3]) - spin
+    found = np.sort(model.linearize(steady).eigenvalues.imag)[-2:]
+    np.testing.assert_allclose(found, np.sort(np.abs(rates)), rtol=1e-9)
+    np.testing.assert_allclose(model.modes(x=steady).angular[1:], found, rtol=1e-9)
+
+
+def test_a_hinge_of_two_balls_that_are_close_to_each_other() -> None:
+    """Rows that are nearly redundant hold all the same: frequencies are those with the hinge."""
+    scene, apart = governor(), 0.005
+    hinged = cd.compile(scene, coordinates="absolute")
+    balls = cd.Scene("balls", gravity=(0, 0, -G))
+    shaft = balls.body("shaft", mass=1.0, inertia=(0.1, 0.1, 0.1))
+    arm = balls.body("arm", mass=1.0, com=(0, 0, -0.5), inertia=(0.01, 0.012, 0.005))
+    balls.joint("spin", cd.Revolute("z"), balls.ground, shaft)
+    balls.joint("arm", cd.Spherical(), shaft.at(0.1, 0, 0), arm)
+    balls.joint("beside", cd.Spherical(), shaft.at(0.1, apart, 0), arm.at(0, apart, 0))
+    both = []
+    for model in (hinged, cd.compile(balls, coordinates="absolute")):
+        steady = model.equilibrium(u={"spin": 3.0}, locked={"spin": 0.0}, check=True)
+        both.append(np.sort_complex(model.linearize(steady).eigenvalues))
+    np.testing.assert_allclose(both[1], both[0], atol=1e-7)
+
+
 # beams
 
 SECTION = cd.section.general(EA=1e4, GA=1e4, GJ=20, EI=(30, 50), rhoA=1, rhoI=(1e-3, 2e-3))

@@ -40,6 +40,8 @@ LEAVES = {
     "28_flexible_robot": ("robot.html",),
     "29_rotor_on_a_shaft": ("rotor.html",),
     "30_flexible_link": ("link.html", "link.png"),
+    "31_deployable_antenna": ("antenna.html",),
+    "32_truss_retraction": ("folding.html", "snap.html", "retraction.png"),
 }
 
 

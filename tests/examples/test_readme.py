@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -24,11 +25,14 @@ def test_the_way_in_is_short() -> None:
 
 def test_python_block(tmp_path: Path) -> None:
     (program,) = re.findall(r"```python\n(.*?)```", TEXT, flags=re.DOTALL)
+    (tmp_path / "examples").mkdir()
+    shutil.copy(ROOT / "examples" / "lug.inp", tmp_path / "examples")
     command = [sys.executable, "-c", program]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "Matrix" in done.stdout
-    assert (tmp_path / "pendulum.html").is_file()
+    for page in ("pendulum", "robot"):
+        assert (tmp_path / f"{page}.html").is_file()
 
 
 @pytest.mark.parametrize("target", re.findall(r"make (\w+)", TEXT))

@@ -37,6 +37,8 @@ LONG = {
     "28_flexible_robot",
     "29_rotor_on_a_shaft",
     "30_flexible_link",
+    "31_deployable_antenna",
+    "32_truss_retraction",
     "bicycle",
 }
 TWICE = {"02_robot_arm", "04_scene_file", "14_bend"}

@@ -17,7 +17,7 @@ FUNCTIONS = ("forward_dynamics", "inverse_dynamics", "mass_matrix")
 HAPPENING = ("events", "transition")
 # a script has a variable ``scene``; a file is one. Of flexible bodies the C is that of their
 # elements, which no scene changes: one of them shows it
-ON_NODES = ("scene.beam(", "scene.superelement(")
+ON_NODES = ("scene.beam(", "scene.cable(", "scene.superelement(")
 EXAMPLES = sorted(
     path
     for path in (*(ROOT / "examples").iterdir(), *FILES)

@@ -156,3 +156,32 @@ def test_elastic_longerons_tend_to_rigid_ones() -> None:
     assert errors[-1] <= 1e-10
     # by one over the ratio
     np.testing.assert_allclose(np.diff(np.log10(errors)), -2, rtol=0, atol=0.05)
+
+
+def test_cables_that_cross_with_prestress() -> None:
+    """The load at which elastic longerons twist, next to that of rigid ones by its formula."""
+    r, b, EA, tension, longeron = 0.5, 0.8, 2e4, 400.0, 2e8
+    length = math.sqrt(b**2 + 3 * r**2)
+    free = length / (1 + tension / EA)
+    scene = cd.Scene("crossed", gravity=(0, 0, 0))
+    carriage, top = scene.body("carriage"), scene.body("top", mass=1.0, inertia=(1.0, 1.0, 1.0))
+    scene.joint("height", cd.Prismatic("z"), scene.ground, carriage, q0=b)
+    scene.joint("twist", cd.Revolute("z"), carriage, top)
+    corners = [(r * math.cos(k * TURN), r * math.sin(k * TURN), 0.0) for k in range(3)]
+    for k in range(3):
+        foot = scene.ground.at(*corners[k])
+        bar = cd.SpringDamper(foot, top.at(*corners[k]), stiffness=longeron, rest_length=b)
+        scene.force(f"longeron{k}", bar)
+        for side in (-1, 1):
+            end = top.at(*corners[(k + side) % 3])
+            scene.cable(f"cable{k}{side}", foot, end, EA=EA, length=free)
+    model = cd.compile(scene)
+    # derivatives of the length of a cable by the twist
+    first = r**2 * math.sin(TURN) / length
+    second = -(1.5 * r**2 + first**2) / length
+    rigid = 6 * (EA / free * first**2 + tension * second) * b / r**2
+    swept = model.sweep("twist", [1e-3], by="strain_energy")
+    torque, height = swept["twist.holding_force"][0], swept["height"][0]
+    twisted = torque * height / (r**2 * math.sin(1e-3))
+    print(f"begins to twist off by {twisted / rigid - 1:.1e} (relative)")
+    assert twisted == pytest.approx(rigid, rel=1e-4)

@@ -134,6 +134,7 @@ def test_every_joint_takes_its_own_keys(kind: str) -> None:
 
 
 VALUES: dict[str, Any] = {
+    "compression": True,
     "frame": "a", "frame_a": "a", "frame_b": "ground", "in_": "a", "joint": "j",
     "force": [1, 2, 3], "torque": [1, 2, 3], "gyroscopic": True,
 }  # fmt: skip

@@ -215,6 +215,7 @@ def test_two_materials_by_region() -> None:
         ({"nu": (0.9, 0.9, 0.9)}, r"a strain would set energy free"),
         ({"nu": (0.3, 0.3)}, r"nu=.*give 3 numbers"),
         ({"rho": -1.0}, r"rho is -1"),
+        ({"damping": -1.0}, r"damping is -1; give 0 or more \[s\]"),
         ({"axes": np.ones((3, 3))}, r"three orthonormal directions"),
         ({"G": ("x", 1e9, 1e9)}, r"G\[0\]='x': matrices of a mesh are numbers"),
     ],

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from scipy.linalg import eigh
 
 import cardan as cd
 from cardan import solids as fem
-from solids.meshes import block
+from solids.meshes import block, grid
 
 LUG = Path(__file__).with_name("files") / "lug.inp"
 ALUMINIUM = cd.material(E=70e9, nu=0.3, rho=2700, expansion=2.3e-5)
@@ -89,6 +90,34 @@ def test_frequencies_of_a_beam_of_solids() -> None:
     assert link.frequencies[:4] == pytest.approx(exact, rel=1e-7)
 
 
+def test_damping_of_materials() -> None:
+    """C is the sum of the stiffnesses of materials times their damping."""
+    points, cells = grid((4, 1, 1), kind="hex20", size=(0.4, 0.05, 0.05))
+    regions = {"stiff": {"hex20": [0, 1]}, "soft": {"hex20": [2, 3]}}
+    mesh = fem.from_arrays(points, cells, regions=regions)
+    x = mesh.points[:, 0]
+    ends = {"a": np.flatnonzero(x < 1e-9), "b": np.flatnonzero(x > 0.4 - 1e-9)}
+
+    def reduced(E: float, soft: float, *damping: float) -> Any:
+        pairs = zip((E, soft), damping or (0.0, 0.0), strict=True)
+        materials = [cd.material(E=E, nu=0.3, rho=2700, damping=d) for E, d in pairs]
+        by_region = dict(zip(("stiff", "soft"), materials, strict=True))
+        return cd.superelement.from_mesh(mesh, by_region, ends, modes=6)
+
+    alike = reduced(70e9, 70e9, 2e-6, 2e-6)
+    assert abs(alike.C - 2e-6 * alike.K).max() < 1e-12 * abs(alike.C).max()
+    mixed = reduced(70e9, 2e9, 2e-6, 3e-4)
+    plain = reduced(70e9, 2e9)
+    assert not plain.C.any()
+    # the stiffness of a region is what its modulus adds
+    body = fem.solid(mesh, {"stiff": ALUMINIUM, "soft": cd.material(E=2e9, nu=0.3)})
+    twice = fem.solid(mesh, {"stiff": ALUMINIUM, "soft": cd.material(E=4e9, nu=0.3)})
+    soft = (twice.stiffness() - body.stiffness()).toarray()
+    C = 2e-6 * (body.stiffness().toarray() - soft) + 3e-4 * soft
+    expected = plain.basis.T @ C @ plain.basis
+    assert abs(mixed.C - expected).max() < 1e-9 * abs(expected).max()
+
+
 def test_faults_are_named() -> None:
     mesh = block("hex8", (1, 1, 1))
     for interfaces, says in (
@@ -129,6 +158,22 @@ def test_a_spinning_blade_by_its_geometric_stiffness() -> None:
         flapping = np.abs(motion[2::3]).max(axis=0) > 0.5 * np.abs(motion).max(axis=0)
         first = np.sqrt(omega[np.flatnonzero(flapping)[0]])
         assert first / unit == pytest.approx(exact, rel=2e-3)
+
+
+def test_a_body_spins_about_the_origin_of_its_frame() -> None:
+    """Beside the nodes of the interface, as on a hub: the tension is that of the longer arms."""
+    mesh = block("hex20", (4, 1, 1), (1.0, 0.1, 0.1))
+    root = np.flatnonzero(mesh.points[:, 0] < 1e-9)
+    center = (-0.3, 0.05, 0.05)
+    options = {"modes": 2, "stiffening": "root"}
+    metal = cd.material(E=70e9, nu=0.0, rho=2700)
+    record = cd.superelement.from_mesh(mesh, metal, {"root": root}, at={"root": center}, **options)
+    K_G = fem.spin_stiffness(fem.solid(mesh, metal), root, center)["zz"]
+    expected = record.basis.T @ (K_G @ record.basis)
+    scale = abs(expected).max()
+    np.testing.assert_allclose(record.geometric["zz"], expected, atol=1e-9 * scale)
+    plain = cd.superelement.from_mesh(mesh, metal, {"root": root}, **options)
+    assert record.geometric["zz"][-1, -1] > 1.3 * plain.geometric["zz"][-1, -1] > 0
 
 
 def test_products_of_angular_velocities() -> None:

@@ -77,6 +77,38 @@ def planar_beam(
     return M, K, nodes
 
 
+def bar(
+    length: float, count: int, EA: float, rhoA: float, ends: Any = None, modes: int | None = None
+) -> Any:
+    """Elements with linear displacements; bending so stiff that axial modes come first."""
+    M, K, nodes = planar_beam(length, count, EA, 1e6 * EA, rhoA)
+    M[1::3] = M[:, 1::3] = M[2::3] = M[:, 2::3] = 0.0
+    M[1::3, 1::3] = M[::3, ::3]
+    M[2::3, 2::3] = 1e-3 * M[::3, ::3]
+    ends = ends or {"left": 0, "right": count}
+    modes = count - 1 if modes is None else modes
+    return cd.superelement.reduce(M, K, nodes, ends, node_dofs="x y rz", modes=modes)
+
+
+def spatial_beam(
+    length: float, elements: int, EA: float, EI: float, rhoA: float, twisting: float = 1e-8
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """M, K and nodes of a beam that bends in two planes, with some stiffness of torsion.
+
+    Args:
+        twisting: Inertia of torsion by mass [m^2].
+    """
+    m, k, nodes = planar_beam(length, elements, EA, EI, rhoA)
+    bends, flaps, twists = (np.zeros((len(m), 2 * len(m))) for _ in range(3))
+    for i in range(elements + 1):
+        bends[[3 * i, 3 * i + 1, 3 * i + 2], [6 * i, 6 * i + 1, 6 * i + 5]] = 1.0
+        flaps[[3 * i + 1, 3 * i + 2], [6 * i + 2, 6 * i + 4]] = 1.0, -1.0
+        twists[3 * i, 6 * i + 3] = 1.0
+    planes = (bends, 1.0, 1.0), (flaps, 1.0, 1.0), (twists, twisting, 1e-2)
+    M = sum(heavy * P.T @ m @ P for P, heavy, _ in planes)
+    return M, sum(stiff * P.T @ k @ P for P, _, stiff in planes), nodes
+
+
 def frequencies(M: np.ndarray, K: np.ndarray, zeros: int = 0) -> np.ndarray:
     """All finite frequencies above the zero ones, by the inverse form."""
     shift = K.trace() / M.trace() * 1e-6

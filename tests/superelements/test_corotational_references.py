@@ -9,7 +9,16 @@ import numpy as np
 from scipy.optimize import root
 
 import cardan as cd
-from superelements.components import beam, brick, brick_matrices, faces, planar_beam, reference
+from superelements.components import (
+    bar,
+    beam,
+    brick,
+    brick_matrices,
+    faces,
+    planar_beam,
+    reference,
+    spatial_beam,
+)
 from superelements.corotational import Corotational, Hub, frequencies_at_rest
 from superelements.corotational_motion import accelerations, simulate
 from table import each
@@ -65,16 +74,6 @@ def test_a_beam_that_spins_has_the_known_length(frame: str, modes: int) -> None:
     q, _ = spun(element, given["parameters"]["spin"], np.zeros(3))
     expected = given["reference"][f"elongation_cb_{modes}"]
     np.testing.assert_allclose(q[11] - q[4] - 1.0, expected, rtol=1e-9)
-
-
-def bar(length: float, count: int, EA: float, rhoA: float) -> Any:
-    """Elements with linear displacements; bending so stiff that axial modes come first."""
-    M, K, nodes = planar_beam(length, count, EA, 1e6 * EA, rhoA)
-    M[1::3] = M[:, 1::3] = M[2::3] = M[:, 2::3] = 0.0
-    M[1::3, 1::3] = M[::3, ::3]
-    M[2::3, 2::3] = 1e-3 * M[::3, ::3]
-    ends = {"left": 0, "right": count}
-    return cd.superelement.reduce(M, K, nodes, ends, node_dofs="x y rz", modes=count - 1)
 
 
 @each("frame", FRAMES)
@@ -165,24 +164,11 @@ def _flap(element: Corotational, spin: float) -> Any:
     return np.sqrt(squares[:2])
 
 
-def spatial_beam(length: float, elements: int, EA: float, EI: float, rhoA: float) -> Any:
-    """A beam that bends in two planes, with some stiffness and inertia of torsion."""
-    m, k, nodes = planar_beam(length, elements, EA, EI, rhoA)
-    bends, flaps, twists = (np.zeros((len(m), 2 * len(m))) for _ in range(3))
-    for i in range(elements + 1):
-        bends[[3 * i, 3 * i + 1, 3 * i + 2], [6 * i, 6 * i + 1, 6 * i + 5]] = 1.0
-        flaps[[3 * i + 1, 3 * i + 2], [6 * i + 2, 6 * i + 4]] = 1.0, -1.0
-        twists[3 * i, 6 * i + 3] = 1.0
-    planes = (bends, 1.0, 1.0), (flaps, 1.0, 1.0), (twists, 1e-4, 1e-2)
-    M = sum(heavy * P.T @ m @ P for P, heavy, _ in planes)
-    return M, sum(stiff * P.T @ k @ P for P, _, stiff in planes), nodes
-
-
 @each("modes, name", [(0, "se1_int0"), (4, "se1_int2")])
 def test_a_chord_frame_stiffens_a_blade_that_is_one_component(modes: int, name: str) -> None:
     """By its geometry alone; the values are of one other implementation."""
     spin, elements = 3.0, 48
-    M, K, nodes = spatial_beam(1.0, elements, 1e4, 1.0, 1.0)
+    M, K, nodes = spatial_beam(1.0, elements, 1e4, 1.0, 1.0, twisting=1e-4)
     ends = {"root": 0, "tip": elements}
     record = cd.superelement.reduce(M, K, nodes, ends, node_dofs="x y z rx ry rz", modes=modes)
     element, free = Corotational.of(record, "chord"), np.arange(6, 12 + modes)

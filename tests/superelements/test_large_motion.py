@@ -20,6 +20,14 @@ RNG = np.random.default_rng(3)
 SPIN, TURN = RNG.normal(size=3), exponential(RNG.normal(size=3))
 
 
+def springy_beam(damping: float = 0.0) -> Any:
+    """A beam, whose mass matrix depends on directions."""
+    beams = cd.Scene("beams", gravity=(0, 0, 0))
+    section = cd.section.general(EA=1e4, GA=1e4, GJ=1.0, EI=1.0, rhoA=1.0, rhoI=1e-2)
+    beams.beam("beam", beams.ground, (1.0, 0, 0), section, elements=4)
+    return cd.superelement.from_beams(beams, "beam", modes=2, damping=damping)
+
+
 def some_state(element: Corotational, size: float = 0.05) -> tuple[Any, Any]:
     """A turned, moved and deformed configuration, and speeds."""
     rng = np.random.default_rng(5)
@@ -60,6 +68,47 @@ def test_a_free_motion_keeps_energy_and_momenta(frame: str) -> None:
     momenta = [model.momentum(q, u) for q, u in zip(run.q, run.u, strict=True)]
     np.testing.assert_allclose(momenta, [momenta[0]] * 3, rtol=1e-10, atol=1e-9)
     assert np.abs(run.q[-1] - run.q[0]).max() > 0.3
+
+
+@each("frame", FRAMES)
+def test_a_free_superelement_keeps_energy_and_momenta_for_many_steps(frame: str) -> None:
+    """By the energy-momentum method, which is of second order."""
+    model, start = free(frame, (0.0, 0.0, 0.0)), {"free": [1, 2, 8, 0.5, 0, 0]}
+    method, times = "EnergyMomentum", np.linspace(0, 5, 11)
+    run = model.simulate(times, u=start, method=method, step=5e-4)
+    total = run.energy.total
+    momenta = np.array([model.momentum(q, u) for q, u in zip(run.q, run.u, strict=True)])
+    drift = np.abs(total / total[0] - 1).max(), np.abs(momenta - momenta[0]).max()
+    print(f"energy {drift[0]:.1e}, momenta {drift[1]:.1e}")
+    assert drift[0] < 1e-11
+    assert drift[1] < 1e-11 * np.abs(momenta).max()
+    q = model.simulate([0, 0.2], u=start, method="DOP853", rtol=1e-11).q[-1]
+    missed = [
+        np.abs(model.simulate([0, 0.2], u=start, method=method, step=h).q[-1] - q).max()
+        for h in (5e-4, 2.5e-4)
+    ]
+    assert np.log2(missed[0] / missed[1]) == pytest.approx(2, abs=0.15)
+
+
+@each("inertia", ("nodal", "projected", "corotated"))
+def test_a_swinging_superelement_keeps_its_energy(inertia: str) -> None:
+    """A heavy one on a hinge, with a load; of a damped one the method says what it misses."""
+    for damping in (0.0, 0.01):
+        scene = cd.Scene("swing", gravity=(0, 0, -0.2))
+        hub = scene.body("hub", 1.0, (0.1, 0.05, 0), (0.1, 0.2, 0.15))
+        scene.joint("hinge", cd.Revolute("y"), scene.ground, hub)
+        part, at = springy_beam(damping), {"start": hub}
+        arm = scene.superelement("arm", part, at, frame="start", inertia=inertia)
+        load = scene.body("load", 0.5, (0, 0.1, 0), (0.01, 0.02, 0.03))
+        scene.joint("pin", cd.Revolute("x"), arm.at("end"), load)
+        model = cd.compile(scene, coordinates="absolute")
+        options = {"u": {"hinge": 0.5}, "method": "EnergyMomentum", "step": 1e-3}
+        if damping:
+            with pytest.raises(cd.ModelError, match="it is damped"):
+                model.simulate([0, 1], **options)
+            continue
+        energy = model.simulate(np.linspace(0, 1, 11), **options).energy
+        assert np.abs(energy.total - energy.total[0]).max() < 1e-10 * energy.kinetic.max()
 
 
 @each("frame", FRAMES)
@@ -125,12 +174,8 @@ def test_matrices_are_part_of_the_cached_code() -> None:
 @each("inertia", ("nodal", "projected", "corotated"))
 def test_every_form_of_the_inertia_obeys_the_laws(inertia: str) -> None:
     """Of a beam, whose mass matrix depends on directions."""
-    beams = cd.Scene("beams", gravity=(0, 0, 0))
-    section = cd.section.general(EA=1e4, GA=1e4, GJ=1.0, EI=1.0, rhoA=1.0, rhoI=1e-2)
-    beams.beam("beam", beams.ground, (1.0, 0, 0), section, elements=4)
-    record = cd.superelement.from_beams(beams, "beam", modes=2)
     scene = cd.Scene("flying")
-    boom = scene.superelement("boom", record, frame="end", inertia=inertia)
+    boom = scene.superelement("boom", springy_beam(), frame="end", inertia=inertia)
     scene.joint("free", cd.Free(), scene.ground, boom.at("start"))
     assert cd.compile(scene).verify(seed=2).worst < 1e-9
 
@@ -209,6 +254,7 @@ def test_a_hub_with_a_brick_has_known_frequencies(modes: int) -> None:
     ("interfaces", "options", "text"),
     [
         ({"rot": "ground"}, {}, "no interface 'rot'.*Did you mean 'root'"),
+        ({"ground": "root"}, {}, "no interface 'ground'.*Interfaces come first: {'root': ...}"),
         ({"root": "nowhere"}, {}, "'nowhere' does not exist"),
         ({}, {"frame": "middle"}, "no frame 'middle'"),
         ({}, {"weights": [1.0]}, "give 2 numbers"),
@@ -232,6 +278,18 @@ def test_names_that_are_taken() -> None:
         scene.body("boom.tip")
     with pytest.raises(cd.ModelError, match="no interface"):
         scene.superelement("other", soft_brick()).at("middle")
+
+
+def test_superelements_are_no_frames_and_files_no_records() -> None:
+    scene = cd.Scene("mistaken")
+    boom = scene.superelement("boom", soft_brick())
+    load = scene.body("load", mass=1.0)
+    with pytest.raises(cd.ModelError, match=r"not a frame: take its interface at\('root'\) or"):
+        scene.joint("pin", cd.Fixed(), load, boom)  # type: ignore[arg-type]
+    with pytest.raises(cd.TopologyError, match=r"body 'load' and superelement 'boom' to the gro"):
+        cd.derive(scene)
+    with pytest.raises(cd.ArgumentError, match=r"record='boom.npz': give a Superelement, as cd"):
+        scene.superelement("other", "boom.npz")  # type: ignore[arg-type]
 
 
 def test_a_massless_record_is_refused() -> None:

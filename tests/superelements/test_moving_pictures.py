@@ -255,15 +255,15 @@ HOSTILE: list[tuple[str, Any, str]] = [
     ("triangles", lambda x: x + 0.5, "'triangles' of its surface names"),
     ("triangles", lambda x: x[:, :2], r"'triangles' of its surface has shape"),
     ("triangles", lambda x: np.zeros((300_000, 3)), "has shape"),
-    ("points", lambda x: np.where(x == x.max(), np.nan, x), "'points'.*entries that are no numb"),
-    ("points", lambda x: 1e200 * np.ones_like(x), "entries that are no numbers"),
+    ("points", lambda x: np.where(x == x.max(), np.nan, x), "'points'.*entries that are not numb"),
+    ("points", lambda x: 1e200 * np.ones_like(x), "entries that are not numbers"),
     ("points", lambda x: np.vstack([x, x]), "'shapes' of its surface has shape"),
-    ("points", lambda x: x.astype(str), "entries that are no numbers"),
+    ("points", lambda x: x.astype(str), "entries that are not numbers"),
     ("shapes", lambda x: x[:-1], "'shapes' of its surface has shape"),
-    ("shapes", lambda x: np.where(x == x.max(), np.inf, x), "entries that are no numbers"),
+    ("shapes", lambda x: np.where(x == x.max(), np.inf, x), "entries that are not numbers"),
     ("stressed", lambda x: x * 0, "two stresses at one point"),
     ("stresses", lambda x: x[:, 1:], "'stresses' of its surface has shape"),
-    ("stresses", lambda x: x * np.nan, "entries that are no numbers"),
+    ("stresses", lambda x: x * np.nan, "entries that are not numbers"),
 ]
 
 
@@ -284,7 +284,7 @@ def test_hostile_files_of_models_and_runs_are_refused(tmp_path: Path) -> None:
     assert packed(arrays) == (good / FILE).read_bytes()
     for name, values, message in (
         ("surface_triangles_0", arrays["surface_triangles_0"] + 999, "points that do not exist"),
-        ("surface_points_0", np.nan * arrays["surface_points_0"], "no numbers"),
+        ("surface_points_0", np.nan * arrays["surface_points_0"], "not numbers"),
         ("surface_shapes_0", arrays["surface_shapes_0"][1:], "has shape"),
     ):
         folder = tmp_path / name

@@ -1,7 +1,7 @@
 """Pictures of the documents: pages as Chromium shows them.
 
 ``docs/page.png`` of the README is the Panda arm, ``docs/mode.png`` a mode of a superelement,
-``docs/link.png`` one in motion.
+``docs/link.png`` one in motion, ``docs/antenna.png`` eight of them.
 ``make picture`` writes them, with names of pictures only those; it needs Chromium and the package
 playwright.
 """
@@ -56,7 +56,21 @@ def link(folder: Path) -> str:
     return f"{page.saved().as_uri()}#t={motion.t[row]}&bare"
 
 
-PICTURES = {"page": (panda, (1280, 720)), "mode": (mode, (960, 480)), "link": (link, (960, 480))}
+def antenna(folder: Path) -> str:
+    """The antenna of the example, where its ribs are bent most."""
+    example = ROOT / "examples" / "31_deployable_antenna.py"
+    os.chdir(folder)
+    result = runpy.run_path(str(example))
+    page = result["motion"].animate(folder / "antenna.html", show="stress")
+    return f"{page.saved().as_uri()}#t={result['motion'].t[result['stress'].argmax()]}&bare"
+
+
+PICTURES = {
+    "page": (panda, (1280, 720)),
+    "mode": (mode, (960, 480)),
+    "link": (link, (960, 480)),
+    "antenna": (antenna, (960, 480)),
+}
 
 
 def main() -> int:

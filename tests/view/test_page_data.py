@@ -247,6 +247,18 @@ def test_positions_that_are_no_motion_have_pages(tmp_path: Path) -> None:
     assert np.ptp(mode["poses"][:, 2]) > 0.1
 
 
+def test_pages_of_sweeps_take_the_modes_and_states_of_a_start(tmp_path: Path) -> None:
+    scene = cd.Scene("lift", gravity=(0, 0, 0))
+    body = scene.body("body", mass=1, inertia=(1, 1, 1))
+    scene.joint("guide", cd.Prismatic("z"), scene.ground, body)
+    scene.force("end", cd.Stop("guide", upper=5.0))
+    scene.force("mount", cd.Maxwell(scene.ground.at(0, 1, 0), body, stiffness=1e3, damping=1.0))
+    scene.cable("rope", scene.ground.at(0, 0, 3.0), body, EA=1e3, length=2.0)
+    sweep = cd.compile(scene).sweep("guide", [0.0, 0.5, 1.0])
+    shown = data_of(sweep.animate(tmp_path / "sweep.html").html)
+    np.testing.assert_allclose(shown["t"][:, 0], sweep.values, atol=1e-6)
+
+
 def test_a_page_without_a_path_is_shown(
     motion: cd.Trajectory, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

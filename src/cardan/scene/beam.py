@@ -187,6 +187,7 @@ class Cable:
         damping: Tension of a rate of the strain is EA times this time [s].
         elements: Number of straight pieces.
         base: Body in whose axes points are given, None for the ground.
+        compression: True for a bar, which pushes too.
     """
 
     model: SceneRecord = field(repr=False)
@@ -199,6 +200,7 @@ class Cable:
     damping: Value
     elements: int
     base: Body | None = None
+    compression: bool = False
 
     @property
     def start(self) -> Place:

@@ -266,17 +266,19 @@ def add_cable(
     name: str,
     ends: Sequence[object],
     numbers: dict[str, Value],
-    length: Value | None,
-    tension: float | None,
+    unloaded: tuple[Value | None, float | None],
     elements: int,
     base: object,
+    compression: bool,
 ) -> Cable:
     """The work of :meth:`Scene.cable`.
 
     Args:
         ends: What the start and the end are joined to.
         numbers: ``EA``, ``rhoA`` and ``damping``.
+        unloaded: ``length`` and ``tension``, of which one is None.
     """
+    length, tension = unloaded
     checks.new("cable", name, model.cables)
     who = f"cable '{name}'"
     first, last = (end_of(model, who, role, end, ()) for role, end in zip(ROLES, ends, strict=True))
@@ -287,8 +289,13 @@ def add_cable(
     if length is not None:
         length = number(who, "length", length)
     pull = 0.0 if tension is None else checks.number(f"{who}: tension", tension)
-    if pull < 0:
-        raise ModelError(f"{who}: tension is {pull:g}; a cable does not push: give 0 or more")
+    if pull < 0 and not compression:
+        raise ModelError(
+            f"{who}: tension is {pull:g}; a cable does not push: give 0 or more, or "
+            "compression=True for a bar"
+        )
+    if pull < 0 and not is_expression(values["EA"]) and pull <= -values["EA"]:
+        raise ModelError(f"{who}: tension is {pull:g}, which no length gives: it is above -EA")
     cable = Cable(
         model=model,
         name=name,
@@ -299,6 +306,7 @@ def add_cable(
         tension=pull,
         damping=values["damping"],
         elements=count,
+        compression=compression,
         base=base_of(model, who, base),
     )
     judge(who, cable.limits(), vars(cable))

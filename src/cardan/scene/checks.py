@@ -9,7 +9,7 @@ from typing import Any
 
 from ..arguments import UNIT
 from ..elements.quantity import Value
-from ..errors import ImpossibleWarning, ModelError, brief, looks, points, warn
+from ..errors import ImpossibleWarning, ModelError, brief, looks, near, points, warn
 
 LONGEST_NAME = 200
 ROUNDED = 1e-6  # of the largest moment: what a file loses by rounding
@@ -242,3 +242,23 @@ def triple(value: Any, what: str) -> tuple[Value, Value, Value]:
         raise ModelError(f"{what}: three entries are wanted, not {brief(value)}")
     x, y, z = (quantity(what, entry) for entry in entries)
     return x, y, z
+
+
+def no_place(who: str, role: str, place: object, names: Sequence[str]) -> ModelError:
+    """The error for something that is neither a frame nor a body, nor the name of one.
+
+    Args:
+        who: What looks for it.
+        role: What it is there.
+        place: What was given.
+        names: Names that exist.
+    """
+    interfaces = [one.name for one in getattr(getattr(place, "record", None), "interfaces", ())]
+    if interfaces:
+        cures = " or ".join(f"at({name!r})" for name in interfaces)
+        return ModelError(
+            f"{who}: {role} {brief(place)} is not a frame: take its interface {cures}"
+        )
+    listed = near(place, names).replace(" Known:", " Bodies:")
+    text = f"'{place}'" if isinstance(place, str) else brief(place)
+    return ModelError(f"{who}: {role} {text} does not exist.{listed}")

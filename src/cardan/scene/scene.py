@@ -10,7 +10,7 @@ from ..arguments import checked
 from ..elements.forces.force import ForceElement, refuse_several
 from ..elements.joints.joint import Joint as JointElement
 from ..elements.quantity import Direction, Rows, Value
-from ..errors import ModelError, brief, counted, near
+from ..errors import ModelError, brief, counted
 from ..notebooks import html
 from . import checks
 from .beam import Beam, Cable
@@ -175,9 +175,7 @@ class SceneRecord(Vocabulary):
             located = located or named.get(str(place))
         if located is None:
             names = ["ground", *self.bodies, *self.nodes, *(self.beams if "beam" in role else ())]
-            listed = near(place, names).replace(" Known:", " Bodies:")
-            place_text = f"'{place}'" if isinstance(place, str) else brief(place)
-            raise ModelError(f"{who}: {role} {place_text} does not exist.{listed}")
+            raise checks.no_place(who, role, place, names)
         return located
 
     # joints and forces
@@ -356,6 +354,7 @@ class SceneRecord(Vocabulary):
         damping: Value = 0,
         elements: int = 1,
         base: Body | str | None = None,
+        compression: bool = False,
     ) -> Cable:
         """Add a cable: straight elastic pieces that pull and do not push, with mass in its nodes.
 
@@ -369,14 +368,15 @@ class SceneRecord(Vocabulary):
             damping: Tension of a rate of the strain is EA times this time [s].
             elements: Number of pieces of equal length.
             base: Body in whose axes free ends are told; None: the ground.
+            compression: True for a bar, which pushes too; elements have hinges between them.
 
         Raises:
             ModelError: unknown or foreign frames, numbers no cable has, or a name that is taken.
 
         Source: Irvine, Cable Structures (1981), chapter 1.
         """
-        numbers = {"EA": EA, "rhoA": rhoA, "damping": damping}
-        return add_cable(self, name, (start, end), numbers, length, tension, elements, base)
+        numbers, unloaded = {"EA": EA, "rhoA": rhoA, "damping": damping}, (length, tension)
+        return add_cable(self, name, (start, end), numbers, unloaded, elements, base, compression)
 
     @checked
     def include(self, other: SceneRecord, prefix: str, at: Place | str | None = None) -> Included:

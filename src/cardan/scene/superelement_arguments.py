@@ -110,8 +110,10 @@ def add_superelement(
     joined = {}
     for interface, place in (interfaces or {}).items():
         if interface not in names:
+            swapped = isinstance(place, str) and place in names
+            cure = f" Interfaces come first: {{{place!r}: ...}}" if swapped else ""
             raise ModelError(
-                f"{who}: there is no interface {brief(interface)}.{near(interface, names)}"
+                f"{who}: there is no interface {brief(interface)}.{near(interface, names)}{cure}"
             )
         joined[interface] = model.place(who, place, interface).name
     superelement = PlacedSuperelement(

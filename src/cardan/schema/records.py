@@ -68,6 +68,7 @@ FORMS = (
     "bodies",
     "reactions",
     "reaction_friction",
+    "generalized_momenta",
 )
 # the matrices of a tangent
 PARTS = ("K", "C", "M", "R", "G", "H", "L")

@@ -27,12 +27,14 @@ class SolidMaterial:
         density: Mass density [kg/m^3].
         expansion: Strain per rise of temperature (6,) [1/K].
         stiffest: Largest Young's modulus [Pa].
+        damping: Time by which a strain rate counts like a strain [s].
     """
 
     elasticity: Array
     density: float
     expansion: Array
     stiffest: float
+    damping: float = 0.0
 
 
 def orthotropic(
@@ -42,6 +44,7 @@ def orthotropic(
     rho: float = 0.0,
     expansion: ArrayLike = (0.0, 0.0, 0.0),
     axes: ArrayLike | None = None,
+    damping: float = 0.0,
 ) -> SolidMaterial:
     """A material with three planes of symmetry, such as wood or a laminate.
 
@@ -53,6 +56,7 @@ def orthotropic(
         rho: Mass density [kg/m^3].
         expansion: Strain per rise of temperature along 1, 2, 3 [1/K].
         axes: Directions 1, 2, 3 as columns (3, 3) in the axes of the mesh; these axes by default.
+        damping: Time by which a strain rate counts like a strain [s], as of ``cd.material``.
 
     Returns:
         The material, for :func:`solid`.
@@ -73,9 +77,10 @@ def orthotropic(
     ):
         if not value > 0:
             raise ModelError(f"{who}: {name} is {value:g}; give a modulus above 0 [Pa]")
-    density = _number(who, "rho", rho)
-    if density < 0:
-        raise ModelError(f"{who}: rho is {density:g}; give 0 or more [kg/m^3]")
+    density, loss = (
+        _not_negative(who, name, value, unit)
+        for name, value, unit in (("rho", rho, "kg/m^3"), ("damping", damping, "s"))
+    )
     compliance = np.diag([1 / e1, 1 / e2, 1 / e3, 1 / g23, 1 / g13, 1 / g12])
     compliance[0, 1] = compliance[1, 0] = -n12 / e1
     compliance[0, 2] = compliance[2, 0] = -n13 / e1
@@ -92,7 +97,8 @@ def orthotropic(
         rotation = _rotation(who, axes)
         elasticity = _rotated_elasticity(elasticity, rotation)
         strains = _rotated_strain(strains, rotation)
-    return SolidMaterial((elasticity + elasticity.T) / 2, density, strains, max(e1, e2, e3))
+    elasticity = (elasticity + elasticity.T) / 2
+    return SolidMaterial(elasticity, density, strains, max(e1, e2, e3), loss)
 
 
 def isotropic(source: str, material: Material) -> SolidMaterial:
@@ -106,8 +112,8 @@ def isotropic(source: str, material: Material) -> SolidMaterial:
             f"{source}: the material has no E with nu or G: cd.material(E=210e9, nu=0.3, rho=7850)"
         )
     who = f"{source}: material"
-    E, density, swelling = (
-        _number(who, name, getattr(material, name)) for name in ("E", "rho", "expansion")
+    E, density, swelling, loss = (
+        _number(who, name, getattr(material, name)) for name in ("E", "rho", "expansion", "damping")
     )
     if material.nu is not None:
         ratio = _number(who, "nu", material.nu)
@@ -134,7 +140,7 @@ def isotropic(source: str, material: Material) -> SolidMaterial:
     elasticity = np.diag([2 * shear] * 3 + [shear] * 3)
     elasticity[:3, :3] += first
     strains = np.array([swelling] * 3 + [0.0] * 3)
-    return SolidMaterial(elasticity, density, strains, E)
+    return SolidMaterial(elasticity, density, strains, E, loss)
 
 
 def _number(who: str, name: str, value: object) -> float:
@@ -146,6 +152,13 @@ def _number(who: str, name: str, value: object) -> float:
         ) from None
     if not np.isfinite(result):
         raise ModelError(f"{who}: {name} is {result}; give a finite number")
+    return result
+
+
+def _not_negative(who: str, name: str, value: object, unit: str) -> float:
+    result = _number(who, name, value)
+    if result < 0:
+        raise ModelError(f"{who}: {name} is {result:g}; give 0 or more [{unit}]")
     return result
 
 

@@ -15,6 +15,7 @@ from ..arrays import Array, Integers
 from ..errors import ModelError, brief, near
 from ..superelements.coarsening import coarsened
 from ..superelements.factor import Factor
+from ..superelements.interfaces import origin_of
 from ..superelements.record import SuperelementRecord
 from ..superelements.reduction import reduce
 from ..superelements.stress_recovery import nodal_names
@@ -54,13 +55,15 @@ def from_mesh(
     Args:
         mesh: A mesh, or a file that :func:`read` reads.
         material: A material of ``cd.material`` or :func:`orthotropic`; or materials by region.
+            Its ``damping`` becomes part of C.
         interfaces: Names of surfaces and sets of the mesh, or node numbers, by the name that the
             interface gets: ``{"hinge": "hole"}``.
         method, modes, rigid, at, damping, rayleigh, static_shapes: As for
             ``cd.superelement.reduce``.
         stress: Nodes whose stresses are recovered: a surface, a set or numbers; none by default.
-        stiffening: Name of the interface that holds the body while it spins: the record gets the
-            geometric stiffness of :func:`spin_stiffness` with it; none by default.
+        stiffening: Name of the interface that holds the body while it spins about an axis through
+            the origin of its frame: the record gets the geometric stiffness of
+            :func:`spin_stiffness` with it; none by default.
         scale: Length of a unit of the file [m]: 1e-3 for millimeters.
 
     Returns:
@@ -79,12 +82,7 @@ def from_mesh(
             f"interfaces={brief(interfaces)}: give surfaces, sets or nodes by name, such as "
             "{'hinge': 'hole'}"
         )
-    body = Solid(mesh, material)
-    if not any(group.material.density for group in body.groups):
-        raise ModelError(
-            f"{mesh.source}: no material has a density: give rho= [kg/m^3], "
-            "cd.material(E=210e9, nu=0.3, rho=7850)"
-        )
+    body = _with_density(mesh, material)
     nodes = {name: mesh.nodes(place) for name, place in interfaces.items()}
     loads: dict[str, Array] = {}
     if any(group.material.expansion.any() for group in body.groups):
@@ -96,7 +94,11 @@ def from_mesh(
                 f"stiffening={brief(stiffening)}: there is no interface of that name."
                 f"{near(stiffening, nodes)}"
             )
-        geometric = spin_stiffness(body, nodes[stiffening])
+        # it spins about the origin of the frame
+        given = at.get(stiffening) if isinstance(at, Mapping) else None
+        fixed = nodes[stiffening]
+        center = origin_of(stiffening, mesh.points[fixed], given)
+        geometric = spin_stiffness(body, fixed, center)
     recovered = [] if stress is None else mesh.nodes(stress).tolist()
     record = reduce(
         body.mass(),
@@ -107,6 +109,7 @@ def from_mesh(
         modes=modes,
         rigid=rigid,
         at=at,
+        C=body.damping() if any(group.material.damping for group in body.groups) else None,
         damping=damping,
         rayleigh=rayleigh,
         loads=loads,
@@ -121,6 +124,21 @@ def from_mesh(
     )
     triangles = coarsened(mesh.points, mesh.triangles, MOST_TRIANGLES)
     return replace(record, surface=joined(NONE, triangles, np.zeros((0, 2), np.intp)))
+
+
+def _with_density(mesh: Mesh, material: AnyMaterial | Mapping[str, AnyMaterial]) -> Solid:
+    """The body.
+
+    Raises:
+        ModelError: it has no mass.
+    """
+    body = Solid(mesh, material)
+    if not any(group.material.density for group in body.groups):
+        raise ModelError(
+            f"{mesh.source}: no material has a density: give rho= [kg/m^3], "
+            "cd.material(E=210e9, nu=0.3, rho=7850)"
+        )
+    return body
 
 
 @checked

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -98,9 +98,23 @@ class Solid:
 
     def stiffness(self) -> csr_matrix:
         """The stiffness matrix K (dofs, dofs) [N/m], a ``scipy.sparse.csr_matrix``."""
+        return self._by_elasticity([group.material.elasticity for group in self.groups])
+
+    def damping(self) -> csr_matrix:
+        """The damping matrix C (dofs, dofs) [N s/m], a ``scipy.sparse.csr_matrix``.
+
+        It is the stiffness of every material times its ``damping`` (Kelvin and Voigt).
+        """
+        materials = [group.material for group in self.groups]
+        return self._by_elasticity([one.damping * one.elasticity for one in materials])
+
+    def _by_elasticity(self, elasticity: Sequence[Array]) -> csr_matrix:
+        """The integral of strains, times (6, 6) of each group, times strains (dofs, dofs)."""
         values = np.zeros((len(self.pattern.column), 3, 3))
-        for group in self.groups:
-            self.call("stiffness", group, group.cell.stiffness, values)
+        for group, stress_by_strain in zip(self.groups, elasticity, strict=True):
+            material = replace(group.material, elasticity=stress_by_strain)
+            part = replace(group, material=material)
+            self.call("stiffness", part, group.cell.stiffness, values)
         return self._blocks(values)
 
     @checked

@@ -131,7 +131,7 @@ def connect(
         style = "node" if len(nodes) == 1 else styles.get(name, "rbe2")
         if style not in ("node", *SPIDERS):
             raise ModelError(f"interface '{name}': rigid={brief(style)}: give 'rbe2' or 'rbe3'")
-        position = _origin(name, dofs.positions[nodes], origins.get(name))
+        position = origin_of(name, dofs.positions[nodes], origins.get(name))
         ids = tuple(int(k) for k in dofs.ids[nodes])
         names = tuple(COMPONENTS[k] for k in components)
         frame = InterfaceFrame(name, position, names, ids, style)
@@ -176,7 +176,7 @@ def _nodes(dofs: NodeDofs, name: str, selection: object) -> Integers:
     return nodes
 
 
-def _origin(name: str, positions: Array, selection: object) -> tuple[float, float, float]:
+def origin_of(name: str, positions: Array, selection: object) -> tuple[float, float, float]:
     """Origin of a frame; that of a single node is the node."""
     if selection is None:
         return tuple(float(x) for x in positions.mean(axis=0))  # type: ignore[return-value]

@@ -167,7 +167,7 @@ def _numbers(arrays: Mapping[str, Array], name: str, shape: tuple[int, ...]) -> 
     values = _shaped(arrays, name, shape, MOST_POINTS)
     # NaN is not below anything
     if values.dtype.kind != "f" or not (np.abs(values) < LARGEST).all():
-        raise ValueError(f"'{name}' of its surface has entries that are no numbers")
+        raise ValueError(f"'{name}' of its surface has entries that are not numbers")
     numbers: Array = values.astype(np.float64)
     return numbers
 

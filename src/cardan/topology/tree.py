@@ -6,7 +6,7 @@ the tree of fewest freedoms.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Container, Mapping
+from collections.abc import Collection, Container, Mapping, Sequence
 from dataclasses import dataclass
 from heapq import heappop, heappush
 
@@ -214,15 +214,29 @@ def rooted_tree(model: SceneRecord) -> tuple[list[Branch], list[Closing]]:
     connected = {branch.outer for branch in branches}
     unconnected = [body.name for body in model.bodies.values() if body not in connected]
     if unconnected:
-        names = ", ".join(f"'{name}'" for name in unconnected[:12]) + (
-            ", ..." if len(unconnected) > 12 else ""
+        owners = {
+            place: one.name
+            for one in model.superelements.values()
+            for place in (*one.places, one.modes_body)
+        }
+        flexible = [*dict.fromkeys(owners[name] for name in unconnected if name in owners)]
+        rigid = [name for name in unconnected if name not in owners]
+        kinds = (("body", "bodies", rigid), ("superelement", "superelements", flexible))
+        floating = " and ".join(
+            f"{many if len(names) > 1 else one} {_listed(names)}"
+            for one, many, names in kinds
+            if names
         )
         raise TopologyError(
-            f"nothing joins {'bodies' if len(unconnected) > 1 else 'body'} {names} to the "
-            "ground. Add "
-            "the missing joint; Free() lets a body float"
+            f"nothing joins {floating} to the ground. Add the missing joint"
+            f"{', or fix an interface to something (interfaces=)' if flexible else ''}; "
+            f"Free() lets a body float"
         )
     return branches, closing
+
+
+def _listed(names: Sequence[str]) -> str:
+    return ", ".join(f"'{name}'" for name in names[:12]) + (", ..." if len(names) > 12 else "")
 
 
 def loop(branches: list[Branch], closing: Joint) -> list[Joint]:

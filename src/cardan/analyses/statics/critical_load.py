@@ -50,12 +50,15 @@ def located(loading: Loading, crossing: Crossing) -> tuple[Place, float]:
         return crossing.after, 0.0
     bracket = _Bracket(loading, crossing, [crossing.before, crossing.after])
     low, high = crossing.before.s, crossing.after.s
+    widest = replace(crossing.before, s=0.5 * (low + high)), high - low
     if bracket.past(low) >= 0 or bracket.past(high) <= 0 or bracket.failed:
-        return replace(crossing.before, s=0.5 * (low + high)), high - low
+        return widest
     s = float(brentq(bracket.past, low, high, xtol=CLOSE))
     if bracket.failed:
         # that may be where searches cease to converge: the same from the other side
         bracket.unknown = -1.0
+        if bracket.past(low) >= 0 or bracket.past(high) <= 0:
+            return widest
         brentq(bracket.past, low, high, xtol=CLOSE)
         low, high = (place.s for place in bracket.last)
         if not 0 <= high - low <= BRACKET_TOL:

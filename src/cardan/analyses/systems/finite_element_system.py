@@ -30,7 +30,7 @@ from .central_differences import by_differences
 from .compiled_system import CompiledSystem
 from .dynamic_system import Internal, Moment, OutputJacobians, Parameters, Rates, Tangents
 from .rotating_frame import CorotatingMotion
-from .saddle_point import Dense, Saddle, Sparse
+from .saddle_point import Dense, Saddle, Sparse, split
 from .sparse_saddle_point import SparseSaddle
 from .strained_elements import load_forces, load_tangent, refuse_mixed_forces, strain_energy
 
@@ -279,8 +279,11 @@ class FiniteElementSystem(CompiledSystem):
                 bent[:, self._beam_speeds] = self._differences(
                     there, block, self._bent, self._beam_speeds
                 )
-            right = -matrix.toarray() * self.columns[:, None]
-            parts.append(Dense().solve(M, G, right, -bent / self.rows[:, None])[0])
+            # however large these are: a gap would say how well redundant rows can be told
+            U, s, _, V = split(G)
+            held = -V @ (U.T @ (bent / self.rows[:, None]) / s[:, None])
+            right = -matrix.toarray() * self.columns[:, None] - M @ held
+            parts.append(held + Dense().solve(M, G, right, 0 * bent)[0])
         along, by_u = (part * self.columns[:, None] for part in parts)
         by_r, by_z = (
             self._differences(at, block, lambda x: self.accelerations(x, tau).udot)
@@ -346,21 +349,13 @@ class FiniteElementSystem(CompiledSystem):
     @cached_property
     def increments(self) -> tuple[str, ...]:
         """See :class:`DynamicSystem`."""
-        rotational = set(self._rotational_speeds.ravel().tolist())
+        rotational = set(self.tables.rotational_speeds.ravel().tolist())
         names = []
         for k, name in enumerate(self.speeds):
             coordinate = of_rate(name)
             same = coordinate in self.coordinates and k not in rotational
             names.append(coordinate if same else f"along {name}")
         return tuple(names)
-
-    @cached_property
-    def _rotational_speeds(self) -> NDArray[np.intp]:
-        """Speeds that turn something, in body axes (n, 3)."""
-        kinds, starts = self.tables.kinds, self.tables.u[:-1]
-        turns = np.array([k.name == "node" or bool(k.functions) for k in kinds], dtype=bool)
-        first = starts[turns[self.tables.kind]] if len(starts) else starts
-        return np.asarray(first[:, None] + np.arange(3))
 
     def kinematic_matrix(self, at: Moment) -> Array:
         """Same as :meth:`DynamicSystem.kinematic_matrix`."""

@@ -356,10 +356,15 @@ class CorotatingMotion:
             along = np.abs(twists - lead).max(axis=1) <= ALIKE * np.abs(twists).max(initial=0.0)
             along |= self._clustered
         E, W = _blocks(len(moved.p)), _blocks(len(moved.p))
-        E[:, :3, :3] = -cross_matrix(moved.w)
         W[along, 3:, 3:] = cross_matrix(moved.omega)[along]
         E[:, 3:, 3:] = -W[:, 3:, 3:]
-        return self._matrix(E), self._matrix(W)
+        # axes of nodes and joints turn along with what they tell
+        rows, shape = self.tables.rotational_speeds, (self.tables.nu, self.tables.nu)
+        turns = -cross_matrix(u[rows])
+        i, j = (np.broadcast_to(x, turns.shape).ravel() for x in (rows[:, :, None], rows[:, None]))
+        return self._matrix(E) + csr_array(coo_array((turns.ravel(), (i, j)), shape)), self._matrix(
+            W
+        )
 
     # nodes in the places of the model
 

@@ -1,4 +1,4 @@
-"""A straight piece of a cable between two points: it pulls and does not push."""
+"""A straight piece of a cable or a bar between two points: a cable does not push."""
 
 from __future__ import annotations
 
@@ -21,14 +21,15 @@ class Cable(ForceElement):
     """A straight elastic cable without mass between the origins of two frames.
 
     ``tension = EA (strain + damping d(strain)/dt)`` where it is taut, strain = distance / length -
-    1 above 0; a slack cable has none, and damping never pushes. ``scene.cable`` makes cables with
-    mass of many such pieces.
+    1 above 0; a slack cable has none, and damping never pushes. A bar has all of it, whatever the
+    signs. ``scene.cable`` makes cables and bars with mass of such pieces.
 
     Args:
         frame_a, frame_b: Frames or bodies at its ends.
         EA: Stiffness of the section [N].
         length: Without load [m].
         damping: Tension of a rate of the strain is EA times this time [s].
+        compression: True for a bar, which pushes too.
 
     Raises:
         ModelError: EA or length not above 0, damping below 0, or what is not a finite number or
@@ -45,6 +46,7 @@ class Cable(ForceElement):
     EA: Value
     length: Value
     damping: Value = 0.0
+    compression: bool = False
 
     def limits(self) -> tuple[Limit, ...]:
         return LIMITS
@@ -61,25 +63,30 @@ class Cable(ForceElement):
         span = motion.position(b) - motion.position(a)
         distance = norm(*span)
         along = direction(span, distance)
-        strain = (distance / length - 1.0).apply("max", 0.0)
+        strain = distance / length - 1.0
+        strain = strain if self.compression else strain.apply("max", 0.0)
         elastic = stiffness * strain
         energy = elastic * strain * length * 0.5
         actions = [along_line(motion, a, b, along * elastic, *self._potential(at, energy))]
         if not at.data["damping"].is_zero:
             rate = along.dot(motion.velocity(b) - motion.velocity(a)) / length
-            actions.append(
-                along_line(motion, a, b, along * _loss(elastic, stiffness * damping * rate), None)
-            )
+            viscous = stiffness * damping * rate
+            loss = viscous if self.compression else _loss(elastic, viscous)
+            actions.append(along_line(motion, a, b, along * loss, None))
         return tuple(actions)
 
     def formulas(self, at: Places) -> Lines:
         damped = not at.data["damping"].is_zero
         strain = ("strain of a taut cable, a slack one has none", "gamma = max(ell / L - 1, 0)")
-        pull = ("tension", "f = EA * gamma")
-        if damped:
+        tension = "EA * (gamma + eta * elldot / L)" if damped else "EA * gamma"
+        pull = ("tension", f"f = {tension}")
+        if self.compression:
+            strain = ("strain", "gamma = ell / L - 1")
+            pull = ("tension, eta the damping" if damped else "tension", f"f = {tension}")
+        elif damped:
             pull = (
                 "tension of a taut cable, eta the damping; a slack one has none",
-                "f = max(EA * (gamma + eta * elldot / L), 0)",
+                f"f = max({tension}, 0)",
             )
         energy: Lines = (("potential energy", "V = EA * L * gamma ** 2 / 2"),)
         return (*SPAN, *(RATE,) * damped, strain, pull, *PULL, *energy * self._stores(at))

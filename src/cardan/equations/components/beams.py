@@ -103,8 +103,7 @@ def from_beams(
                 f"stiffening={brief(stiffening)}: there is no interface of that name."
                 f"{near(stiffening, places)}"
             )
-        fixed, _ = places[stiffening]
-        geometric = spin_stiffness(record, matrices, q, rotations, positions, fixed)
+        geometric = spin_stiffness(record, matrices, q, rotations, positions, *places[stiffening])
     operator, sections = section_operator(component, record, q, rotations)
     reduced = reduce(
         matrices.M,

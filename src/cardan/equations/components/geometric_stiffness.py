@@ -26,6 +26,7 @@ def spin_stiffness(
     rotations: Array,
     positions: Array,
     fixed: int,
+    center: Array,
 ) -> dict[str, Sparse]:
     """Geometric stiffness of unit products of angular velocities, one node being fixed.
 
@@ -34,7 +35,8 @@ def spin_stiffness(
         matrices: Theirs at q.
         q: Coordinates (7 n,).
         rotations, positions: Of the nodes at q (n, 3, 3), (n, 3) [m].
-        fixed: Number of the node that holds the component, on the axis of rotation.
+        fixed: Number of the node that holds the component.
+        center: A point of the axis of rotation (3,) [m].
 
     Returns:
         K_G (6 n, 6 n) [N s^2/m] by ``"xx"``, ``"yy"``, ``"zz"``, ``"yz"``, ``"zx"``, ``"xy"``: that
@@ -45,7 +47,7 @@ def spin_stiffness(
 
     Source: Géradin and Rixen, Mechanical Vibrations, 3rd ed., section 2.9 (prestress).
     """
-    arms = positions - positions[fixed]
+    arms = positions - center
     size = float(np.abs(arms).max())
     rows = np.delete(np.arange(U * len(positions)), U * fixed + np.arange(U))
 

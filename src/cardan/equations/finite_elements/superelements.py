@@ -21,7 +21,11 @@ from .nodal_scene import JOINT, NODE, Key, Scene
 from .record import BlockKind, Group, Kind, unique
 
 HEADERS = ("frame_motion.h", "rows.h", "superelement.h")
-TANGENT = ("superelement_terms.h", "superelement_drift.h", "superelement_tangent.h")
+# what a routine includes besides
+MORE_HEADERS = {
+    "tangent": ("superelement_terms.h", "superelement_drift.h", "superelement_tangent.h"),
+    "generalized_momenta": ("superelement_momenta.h",),
+}
 # pairs of axes in the order of the header
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1))
 NAMES = ("xx", "yy", "zz", "yz", "zx", "xy")
@@ -272,6 +276,11 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
         "energy": ((result(graph, "energy", (2,)),), ("q", "u", "p"), 11),
         "momentum": ((result(graph, "momentum", (6,)),), ("q", "u", "p"), 9),
         "power": ((result(graph, "power", (1,)),), ("q", "u", "p"), 1),
+        "generalized_momenta": (
+            (result(graph, "momenta", (size,)), result(graph, "slope", (size,))),
+            ("q", "u", "udot", "p"),
+            13,
+        ),
     }
     if not damped:
         del results["power"]
@@ -289,7 +298,7 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
             owners=(name,),
             about="Reduced flexible body in a frame that moves far.",
             call=f"cardan_superelement_{CALLS.get(key, key)}",
-            headers=(*HEADERS, *TANGENT) if key in CALLS else HEADERS,
+            headers=(*HEADERS, *MORE_HEADERS.get(CALLS.get(key, key), ())),
             sizes=(n, int(on_node), int(drifts(member.part))),
             constants=tuple(constants_of[key].tolist()),
             work=(TANGENT_ROOM * n + n * n if key in CALLS else ROOM * n),

@@ -42,6 +42,8 @@ enum {
     CARDAN_REACTION_FRICTION, /* of every friction that follows from the reaction of a joint: force per
                         force across its line (k), action of a unit (k, nu), that force by multipliers
                         (k, 3, m) */
+    CARDAN_GENERALIZED_MOMENTA, /* of inertia that couples places, all along body axes: dT/du (nu), then
+                        u'.(dM/dx) u / 2 along every speed (nu), for the speeds u and u' in udot */
     CARDAN_FORMS
 };
 

@@ -4,7 +4,8 @@
  *
  * Total energy is kept whatever the step, and with it the momenta that the scene keeps: of the whole where
  * nothing holds it, about the axis of gravity, about a fixed point. Elements are those of every other
- * method: see conserving_forces.c. Masses are those of nodes, constant along their own axes.
+ * method: see conserving_forces.c. Masses are those of nodes, constant along their own axes; other
+ * elements give their momenta themselves.
  * Multipliers are those of the middle of a step; at its end they go on as they did.
  * Source: J. C. Simo, K. K. Wong, Int. J. Numer. Meth. Eng. 31 (1991) 19-52; O. Gonzalez,
  * J. Nonlinear Sci. 6 (1996) 449-467; P. Betsch, Comput. Methods Appl. Mech. Eng. 194 (2005).
@@ -27,16 +28,22 @@ static ptrdiff_t lay(const cardan_run *run, cardan_conserving *v)
     v->mesh = mesh;
     v->nq = run->nq, v->nu = nu, v->mp = run->positions, v->m = m;
     v->elements = 0;
+    v->coupled = 0;
     for (ptrdiff_t k = 0; k < mesh->group_count; k++) {
         v->elements += mesh->groups[k].count;
+        v->coupled |= mesh->groups[k].forms[CARDAN_GENERALIZED_MOMENTA].call != NULL;
         if (widest < mesh->groups[k].nu)
             widest = mesh->groups[k].nu;
     }
+    v->widest = 0;
+    for (ptrdiff_t place = 0; place < mesh->places; place++)
+        if (v->widest < mesh->u[place + 1] - mesh->u[place])
+            v->widest = mesh->u[place + 1] - mesh->u[place];
     /* rows read them at the start of `memory` */
     v->lam_old = cardan_reserve(memory, &used, m);
     v->lam = cardan_reserve(memory, &used, m);
     v->now = cardan_reserve(memory, &used, CONSERVING_NOW);
-    v->mass = cardan_reserve(memory, &used, CONSERVING_MASS * mesh->places);
+    v->mass = cardan_reserve(memory, &used, v->widest * nu);
     v->pose = cardan_reserve(memory, &used, mesh->places);
     v->middle = cardan_reserve(memory, &used, m);
     v->rise = cardan_reserve(memory, &used, nu);
@@ -52,6 +59,10 @@ static ptrdiff_t lay(const cardan_run *run, cardan_conserving *v)
     v->dx = cardan_reserve(memory, &used, nu);
     v->element = cardan_reserve(memory, &used, 2 * widest);
     v->start = cardan_reserve(memory, &used, nu + m);
+    v->momenta = cardan_reserve(memory, &used, v->coupled ? nu : 0);
+    v->momenta_new = cardan_reserve(memory, &used, v->coupled ? nu : 0);
+    v->slopes = cardan_reserve(memory, &used, v->coupled ? nu : 0);
+    v->speeds_half = cardan_reserve(memory, &used, v->coupled ? 2 * nu : 0);
     return used + cardan_mesh_lay(mesh, memory ? memory + used : memory, &v->system);
 }
 

@@ -20,19 +20,18 @@ enum {
     CONSERVING_RATES,  /* of momenta of the trial over its step, without signs */
     CONSERVING_NOW
 };
-/* numbers of a place: its speeds are no more than these */
-enum { CONSERVING_PLACE = 6, CONSERVING_MASS = 36 };
-
 typedef struct cardan_conserving {
     const cardan_mesh *mesh;
     const real *down;     /* (3) direction of gravity, of length 1; zeros without */
     const real *symmetry; /* (groups) common motions that change no element: 0, 3, 6 */
     ptrdiff_t nq, nu, mp, m, elements;
+    ptrdiff_t widest; /* speeds of a place, at most */
+    int coupled;      /* 1: inertia of some elements couples places */
     real last; /* the last step, 0: there is none */
 
     /* kept from step to step */
     real *now;     /* CONSERVING_NOW numbers */
-    real *mass;    /* (places, 36) of every place, along its own axes */
+    real *mass;    /* (nu, widest) rows of every place, along its own axes */
     real *pose;    /* (places) 1: a node */
     real *lam_old; /* (m) at t_old, then */
     real *lam;     /* (m) at t */
@@ -51,6 +50,10 @@ typedef struct cardan_conserving {
     real *gaps;     /* balance (nu), g (mp), rates (m) at the end */
     real *dx;       /* (nu) */
     real *element;  /* (2 nu) of the widest element */
+    real *momenta;  /* of elements whose inertia couples places, along body axes: at the start (nu), */
+    real *momenta_new; /* at the end (nu), */
+    real *slopes;   /* what acts besides as their inertia changes (nu) */
+    real *speeds_half;   /* (2 nu) speeds of the start and the end at the pose half way */
     real *start;    /* udot (nu), lam (m) */
     cardan_mesh_system system;
 } cardan_conserving;
@@ -62,16 +65,28 @@ static inline void cardan_cross(const real *a, const real *b, real *c)
     c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+/* A position that nothing moves from. */
+static inline cardan_state cardan_conserving_state(const cardan_run *run, real t, const real *q)
+{
+    const cardan_state at = {.t = t, .q = q, .s = run->s, .r = run->r};
+
+    return at;
+}
+
 /* conserving.c */
 cardan_conserving cardan_conserving_at(const cardan_run *run);
 
 /* conserving_motion.c */
 void cardan_rotation(const real *quaternion, real *R);
+void cardan_conserving_turn(const cardan_conserving *v, const real *q, const real *u, real *out);
 int cardan_conserving_move(cardan_run *run, const cardan_conserving *v, real h);
 void cardan_conserving_momenta(const cardan_run *run, const cardan_conserving *v, real h);
 
-/* conserving_forces.c */
+/* conserving_inertia.c */
 int cardan_conserving_masses(const cardan_run *run, const cardan_conserving *v);
+int cardan_conserving_coupled(const cardan_run *run, const cardan_conserving *v, int start);
+
+/* conserving_forces.c */
 int cardan_conserving_energy(const cardan_run *run, const cardan_conserving *v, real *energy);
 int cardan_conserving_gaps(const cardan_run *run, const cardan_conserving *v, real t,
                            const real *y);

@@ -41,18 +41,11 @@ static void take_potential(const cardan_mesh *mesh, const cardan_group *g,
         ((real *)to)[number_of(mesh, g, some->element[lane])] = out[some->lanes + lane];
 }
 
-static cardan_state state_at(const cardan_run *run, real t, const real *q)
-{
-    const cardan_state at = {.t = t, .q = q, .s = run->s, .r = run->r};
-
-    return at;
-}
-
 /* What every element stores at q. */
 int cardan_conserving_potentials(const cardan_run *run, const cardan_conserving *v, real t,
                                  const real *q, real *potentials)
 {
-    const cardan_state at = state_at(run, t, q);
+    const cardan_state at = cardan_conserving_state(run, t, q);
 
     for (ptrdiff_t i = 0; i < v->elements; i++)
         potentials[i] = 0;
@@ -63,7 +56,7 @@ int cardan_conserving_potentials(const cardan_run *run, const cardan_conserving 
 /* Total energy at t. */
 int cardan_conserving_energy(const cardan_run *run, const cardan_conserving *v, real *energy)
 {
-    cardan_state at = state_at(run, run->t, run->y);
+    cardan_state at = cardan_conserving_state(run, run->t, run->y);
     real both[2];
     int status;
 
@@ -77,70 +70,10 @@ int cardan_conserving_energy(const cardan_run *run, const cardan_conserving *v, 
 int cardan_conserving_gaps(const cardan_run *run, const cardan_conserving *v, real t,
                            const real *y)
 {
-    cardan_state at = state_at(run, t, y);
+    cardan_state at = cardan_conserving_state(run, t, y);
 
     at.u = y + v->nq;
     return v->m > 0 ? cardan_mesh_balance(v->mesh, &at, v->gaps, v->system.work) : 0;
-}
-
-/* The masses that an element gives to its places. */
-static void add_mass(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element,
-                     const real *out, ptrdiff_t stride, real *to)
-{
-    const ptrdiff_t *place = g->place + element * g->places;
-    ptrdiff_t first = 0;
-
-    out += g->parts[CARDAN_M] * stride;
-    for (ptrdiff_t k = 0; k < g->places; k++) {
-        const ptrdiff_t n = mesh->u[place[k] + 1] - mesh->u[place[k]];
-        real *mass = to + CONSERVING_MASS * place[k];
-        for (ptrdiff_t i = 0; i < n; i++)
-            for (ptrdiff_t j = 0; j < n; j++)
-                mass[n * i + j] += out[((first + i) * g->nu + first + j) * stride];
-        first += n;
-    }
-}
-
-static void take_mass(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
-                      real *out, void *to)
-{
-    for (ptrdiff_t lane = 0; lane < some->filled && g->parts[CARDAN_M] >= 0; lane++)
-        add_mass(mesh, g, some->element[lane], out + lane, some->lanes, to);
-}
-
-/* Rows or columns of translations (6, 6) from axes of the ground to those of a body. */
-static void to_body(const real *R, real *mass, ptrdiff_t along, ptrdiff_t across)
-{
-    for (ptrdiff_t k = 0; k < 6; k++) {
-        real *x = mass + k * across, rotated[3];
-        for (int i = 0; i < 3; i++)
-            rotated[i] = R[i] * x[3 * along] + R[3 + i] * x[4 * along] + R[6 + i] * x[5 * along];
-        for (int i = 0; i < 3; i++)
-            x[(3 + i) * along] = rotated[i];
-    }
-}
-
-/* Masses of all places along their own axes, where they are constant. */
-int cardan_conserving_masses(const cardan_run *run, const cardan_conserving *v)
-{
-    const cardan_mesh *mesh = v->mesh;
-    const cardan_state at = state_at(run, run->t, run->y);
-    int status;
-
-    for (ptrdiff_t i = 0; i < CONSERVING_MASS * mesh->places; i++)
-        v->mass[i] = 0;
-    for (ptrdiff_t place = 0; place < mesh->places; place++)
-        v->pose[place] = 0;
-    status = cardan_mesh_each(mesh, &at, CARDAN_TANGENT, take_mass, v->mass, v->system.work);
-    for (ptrdiff_t k = 0; k < mesh->nodes; k++) {
-        const ptrdiff_t place = mesh->node[k];
-        real R[9];
-        cardan_rotation(run->y + mesh->q[place], R);
-        to_body(R, v->mass + CONSERVING_MASS * place, 1, 6);
-        to_body(R, v->mass + CONSERVING_MASS * place, 6, 1);
-        v->pose[place] = 1;
-    }
-    return status;
 }
 
 /* The nodes of an element half way: their middle, and the size of the element squared. */
@@ -333,7 +266,7 @@ static void take_force(const cardan_mesh *mesh, const cardan_group *g, const car
 /* Forces of all elements over a step, into what is missing in the balance. */
 int cardan_conserving_forces(const cardan_run *run, const cardan_conserving *v, real t)
 {
-    cardan_state at = state_at(run, t, v->half);
+    cardan_state at = cardan_conserving_state(run, t, v->half);
     cardan_conserving local = *v;
     const real share = v->now[CONSERVING_EXCESS] / v->now[CONSERVING_UNMET];
 

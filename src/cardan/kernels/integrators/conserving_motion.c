@@ -8,6 +8,13 @@
  * the kinetic energy. Half way is half of the screw: what moves within a subgroup, such as about a
  * fixed point or a fixed axis, is there too.
  *
+ * Elements whose inertia couples places are quadratic in the coordinates x of deformation that it
+ * depends on: with their momenta P = M(x) V along body axes and half way x,
+ *
+ *     V.(P' - P) - (x' - x).(V.(dM/dx) V') / 2 = (V'.M' V' - V.M V) / 2, where V = mean of V and V',
+ *
+ * so that energy is kept if half of V.(dM/dx) V' acts along x besides.
+ *
  * The increment of a node are the rotation theta along its axes, which are the same all along, and
  * d = h R v along those of the ground half way.
  * Source: J. C. Simo, K. K. Wong, Int. J. Numer. Meth. Eng. 31 (1991) 19-52; here for screws.
@@ -125,8 +132,26 @@ int cardan_conserving_move(cardan_run *run, const cardan_conserving *v, real h)
     return status;
 }
 
-/* Momentum l and, about a point, angular momentum a of a node, along axes of the ground. */
-static void momentum(const real *mass, const real *q, const real *u, const real *point, real *both)
+/* Speeds u (nu) with the velocities of nodes, which are along axes of the ground, as they are at the
+ * poses half way if bodies have them along their own axes. */
+void cardan_conserving_turn(const cardan_conserving *v, const real *q, const real *u, real *out)
+{
+    for (ptrdiff_t i = 0; i < v->nu; i++)
+        out[i] = u[i];
+    for (ptrdiff_t k = 0; k < v->mesh->nodes; k++) {
+        const ptrdiff_t place = v->mesh->node[k], at = v->mesh->q[place], to = v->mesh->u[place];
+        real R[9], local[3];
+        cardan_rotation(q + at, R);
+        back(R, u + to + 3, local);
+        cardan_rotation(v->half + at, R);
+        times(R, local, out + to + 3);
+    }
+}
+
+/* Momentum l and, about a point, angular momentum a of a node, along axes of the ground; `more` is
+ * what elements give it besides its mass, NULL: nothing. */
+static void momentum(const real *mass, ptrdiff_t widest, const real *more, const real *q,
+                     const real *u, const real *point, real *both)
 {
     real R[9], twist[6], body_momentum[6], arm[3], moment[3];
 
@@ -137,9 +162,9 @@ static void momentum(const real *mass, const real *q, const real *u, const real 
     }
     back(R, u + 3, twist + 3);
     for (int i = 0; i < 6; i++) {
-        body_momentum[i] = 0;
+        body_momentum[i] = more ? more[i] : 0;
         for (int j = 0; j < 6; j++)
-            body_momentum[i] += mass[6 * i + j] * twist[j];
+            body_momentum[i] += mass[widest * i + j] * twist[j];
     }
     times(R, body_momentum, both);
     times(R, body_momentum + 3, both + 3);
@@ -157,19 +182,25 @@ void cardan_conserving_momenta(const cardan_run *run, const cardan_conserving *v
 
     for (ptrdiff_t place = 0; place < mesh->places; place++) {
         const ptrdiff_t to = mesh->u[place], n = mesh->u[place + 1] - to, at = mesh->q[place];
-        const real *mass = v->mass + CONSERVING_MASS * place;
+        const real *mass = v->mass + v->widest * to;
+        const real *more = v->coupled ? v->momenta + to : NULL;
+        const real *more_new = v->coupled ? v->momenta_new + to : NULL;
         real before[6], after[6], R[9], moment[3];
 
         if (v->pose[place] == 0) {
             for (ptrdiff_t i = 0; i < n; i++)
                 for (ptrdiff_t j = 0; j < n; j++) {
-                    v->missing[to + i] += mass[n * i + j] * (u_next[to + j] - u[to + j]) / h;
-                    sum += fabs(mass[n * i + j] * u[to + j]);
+                    v->missing[to + i] += mass[v->widest * i + j] * (u_next[to + j] - u[to + j]) / h;
+                    sum += fabs(mass[v->widest * i + j] * u[to + j]);
                 }
+            for (ptrdiff_t i = 0; i < n && v->coupled; i++) {
+                v->missing[to + i] += (more_new[i] - more[i]) / h - v->slopes[to + i];
+                sum += fabs(more[i]);
+            }
             continue;
         }
-        momentum(mass, q + at, u + to, v->half + at + 4, before);
-        momentum(mass, next + at, u_next + to, v->half + at + 4, after);
+        momentum(mass, v->widest, more, q + at, u + to, v->half + at + 4, before);
+        momentum(mass, v->widest, more_new, next + at, u_next + to, v->half + at + 4, after);
         for (int i = 0; i < 6; i++) {
             sum += fabs(before[i]);
             after[i] = (after[i] - before[i]) / h;

@@ -19,6 +19,8 @@ static const real SLOW = 0.1;
 static const real WILD = 4;
 /* corrections that end a step: against the increment; where they shrink no more, these may be left */
 static const real SOUGHT = 1e-16, LEFT = 1e-12, SMALLEST = 1e-12;
+/* where they shrink no more with an old matrix, these are rounding */
+static const real ROUNDED = 1e-14;
 /* corrections of multipliers that end a step, against them and the rates of momenta */
 static const real SETTLED = 1e-10;
 /* corrections with a matrix of this step after which multipliers are as good as rounding lets them be */
@@ -57,6 +59,8 @@ static int residual(cardan_run *run, const cardan_conserving *v, real h, real t_
         status = cardan_conserving_gaps(run, v, t_new, run->trial);
     if (status == 0)
         status = cardan_conserving_forces(run, v, t_new - 0.5 * h);
+    if (status == 0)
+        status = cardan_conserving_coupled(run, v, 0);
     if (status == 0)
         cardan_conserving_momenta(run, v, h);
     run->evaluations++;
@@ -130,7 +134,7 @@ static int correct_all(cardan_run *run, const cardan_conserving *v, real h, real
     if (status == 0 && !fit)
         status = renew(run, v, h, t_new - 0.5 * h);
     for (int k = 0; k < MOST_CORRECTIONS && status == 0; k++) {
-        int converged;
+        int converged, old;
         status = correct(v, h, &forces);
         since++;
         size = length_of(v->dx, v->nu);
@@ -141,9 +145,11 @@ static int correct_all(cardan_run *run, const cardan_conserving *v, real h, real
         if (status != 0 || !(size < INFINITY) || (size > WILD * last && tangents == most))
             break;
         converged = since >= ENOUGH || settled(v, forces);
-        if (converged && (size <= SOUGHT * increment || (size > 0.5 * last && size <= left)))
+        /* with an old matrix they shrink slowly long before rounding is all there is */
+        old = tangents == 0 && size > ROUNDED * increment;
+        if (converged && (size <= SOUGHT * increment || (size > 0.5 * last && size <= left && !old)))
             return 0;
-        if (tangents < most && ((size > left && size > SLOW * last)
+        if (tangents < most && (((size > left || old) && size > SLOW * last)
                                 || (!converged && forces > SLOW * before))) {
             status = renew(run, v, h, t_new - 0.5 * h);
             tangents++;
@@ -166,6 +172,8 @@ int cardan_conserving_solve(cardan_run *run, const cardan_conserving *v, real h,
 
     if (status == 0)
         status = cardan_conserving_energy(run, v, &energy);
+    if (status == 0)
+        status = cardan_conserving_coupled(run, v, 1);
     if (status != 0)
         return CARDAN_MODEL;
     v->now[CONSERVING_EXCESS] = energy - v->now[CONSERVING_ENERGY];

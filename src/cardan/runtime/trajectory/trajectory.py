@@ -82,11 +82,15 @@ class TrajectoryRecord:
         Args:
             model: Their model.
             t, x, r, s: Times (nt,), states (nt, nx), inputs (nt, nr), discrete states (nt, ns).
+                Internal states and discrete ones that are left out are those of a start.
             description: What they are, in words.
         """
+        internal, modes = (np.tile(model._layout.start(name), (len(t), 1)) for name in "zs")
+        if x.shape[1] < model.nx:
+            x = np.hstack([x, internal])
         counts = dict.fromkeys(("steps", "rejections", "evaluations", "milliseconds"), 0.0)
         info = SolverInfo(description, "not integrated", {}, (), FINISHED, description, counts)
-        log = EventLog() if s is None else EventLog(s)
+        log = EventLog(modes if s is None else s)
         none = np.zeros((len(t), 0))
         return cls(t, x, r, none, None, model.manifest, info, model, event_log=log)
 

@@ -143,7 +143,9 @@ def _add(
     mass_per_length = geometry.value(cable.rhoA, f"{name}.rhoA", "kg/m")
     size = geometry.value(length, f"{name}.length", "m")
     gravity = geometry.vector(geometry.assembly.model.gravity, "gravity", "m/s^2")
-    shape = hanging(points[0], points[1], size, stiffness, mass_per_length * size * gravity, n)
+    shape = points[0] + np.linspace(0, 1, n + 1)[:, None] * (points[1] - points[0])
+    if not cable.compression:
+        shape = hanging(points[0], points[1], size, stiffness, mass_per_length * size * gravity, n)
     for k in range(n + 1):
         node = cable.node_name(k)
         if model.nodes[node].name == node:
@@ -161,7 +163,11 @@ def _add(
             raise ModelError(f"cable '{name}': the name '{label}' of its force is taken")
         ends = (model.nodes[cable.node_name(k)], model.nodes[cable.node_name(k + 1)])
         element = CableElement(
-            *ends, cable.symbol("EA"), cable.symbol("length") / n, cable.symbol("damping")
+            *ends,
+            cable.symbol("EA"),
+            cable.symbol("length") / n,
+            cable.symbol("damping"),
+            cable.compression,
         )
         model.forces[label] = Force(label, element)
 

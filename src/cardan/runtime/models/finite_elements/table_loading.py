@@ -134,6 +134,7 @@ def _check_results(elements: Tables, entries: Mapping[str, FunctionRow]) -> None
         sizes = {"balance": nu + kind.mp + m, "gamma": m, "energy": 2, "momentum": 6}
         sizes |= {"reaction": 6, "stress": 24, "mixed": nu + nu * nu, "mixed_step": INNER}
         sizes |= {"zdot": kind.states[0], "signs": kind.ne + 1, "change": sum(kind.states)}
+        sizes["generalized_momenta"] = 2 * nu
         sizes["jumps"] = kind.jumps * (JUMP_NUMBERS + nu)
         sizes["reaction_friction"] = kind.frictions * (1 + nu + 3 * m)
         sums = {"power": group.powers, "outputs": group.outputs}

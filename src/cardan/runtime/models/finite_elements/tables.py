@@ -149,6 +149,13 @@ class Tables:
         columns = [rows[:, :1] + np.arange(kind.mp), rows[:, 1:] + np.arange(kind.m - kind.mp)]
         return np.concatenate(columns, axis=1)
 
+    @cached_property
+    def rotational_speeds(self) -> Integers:
+        """Speeds of nodes and joints that turn something, in body axes (n, 3)."""
+        turns = np.array([k.name == "node" or bool(k.functions) for k in self.kinds], dtype=bool)
+        first = self.u[:-1][turns[self.kind]] if len(self.kind) else self.u[:-1]
+        return np.asarray(first[:, None] + np.arange(3))
+
     # nodes in space
 
     @cached_property

@@ -14,6 +14,7 @@ import numpy as np
 
 from ..differences import BOUND, input_rates, missing, relative, ways, worst_of
 from ..joint_motion import Array, cross, times
+from ..rotations import quaternion
 from . import element_events
 from .members import NODE, Members
 
@@ -180,6 +181,38 @@ def momenta(energies: Callable[..., Array], blocks: Mapping[str, Array]) -> Arra
     return p
 
 
+def _generalized_momenta(members: Members) -> float:
+    """dT/du, and the slope of T along coordinates: a form of two speeds, known by its squares."""
+    inputs, nu = members.inputs, members.table.kind.nu
+
+    def energies(blocks: Mapping[str, Array]) -> Array:
+        return members.call("energy", blocks)[:, :1]
+
+    def both(speeds: Array, second: Array) -> Array:
+        return members.call("generalized_momenta", {"u": speeds, "udot": second})
+
+    u, other = inputs["u"], inputs["udot"]
+    value, p = both(u, u), momenta(energies, inputs)
+    slopes, off, here = np.zeros_like(p), np.zeros(members.count), np.zeros(nu, dtype=bool)
+    for block, a, b in zip(members.blocks, *members.starts, strict=False):
+        if block.node:
+            back = np.swapaxes(quaternion(inputs["q"][:, a : a + 4]), -1, -2)
+            p[:, b + 3 : b + 6] = times(back, p[:, b + 3 : b + 6])
+        else:
+            here[b : b + block.nu] = True
+    for k in np.flatnonzero(here):
+        unit = np.broadcast_to(np.eye(nu)[k], p.shape)
+        change, doubt = members.slope(energies, {"q": members.along(unit)})
+        slopes[:, k], off = change[:, 0], np.maximum(off, doubt)
+    mixed = (both(u + other, u + other) - both(u - other, u - other))[:, nu:] / 4
+    bilinear = both(u, other)[:, nu:]
+    return worst_of(
+        relative(value[:, :nu] - p, p),
+        missing(slopes, off, value[:, nu:], p),
+        relative(bilinear - mixed, mixed, p),
+    )
+
+
 def _ledger(members: Members, force: Array) -> float:
     """b . u is the rate of the energy less the power."""
     inputs, n = members.inputs, members.count
@@ -224,4 +257,5 @@ LAWS: dict[str, Callable[[Members], float | str]] = {
     "geometric": _geometric,
     "gamma": _gamma,
     "power": balance,
+    "generalized_momenta": _generalized_momenta,
 }

@@ -114,6 +114,7 @@ CABLE = (
     Key("damping", "scalar"),
     Key("elements", "real"),
     Key("base", "text"),
+    Key("compression", "flag"),
 )
 SUPERELEMENT = (
     Key("file", "text"),

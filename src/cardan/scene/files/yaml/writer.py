@@ -266,7 +266,7 @@ class _Writer:
                 keys[name] = self.value(value, where)
         if cable.base is not None:
             keys["base"] = cable.base.name
-        return keys
+        return keys | ({"compression": True} if cable.compression else {})
 
     def _superelement(self, one: PlacedSuperelement) -> dict[str, object]:
         keys: dict[str, object] = {"file": self.records[one.name]}
