@@ -104,6 +104,19 @@ def test_supports_of_a_heated_bar_bear_what_it_may_not_expand(frame: str) -> Non
         np.testing.assert_allclose(bar().stresses(z, {"heat": 2 * value}), -force, rtol=1e-12)
 
 
+def test_a_number_is_one_parameter_of_the_load_and_its_stress() -> None:
+    scene = cd.Scene("bar", gravity=(0, 0, 0))
+    scene.superelement("bar", bar(), {"left": scene.ground}, frame="left", loads={"heat": 30.0})
+    model = cd.compile(scene)
+    assert [p.name for p in model.manifest.parameters if "heat" in p.name] == ["bar.heat.factor"]
+    cold = model.with_parameters({"bar.heat.factor": 5.0})
+    for one, rise in ((model, 30.0), (cold, 5.0)):
+        rest = one.equilibrium()
+        tip = one.pose("bar.right", rest.q)[0, 3]
+        np.testing.assert_allclose(tip, LENGTH * (1 + EXPANSION * rise), rtol=1e-12)
+        np.testing.assert_array_equal(one.superelement("bar", rest.q).factors, [rise])
+
+
 def test_free_bars_of_matrices_have_no_stress() -> None:
     record, rise = bar(), 25.0
     z = np.linalg.lstsq(record.K, rise * record.loads["heat"], rcond=1e-12)[0]

@@ -19,9 +19,10 @@ from ...elements.superelement_joints import Elastic, Modal
 from ...elements.superelement_load import SuperelementLoad
 from ...errors import ModelError
 from ...scene.body import Body
+from ...scene.checks import is_number
 from ...scene.connections import Force, Joint
 from ...scene.frame import Frame
-from ...scene.parameters import Constraint, Output
+from ...scene.parameters import Constraint, Declared, Output
 from ...scene.scene import SceneRecord
 from ...scene.superelement import CHORD, MEAN, PlacedSuperelement, frame_condition
 from ..assembly import Assembly
@@ -50,6 +51,7 @@ def with_superelements(model: SceneRecord) -> SceneRecord:
     extended.bodies, extended.joints = dict(model.bodies), dict(model.joints)
     extended.frames, extended.constraints = dict(model.frames), dict(model.constraints)
     extended.forces, extended.outputs = dict(model.forces), dict(model.outputs)
+    extended.parameters = dict(model.parameters)
     for superelement in model.superelements.values():
         _add(extended, superelement)
     return extended
@@ -85,10 +87,23 @@ def _add(model: SceneRecord, superelement: PlacedSuperelement) -> None:
         _add_condition(model, superelement)
     for load, factor in superelement.loads.items():
         label = superelement.place_name(load)
+        factor = _shared(model, superelement, f"{label}.factor", factor)
         element = _load(superelement, load, factor, axes)
         _enter(model.forces, label, Force(label, element), superelement)
         # what stresses and readers of motions take
         _enter(model.outputs, label, Output(label, factor, ""), superelement)
+
+
+def _shared(
+    model: SceneRecord, superelement: PlacedSuperelement, name: str, factor: Value
+) -> Value:
+    """A factor, of which a number is one parameter for the load and for its output."""
+    if not is_number(factor):
+        return factor
+    from sympy import Symbol
+
+    _enter(model.parameters, name, Declared(name, float(factor), "", False), superelement)
+    return Symbol(name)
 
 
 def _load(
