@@ -29,7 +29,7 @@ DATA = (*(f"R{i}{j}" for i in "123" for j in "123"), *("px", "py", "pz"), *("gx"
 # of the mass, below which its dependence on directions is rounding
 ISOTROPIC = 1e-12
 # work that the routines need, by coordinates
-ROOM, TANGENT_ROOM = 13, 37
+ROOM, TANGENT_ROOM = 15, 37
 PAIR_NAMES = ("11", "22", "33", "23", "31", "12")
 ROWS: Lines = tuple(
     ("angular momentum by unit rates of z, row by row" * (k == 1), f"H_{k} = h_{k} + A_{k}.T @ z")
@@ -272,7 +272,7 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
             headers=(*HEADERS, *TANGENT) if key == "balance_tangent" else HEADERS,
             sizes=(n, int(on_node), int(drifts(member.part))),
             constants=tuple(member.constants.tolist()),
-            work=(TANGENT_ROOM * n + n * n if key == "balance_tangent" else ROOM * n),
+            work=(TANGENT_ROOM if key == "balance_tangent" else ROOM) * n,
             counts={"mul": products * n * n, "add": products * n * n},
         )
         for key, (outputs, read, products) in results.items()
