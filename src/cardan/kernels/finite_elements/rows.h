@@ -30,7 +30,7 @@ typedef struct cardan_sums {
     double *out, *out_y;        /* the second sum begins with zeros */
 } cardan_sums;
 
-/* Up to five quads of out = from + C^T x from column j on, and the same of y where `both`. Rows of C
+/* Up to six quads of out = from + C^T x from column j on, and the same of y where `both`. Rows of C
  * are `pitch` apart. The last quad may begin before the end of the one ahead of it: only its last
  * `left` entries count. */
 static inline __attribute__((always_inline)) void
@@ -39,14 +39,15 @@ cardan_quads(int count, int both, int left, int rows, int pitch, int j, const do
 {
     const int last = count == 1 ? j + left - 4 : j + 4 * (count - 2) + left;
     const cardan_quad zeros = {0.0};
-    cardan_quad sums[5], more[5];
+    cardan_quad sums[6], more[6];
 
 #define CARDAN_ALL(do_one)                                                                          \
     if (count > 1) do_one(0, j);                                                                    \
     if (count > 2) do_one(1, j + 4);                                                                \
     if (count > 3) do_one(2, j + 8);                                                                \
     if (count > 4) do_one(3, j + 12);                                                               \
-    do_one(4, last)
+    if (count > 5) do_one(4, j + 16);                                                               \
+    do_one(5, last)
 #define CARDAN_FETCH(k, at)                                                                         \
     do {                                                                                            \
         sums[k] = s->from ? *(const cardan_quad *)(s->from + (at)) : zeros;                         \
@@ -73,9 +74,10 @@ cardan_quads(int count, int both, int left, int rows, int pitch, int j, const do
     if (count > 2) CARDAN_PUT(1, j + 4);
     if (count > 3) CARDAN_PUT(2, j + 8);
     if (count > 4) CARDAN_PUT(3, j + 12);
+    if (count > 5) CARDAN_PUT(4, j + 16);
     for (int m = 4 - left; m < 4; ++m) {
-        s->out[last + m] = sums[4][m];
-        if (both) s->out_y[last + m] = more[4][m];
+        s->out[last + m] = sums[5][m];
+        if (both) s->out_y[last + m] = more[5][m];
     }
 #undef CARDAN_ALL
 #undef CARDAN_FETCH
@@ -88,7 +90,7 @@ cardan_in_quads(int both, int rows, int n, int pitch, const double *C, const car
 {
     int j = 0;
 
-    for (; n - j > 20; j += 16) cardan_quads(4, both, 4, rows, pitch, j, C, s);
+    for (; n - j > 24; j += 16) cardan_quads(4, both, 4, rows, pitch, j, C, s);
     const int count = (n - j + 3) / 4, left = n - j - 4 * (count - 1);
 
     switch (count) {
@@ -96,7 +98,8 @@ cardan_in_quads(int both, int rows, int n, int pitch, const double *C, const car
     case 2: cardan_quads(2, both, left, rows, pitch, j, C, s); break;
     case 3: cardan_quads(3, both, left, rows, pitch, j, C, s); break;
     case 4: cardan_quads(4, both, left, rows, pitch, j, C, s); break;
-    default: cardan_quads(5, both, left, rows, pitch, j, C, s);
+    case 5: cardan_quads(5, both, left, rows, pitch, j, C, s); break;
+    default: cardan_quads(6, both, left, rows, pitch, j, C, s);
     }
 }
 #endif
