@@ -375,9 +375,9 @@ class _Builder:
             nodes.append((power + self._surface_power(force)).node)
         nodes += [(force * self.k.u(i)[0]).node for i, force in self._driving()]
         at = {row.owner: i for i, row in enumerate(rows(self.system))}
-        written = self.system.constraints
-        rates, lam = self.d.constraints.prescribed if written else (), self._lam()
-        for entry, rate in zip(written, rates, strict=True):
+        relations = self.system.constraints
+        rates, lam = self.d.constraints.prescribed if relations else (), self._lam()
+        for entry, rate in zip(relations, rates, strict=True):
             nodes.append((-lam[at[entry.name]] * rate).node)
         return (Output("power", (len(nodes),), tuple(nodes)),)
 

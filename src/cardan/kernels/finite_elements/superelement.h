@@ -145,7 +145,7 @@ CARDAN_INLINE void cardan_pairs_of(const real *w, real *out)
         for (int l = 0; l < 3; ++l) out[CARDAN_PAIR[k][l]] = w[k] * w[l] * (k == l ? 1.0 : 2.0);
 }
 
-/* 2 w_l at the pairs of an axis k with all others, 0 at the rest (6). */
+/* 2 w_l at the pairs (6) of an axis k with every axis l, 0 at other pairs. */
 CARDAN_INLINE void cardan_pairs_with(int k, const real *w, real *out)
 {
     for (int pair = 0; pair < 6; ++pair) out[pair] = CARDAN_REAL(0.0);
