@@ -3,14 +3,15 @@
 
 int elements(int (*function)(const cardan_in *, real *, real *), const real *q, const real *u,
              const real *udot, const real *z, const wreal *w, int nq, int nu, int nw, int count,
-             real *out, real *work);
+             int times, real *out, real *work);
 
 int elements(int (*function)(const cardan_in *, real *, real *), const real *q, const real *u,
              const real *udot, const real *z, const wreal *w, int nq, int nu, int nw, int count,
-             real *out, real *work)
+             int times, real *out, real *work)
 {
     int status = 0;
-    for (int k = 0; k < count; ++k) {
+    for (int n = 0; n < times * count; ++n) {
+        const int k = n % count;
         const cardan_in in = {.q = q + k * nq,
                               .u = u + k * nu,
                               .udot = udot + k * nu,

@@ -374,9 +374,11 @@ class _Builder:
             power = powers.get(force.name, self._zero())
             nodes.append((power + self._surface_power(force)).node)
         nodes += [(force * self.k.u(i)[0]).node for i, force in self._driving()]
-        if self.system.constraints:
-            (rate,), (lam,) = self.d.constraints.prescribed, self._lam()
-            nodes.append((-lam * rate).node)
+        at = {row.owner: i for i, row in enumerate(rows(self.system))}
+        relations = self.system.constraints
+        rates, lam = self.d.constraints.prescribed if relations else (), self._lam()
+        for entry, rate in zip(relations, rates, strict=True):
+            nodes.append((-lam[at[entry.name]] * rate).node)
         return (Output("power", (len(nodes),), tuple(nodes)),)
 
     def _surface_power(self, force: Force) -> Scalar:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import groupby
 from typing import TypedDict
 
 from ...elements.joints.fixed import Fixed
@@ -102,8 +103,12 @@ def parts(scene: Scene) -> Iterator[Part]:
     for number, force in enumerate(system.forces):
         if not force.element.by_reaction:
             yield _force(scene, force, names.get(number, ""))
-    for entry in system.constraints:
-        yield _relation(scene, entry)
+    for name, entries in groupby(system.constraints, lambda entry: entry.name.rpartition(".")[0]):
+        # those of one owner are rows of one element
+        if name:
+            yield _relations(scene, name, tuple(entries))
+        else:
+            yield from (_relations(scene, entry.name, (entry,)) for entry in entries)
     for entry in system.outputs:
         yield _output(scene, entry)
 
@@ -265,11 +270,16 @@ def _states(cutting: Cutting, force: Force) -> tuple[int, int]:
     return (z or [0])[0], (s or [0])[0]
 
 
-def _relation(scene: Scene, entry: Named) -> Part:
+def _relations(scene: Scene, name: str, entries: tuple[Named, ...]) -> Part:
+    """Relations whose names begin with that of the element, or the one that has its name."""
     cutting = Cutting(scene)
-    (node,) = cutting.expressions((entry.node,), "value")
-    system = cutting.system_of(constraints=(Named("relation", node, entry.unit),))
-    return Part(entry.name, "relation", cutting, system, powers=(f"{entry.name}.motion",))
+    nodes = cutting.expressions([entry.node for entry in entries], "value")
+    named = tuple(
+        Named(f"relation{entry.name.removeprefix(name)}", node, entry.unit)
+        for entry, node in zip(entries, nodes, strict=True)
+    )
+    powers = tuple(f"{entry.name}.motion" for entry in entries)
+    return Part(name, "relation", cutting, cutting.system_of(constraints=named), powers=powers)
 
 
 def _output(scene: Scene, entry: Named) -> Part:

@@ -35,7 +35,7 @@ ISOTROPIC = 1e-12
 # functions that the routine of the tangent computes
 CALLS = {"balance_tangent": "tangent", "geometric": "tangent"}
 # work that the routines need, by coordinates
-ROOM, TANGENT_ROOM = 13, 37
+ROOM, TANGENT_ROOM = 15, 37
 PAIR_NAMES = ("11", "22", "33", "23", "31", "12")
 ROWS: Lines = tuple(
     ("angular momentum by unit rates of z, row by row" * (k == 1), f"H_{k} = h_{k} + A_{k}.T @ z")
@@ -301,7 +301,7 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
             headers=(*HEADERS, *MORE_HEADERS.get(CALLS.get(key, key), ())),
             sizes=(n, int(on_node), int(drifts(member.part))),
             constants=tuple(constants_of[key].tolist()),
-            work=(TANGENT_ROOM * n + n * n if key in CALLS else ROOM * n),
+            work=(TANGENT_ROOM if key in CALLS else ROOM) * n,
             counts={"mul": products * n * n, "add": products * n * n},
         )
         for key, (outputs, read, products) in results.items()

@@ -40,12 +40,26 @@ static real *pick(const real *from, const ptrdiff_t *which, ptrdiff_t n, const p
     return to;
 }
 
+/* Numbers of every place of an element by itself. */
+static real *copy_places(const cardan_group *g, ptrdiff_t element, const ptrdiff_t *starts,
+                         const real *from, real *to)
+{
+    const ptrdiff_t *place = g->place + element * g->places;
+
+    for (ptrdiff_t k = 0; k < g->places; k++)
+        for (ptrdiff_t i = starts[place[k]]; i < starts[place[k] + 1]; i++)
+            *to++ = from[i];
+    return to;
+}
+
 /* Numbers of every place of the elements, zeros where there are none. */
 static real *fetch_places(const cardan_group *g, const ptrdiff_t *element,
                           ptrdiff_t lanes, const ptrdiff_t *starts, const real *from, real *to)
 {
     const real *rows[CARDAN_ELEMENT_LANES];
 
+    if (lanes == 1 && from)
+        return copy_places(g, element[0], starts, from, to);
     for (ptrdiff_t k = 0; k < g->places; k++) {
         const ptrdiff_t *entries = starts + g->place[element[0] * g->places + k], n = entries[1] - entries[0];
 

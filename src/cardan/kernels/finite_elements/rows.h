@@ -23,65 +23,50 @@ CARDAN_INLINE void cardan_clear(int n, real *out)
     for (int i = 0; i < n; ++i) out[i] = CARDAN_REAL(0.0);
 }
 
-/* out (n) = c, of constants */
-CARDAN_INLINE void cardan_set(int n, const double *c, real *out)
-{
-#if CARDAN_LANES > 1
-    for (int i = 0; i < n; ++i) out[i] = CARDAN_REAL(c[i]);
-#else
-    memcpy(out, c, (size_t)n * sizeof *out);
-#endif
-}
-
-/* out (n) += factor x */
-CARDAN_APART void cardan_add_scaled(int n, const real *factor, const real *x, real *out)
-{
-    const real f = *factor;
-    int i = 0;
-
 #if CARDAN_QUAD > 1
-    for (; i + 4 <= n; i += 4)
-        *(cardan_quad *)(out + i) += f * *(const cardan_quad *)(x + i);
-#endif
-    for (; i < n; ++i) out[i] += f * x[i];
-}
+/* Where sums of products begin and go: y and out_y only where there are two of them. */
+typedef struct cardan_sums {
+    const double *from, *x, *y; /* from: NULL for zeros */
+    double *out, *out_y;        /* the second sum begins with zeros */
+} cardan_sums;
 
-#if CARDAN_QUAD > 1
-/* Up to five quads of out += C^T x from column j on, and the same of y where `both`. The last quad
- * may begin before the end of the one ahead of it: only its last `left` entries count. */
+/* Up to six quads of out = from + C^T x from column j on, and the same of y where `both`. Rows of C
+ * are `pitch` apart. The last quad may begin before the end of the one ahead of it: only its last
+ * `left` entries count. */
 static inline __attribute__((always_inline)) void
-cardan_quads(int count, int both, int left, int rows, int n, int j,
-                                const double *C, const double *x, double *out, const double *y,
-                                double *out_y)
+cardan_quads(int count, int both, int left, int rows, int pitch, int j, const double *C,
+             const cardan_sums *s)
 {
     const int last = count == 1 ? j + left - 4 : j + 4 * (count - 2) + left;
-    cardan_quad sums[5], more[5];
+    const cardan_quad zeros = {0.0};
+    cardan_quad sums[6], more[6];
 
 #define CARDAN_ALL(do_one)                                                                          \
     if (count > 1) do_one(0, j);                                                                    \
     if (count > 2) do_one(1, j + 4);                                                                \
     if (count > 3) do_one(2, j + 8);                                                                \
     if (count > 4) do_one(3, j + 12);                                                               \
-    do_one(4, last)
+    if (count > 5) do_one(4, j + 16);                                                               \
+    do_one(5, last)
 #define CARDAN_FETCH(k, at)                                                                         \
     do {                                                                                            \
-        sums[k] = *(const cardan_quad *)(out + (at));                                               \
-        if (both) more[k] = *(const cardan_quad *)(out_y + (at));                                   \
+        sums[k] = s->from ? *(const cardan_quad *)(s->from + (at)) : zeros;                         \
+        if (both) more[k] = zeros;                                                                  \
     } while (0)
 #define CARDAN_ADD(k, at)                                                                           \
     do {                                                                                            \
         const cardan_quad entries = *(const cardan_quad *)(row + (at));                             \
-        sums[k] += x[i] * entries;                                                                  \
-        if (both) more[k] += y[i] * entries;                                                        \
+        sums[k] += s->x[i] * entries;                                                               \
+        if (both) more[k] += s->y[i] * entries;                                                     \
     } while (0)
 #define CARDAN_PUT(k, at)                                                                           \
     do {                                                                                            \
-        *(cardan_quad *)(out + (at)) = sums[k];                                                     \
-        if (both) *(cardan_quad *)(out_y + (at)) = more[k];                                         \
+        *(cardan_quad *)(s->out + (at)) = sums[k];                                                  \
+        if (both) *(cardan_quad *)(s->out_y + (at)) = more[k];                                      \
     } while (0)
     CARDAN_ALL(CARDAN_FETCH);
     for (int i = 0; i < rows; ++i) {
-        const double *const row = C + i * n;
+        const double *const row = C + i * pitch;
 
         CARDAN_ALL(CARDAN_ADD);
     }
@@ -89,9 +74,10 @@ cardan_quads(int count, int both, int left, int rows, int n, int j,
     if (count > 2) CARDAN_PUT(1, j + 4);
     if (count > 3) CARDAN_PUT(2, j + 8);
     if (count > 4) CARDAN_PUT(3, j + 12);
+    if (count > 5) CARDAN_PUT(4, j + 16);
     for (int m = 4 - left; m < 4; ++m) {
-        out[last + m] = sums[4][m];
-        if (both) out_y[last + m] = more[4][m];
+        s->out[last + m] = sums[5][m];
+        if (both) s->out_y[last + m] = more[5][m];
     }
 #undef CARDAN_ALL
 #undef CARDAN_FETCH
@@ -100,29 +86,30 @@ cardan_quads(int count, int both, int left, int rows, int n, int j,
 }
 
 static inline __attribute__((always_inline)) void
-cardan_in_quads(int both, int rows, int n, const double *C, const double *x,
-                                   double *out, const double *y, double *out_y)
+cardan_in_quads(int both, int rows, int n, int pitch, const double *C, const cardan_sums *s)
 {
     int j = 0;
 
-    for (; n - j > 20; j += 16) cardan_quads(4, both, 4, rows, n, j, C, x, out, y, out_y);
+    for (; n - j > 24; j += 16) cardan_quads(4, both, 4, rows, pitch, j, C, s);
     const int count = (n - j + 3) / 4, left = n - j - 4 * (count - 1);
 
     switch (count) {
-    case 1: cardan_quads(1, both, left, rows, n, j, C, x, out, y, out_y); break;
-    case 2: cardan_quads(2, both, left, rows, n, j, C, x, out, y, out_y); break;
-    case 3: cardan_quads(3, both, left, rows, n, j, C, x, out, y, out_y); break;
-    case 4: cardan_quads(4, both, left, rows, n, j, C, x, out, y, out_y); break;
-    default: cardan_quads(5, both, left, rows, n, j, C, x, out, y, out_y);
+    case 1: cardan_quads(1, both, left, rows, pitch, j, C, s); break;
+    case 2: cardan_quads(2, both, left, rows, pitch, j, C, s); break;
+    case 3: cardan_quads(3, both, left, rows, pitch, j, C, s); break;
+    case 4: cardan_quads(4, both, left, rows, pitch, j, C, s); break;
+    case 5: cardan_quads(5, both, left, rows, pitch, j, C, s); break;
+    default: cardan_quads(6, both, left, rows, pitch, j, C, s);
     }
 }
 #endif
 
-#define CARDAN_PRODUCT(rows, n, C, x, out)                                                          \
+/* out (n) = a first number + C^T x, rows of C `pitch` apart */
+#define CARDAN_PRODUCT(rows, n, pitch, C, x, first, out)                                            \
     for (int j = 0; j < (n); ++j) {                                                                 \
-        real sum = (out)[j];                                                                        \
+        real sum = (first);                                                                         \
                                                                                                     \
-        for (int i = 0; i < (rows); ++i) sum += (x)[i] * (C)[i * (n) + j];                          \
+        for (int i = 0; i < (rows); ++i) sum += (x)[i] * (C)[i * (pitch) + j];                      \
         (out)[j] = sum;                                                                             \
     }
 
@@ -131,35 +118,78 @@ CARDAN_APART void cardan_add_product(int rows, int n, const double *C, const rea
 {
 #if CARDAN_QUAD > 1
     if (n >= 4) {
-        cardan_in_quads(0, rows, n, C, x, out, NULL, NULL);
+        const cardan_sums sums = {out, x, NULL, out, NULL};
+
+        cardan_in_quads(0, rows, n, n, C, &sums);
         return;
     }
 #endif
-    CARDAN_PRODUCT(rows, n, C, x, out)
+    CARDAN_PRODUCT(rows, n, n, C, x, out[j], out)
 }
 
-/* The same of x and of y. */
-CARDAN_APART void cardan_add_products(int rows, int n, const double *C, const real *x, real *out,
-                                      const real *y, real *out_y)
+/* out (n) = constants, NULL for zeros, + C^T x */
+CARDAN_APART void cardan_set_product(int rows, int n, const double *constants, const double *C,
+                                     const real *x, real *out)
 {
 #if CARDAN_QUAD > 1
     if (n >= 4) {
-        cardan_in_quads(1, rows, n, C, x, out, y, out_y);
+        const cardan_sums sums = {constants, x, NULL, out, NULL};
+
+        cardan_in_quads(0, rows, n, n, C, &sums);
         return;
     }
 #endif
-    CARDAN_PRODUCT(rows, n, C, x, out)
-    CARDAN_PRODUCT(rows, n, C, y, out_y)
+    CARDAN_PRODUCT(rows, n, n, C, x, CARDAN_REAL(constants ? constants[j] : 0.0), out)
 }
 
-/* out (n) += C^T x with C of states */
-#if CARDAN_LANES > 1
-CARDAN_APART void cardan_add_rows(int rows, int n, const real *C, const real *x, real *out)
+/* The same, and out_y (n) = C^T y */
+CARDAN_APART void cardan_set_products(int rows, int n, const double *constants, const double *C,
+                                      const real *x, real *out, const real *y, real *out_y)
 {
-    CARDAN_PRODUCT(rows, n, C, x, out)
+#if CARDAN_QUAD > 1
+    if (n >= 4) {
+        const cardan_sums sums = {constants, x, y, out, out_y};
+
+        cardan_in_quads(1, rows, n, n, C, &sums);
+        return;
+    }
+#endif
+    CARDAN_PRODUCT(rows, n, n, C, x, CARDAN_REAL(constants ? constants[j] : 0.0), out)
+    CARDAN_PRODUCT(rows, n, n, C, y, CARDAN_REAL(0.0), out_y)
+}
+
+/* out (n, n), with a stride, = constants + the sum of x_i C_i over matrices C_i that follow each
+ * other */
+CARDAN_APART void cardan_set_matrix(int count, int n, const double *constants, const double *C,
+                                    const real *x, int stride, real *out)
+{
+    for (int k = 0; k < n; ++k, constants += n, C += n, out += stride) {
+#if CARDAN_QUAD > 1
+        if (n >= 4) {
+            const cardan_sums sums = {constants, x, NULL, out, NULL};
+
+            cardan_in_quads(0, count, n, n * n, C, &sums);
+            continue;
+        }
+#endif
+        CARDAN_PRODUCT(count, n, n * n, C, x, CARDAN_REAL(constants[j]), out)
+    }
+}
+
+/* out (n) += C^T x with C of states, from zeros where `set` */
+#if CARDAN_LANES > 1
+CARDAN_APART void cardan_rows(int set, int rows, int n, const real *C, const real *x, real *out)
+{
+    CARDAN_PRODUCT(rows, n, n, C, x, set ? CARDAN_REAL(0.0) : out[j], out)
 }
 #else
-#define cardan_add_rows cardan_add_product
+CARDAN_INLINE void cardan_rows(int set, int rows, int n, const real *C, const real *x, real *out)
+{
+    if (set)
+        cardan_set_product(rows, n, NULL, C, x, out);
+    else
+        cardan_add_product(rows, n, C, x, out);
+}
 #endif
 
 /* Sum of products in four parts, which do not wait for each other. */
@@ -185,30 +215,32 @@ CARDAN_APART void cardan_add_rows(int rows, int n, const real *C, const real *x,
         for (int m = 0; m < 4; ++m) part[m] += (a)[at + m] * (b)[at + m];
 #endif
 
-CARDAN_APART void cardan_dot(int n, const real *a, const real *b, real *out)
+/* out (rows) = A x, A (rows, n) */
+CARDAN_APART void cardan_dots(int rows, int n, const real *A, const real *x, real *out)
 {
-    CARDAN_SUM_OF_PRODUCTS(n, a, b, *out);
+    for (int k = 0; k < rows; ++k) CARDAN_SUM_OF_PRODUCTS(n, A + k * n, x, out[k]);
 }
 
+/* The same with A of constants. */
 #if CARDAN_LANES > 1
-CARDAN_APART void cardan_dot_constants(int n, const double *c, const real *x, real *out)
+CARDAN_APART void cardan_dots_constants(int rows, int n, const double *A, const real *x, real *out)
 {
-    CARDAN_SUM_OF_PRODUCTS(n, c, x, *out);
+    for (int k = 0; k < rows; ++k) CARDAN_SUM_OF_PRODUCTS(n, A + k * n, x, out[k]);
 }
 #else
-#define cardan_dot_constants cardan_dot
+#define cardan_dots_constants cardan_dots
 #endif
 
-/* out (3, n), with a stride, += Q X for Q (3, 3) and X (3, n) */
-CARDAN_INLINE void cardan_add_3_rows(int n, const real *Q, const real *X, int stride, real *out)
+/* out (3, n) += Q X for Q (3, 3) and X (3, n), from zeros where `set` */
+CARDAN_INLINE void cardan_3_rows(int set, int n, const real *Q, const real *X, real *out)
 {
-    for (int k = 0; k < 3; ++k) cardan_add_rows(3, n, X, Q + 3 * k, out + k * stride);
+    for (int k = 0; k < 3; ++k) cardan_rows(set, 3, n, X, Q + 3 * k, out + k * n);
 }
 
-/* The same with X of constants. */
-CARDAN_INLINE void cardan_add_3_constants(int n, const real *Q, const double *X, int stride, real *out)
+/* out (3, n) = Q X with X of constants */
+CARDAN_INLINE void cardan_3_constants(int n, const real *Q, const double *X, real *out)
 {
-    for (int k = 0; k < 3; ++k) cardan_add_product(3, n, X, Q + 3 * k, out + k * stride);
+    for (int k = 0; k < 3; ++k) cardan_set_product(3, n, NULL, X, Q + 3 * k, out + k * n);
 }
 
 #endif

@@ -88,51 +88,44 @@ CARDAN_INLINE void cardan_superelement_shape(const cardan_superelement *c, const
                                              real *back, real *squared)
 {
     const int n = c->n;
-    real part;
+    real by_constants[6], by_bent[6];
 
-    cardan_set(3 * n, c->angular, H);
-    cardan_set(6 * n, c->bent, bent);
-    if (back) cardan_clear(3 * n, back);
-    if (squared) cardan_clear(6 * n, squared);
+    cardan_dots_constants(3, n, c->momentum, z, s);
     for (int k = 0; k < 3; ++k) {
-        const double *const A = c->spin + k * n * n;
+        const double *const A = c->spin + k * n * n, *const H0 = c->angular + k * n;
 
-        cardan_dot_constants(n, c->momentum + k * n, z, &part);
-        s[k] = c->first[k] + part;
+        s[k] += c->first[k];
         if (back)
-            cardan_add_products(n, n, A, z, H + k * n, rate, back + k * n);
+            cardan_set_products(n, n, H0, A, z, H + k * n, rate, back + k * n);
         else
-            cardan_add_product(n, n, A, z, H + k * n);
+            cardan_set_product(n, n, H0, A, z, H + k * n);
     }
     for (int k = 0; k < 6; ++k) {
-        const double *const S = c->squares + k * n * n;
+        const double *const S = c->squares + k * n * n, *const j = c->bent + k * n;
 
-        cardan_dot_constants(n, c->bent + k * n, z, &part);
-        J[k] = c->second[k] + part;
         if (squared)
-            cardan_add_products(n, n, S, z, bent + k * n, rate, squared + k * n);
+            cardan_set_products(n, n, j, S, z, bent + k * n, rate, squared + k * n);
         else
-            cardan_add_product(n, n, S, z, bent + k * n);
-        cardan_dot(n, bent + k * n, z, &part);
-        J[k] += part;
+            cardan_set_product(n, n, j, S, z, bent + k * n);
     }
+    cardan_dots_constants(6, n, c->bent, z, by_constants);
+    cardan_dots(6, n, bent, z, by_bent);
+    for (int k = 0; k < 6; ++k) J[k] = c->second[k] + by_constants[k] + by_bent[k];
 }
 
 /* out (3) += P x */
 CARDAN_INLINE void cardan_superelement_flow(const cardan_superelement *c, const real *x, real *out)
 {
-    real part;
+    real flow[3];
 
-    for (int k = 0; k < 3; ++k) {
-        cardan_dot_constants(c->n, c->momentum + k * c->n, x, &part);
-        out[k] += part;
-    }
+    cardan_dots_constants(3, c->n, c->momentum, x, flow);
+    for (int k = 0; k < 3; ++k) out[k] += flow[k];
 }
 
 /* G (3, 3) of z, or its rate of z'. */
 CARDAN_INLINE void cardan_superelement_drift(const cardan_superelement *c, const real *z, real *G)
 {
-    for (int k = 0; k < 9; ++k) cardan_dot_constants(c->n, c->drift + k * c->n, z, G + k);
+    cardan_dots_constants(9, c->n, c->drift, z, G);
 }
 
 /* out (n) += sum over r and k of v_r w_k E_rk */
@@ -152,7 +145,14 @@ CARDAN_INLINE void cardan_pairs_of(const real *w, real *out)
         for (int l = 0; l < 3; ++l) out[CARDAN_PAIR[k][l]] = w[k] * w[l] * (k == l ? 1.0 : 2.0);
 }
 
-/* Work: 13 n numbers, of the tangent 37 n + n n. */
+/* 2 w_l at the pairs (6) of an axis k with every axis l, 0 at other pairs. */
+CARDAN_INLINE void cardan_pairs_with(int k, const real *w, real *out)
+{
+    for (int pair = 0; pair < 6; ++pair) out[pair] = CARDAN_REAL(0.0);
+    for (int l = 0; l < 3; ++l) out[CARDAN_PAIR[k][l]] = 2.0 * w[l];
+}
+
+/* Work: 15 n numbers, of the tangent 37 n. */
 
 CARDAN_INLINE int cardan_superelement_balance(int n, int on_node, int drifts, const double *constants,
                                               const cardan_in *in, real *CARDAN_RESTRICT out,
@@ -166,42 +166,35 @@ CARDAN_INLINE int cardan_superelement_balance(int n, int on_node, int drifts, co
 
     cardan_frame_motion_of(in, on_node, 2, &at);
     /* what acts without a rotation of the frame */
-    cardan_clear(n, b);
-    cardan_add_product(3, n, c.momentum, at.alpha, b);
+    cardan_set_product(3, n, NULL, c.momentum, at.alpha, b);
     cardan_add_product(n, n, c.modal, second, b);
     cardan_add_product(n, n, c.stiffness, z, b);
     cardan_add_product(n, n, c.damping, rate, b);
     if (!on_node) return CARDAN_OK;
 
+    /* rows one behind the other; spun: A_k z' */
     real *const H = work, *const bent = work + 3 * n, *const back = work + 9 * n;
     real *const spun = work + 12 * n;
-    real s[3], J[6], J_rate[6], pairs[6], h[3], f[3], moment[3], flow[3], spun_mass[3], part;
+    real s[3], J[6], J_rate[6], h[3], f[3], moment[3], flow[3], spun_mass[3], along[15];
 
-    /* centrifugal forces */
     cardan_superelement_shape(&c, z, rate, s, H, J, bent, back, NULL);
-    cardan_pairs_of(at.w, pairs);
-    for (int k = 0; k < 6; ++k) {
-        const real minus = -pairs[k];
-
-        cardan_dot(n, bent + k * n, rate, &part);
-        J_rate[k] = part * 2.0;
-        cardan_add_scaled(n, &minus, bent + k * n, b);
-    }
-    /* gyroscopic ones, and those of w' */
+    for (int k = 0; k < 3; ++k)
+        cardan_set_product(n, n, NULL, c.spin_back + k * n * n, rate, spun + k * n);
+    /* forces of w', centrifugal and gyroscopic ones */
+    cardan_pairs_of(at.w, along + 3);
+    for (int k = 0; k < 6; ++k) along[3 + k] = -along[3 + k];
     for (int k = 0; k < 3; ++k) {
-        const real minus = -at.w[k];
-
-        /* A_k z' */
-        cardan_clear(n, spun);
-        cardan_add_product(n, n, c.spin_back + k * n * n, rate, spun);
-        cardan_dot(n, H + k * n, rate, h + k);
-        cardan_dot(n, H + k * n, second, moment + k);
-        cardan_dot(n, spun, rate, &part);
-        moment[k] += part;
-        cardan_add_scaled(n, at.w_rate + k, H + k * n, b);
-        cardan_add_scaled(n, &minus, spun, b);
-        cardan_add_scaled(n, at.w + k, back + k * n, b);
+        along[k] = at.w_rate[k];
+        along[9 + k] = at.w[k];
+        along[12 + k] = -at.w[k];
     }
+    cardan_rows(0, 15, n, work, along, b);
+    cardan_dots(6, n, bent, rate, J_rate);
+    for (int k = 0; k < 6; ++k) J_rate[k] *= 2.0;
+    cardan_dots(3, n, H, rate, h);
+    cardan_dots(3, n, H, second, moment);
+    cardan_dots(3, n, spun, rate, flow);
+    for (int k = 0; k < 3; ++k) moment[k] += flow[k];
 
     /* f = m alpha + w' x s + w x (w x s + 2 P z') + P z'' */
     cardan_clear(3, flow);
@@ -259,23 +252,22 @@ CARDAN_INLINE int cardan_superelement_energy(int n, int on_node, int drifts, con
     const cardan_superelement c = cardan_superelement_of(n, drifts, constants);
     const real *const z = in->q + 7 * on_node, *const rate = in->u + 6 * on_node;
     real *const H = work, *const bent = work + 3 * n, *const product = work + 9 * n;
-    real s[3], J[6], v[3], p[3], m[3], part;
+    real s[3], J[6], v[3], p[3], m[3];
     cardan_frame_motion at;
 
     cardan_frame_motion_of(in, on_node, 1, &at);
     cardan_superelement_shape(&c, z, rate, s, H, J, bent, NULL, NULL);
     cardan_3_times(at.R0, 1, at.x0_rate, 1, v);
-    cardan_clear(n, product);
-    cardan_add_product(n, n, c.modal, rate, product);
-    cardan_dot(n, product, rate, &part);
-    out[0] = 0.5 * part;
+    cardan_set_product(n, n, NULL, c.modal, rate, product);
+    cardan_dots(1, n, product, rate, out);
+    out[0] *= 0.5;
     /* halves of v.p and w.m, with the products of v, w and z' counted once */
     cardan_3_cross(at.w, s, p);
     cardan_superelement_flow(&c, rate, p);
+    cardan_dots(3, n, H, rate, m);
     for (int k = 0; k < 3; ++k) {
         p[k] += 0.5 * c.mass[0] * v[k];
-        cardan_dot(n, H + k * n, rate, &part);
-        m[k] = 2.0 * part;
+        m[k] *= 2.0;
     }
     cardan_3_add_symmetric(J, at.w, m);
     for (int k = 0; k < 3; ++k) out[0] += p[k] * v[k] + 0.5 * m[k] * at.w[k];
@@ -286,10 +278,9 @@ CARDAN_INLINE int cardan_superelement_energy(int n, int on_node, int drifts, con
         cardan_3_times(G, 0, at.w, 1, Gw);
         for (int k = 0; k < 3; ++k) out[0] += v[k] * Gw[k];
     }
-    cardan_clear(n, product);
-    cardan_add_product(n, n, c.stiffness, z, product);
-    cardan_dot(n, product, z, &part);
-    out[1] = 0.5 * part;
+    cardan_set_product(n, n, NULL, c.stiffness, z, product);
+    cardan_dots(1, n, product, z, out + 1);
+    out[1] *= 0.5;
     /* weight falls where the center of mass does */
     cardan_3_times(at.R0, 0, s, 1, p);
     for (int k = 0; k < 3; ++k) out[1] -= (p[k] + c.mass[0] * at.x0[k]) * at.g[k];
@@ -310,10 +301,8 @@ CARDAN_INLINE int cardan_superelement_momentum(int n, int on_node, int drifts, c
     cardan_frame_motion_of(in, on_node, 1, &at);
     cardan_superelement_shape(&c, z, rate, s, H, J, bent, NULL, NULL);
     cardan_3_times(at.R0, 1, at.x0_rate, 1, v);
-    for (int k = 0; k < 3; ++k) {
-        p[k] = c.mass[0] * v[k];
-        cardan_dot(n, H + k * n, rate, m + k);
-    }
+    cardan_dots(3, n, H, rate, m);
+    for (int k = 0; k < 3; ++k) p[k] = c.mass[0] * v[k];
     cardan_superelement_flow(&c, rate, p);
     cardan_3_add_cross(at.w, s, p);
     cardan_3_add_cross(s, v, m);
@@ -341,9 +330,8 @@ CARDAN_INLINE int cardan_superelement_power(int n, int on_node, int drifts, cons
     const cardan_superelement c = cardan_superelement_of(n, drifts, constants);
     const real *const rate = in->u + 6 * on_node;
 
-    cardan_clear(n, work);
-    cardan_add_product(n, n, c.damping, rate, work);
-    cardan_dot(n, work, rate, out);
+    cardan_set_product(n, n, NULL, c.damping, rate, work);
+    cardan_dots(1, n, work, rate, out);
     out[0] = -out[0];
     return CARDAN_OK;
 }

@@ -26,7 +26,7 @@ CARDAN_INLINE void cardan_drift_columns(const cardan_superelement *c, const card
                                         const real *V_rate, int stride, real *out)
 {
     const int n = c->n;
-    real f[9], m[9], product[9], more[9], back[9];
+    real load[18], *const f = load, *const m = load + 9, product[9], more[9], back[9];
 
     for (int k = 0; k < 9; ++k) f[k] = m[k] = CARDAN_REAL(0.0);
     if (Y) {
@@ -56,7 +56,7 @@ CARDAN_INLINE void cardan_drift_columns(const cardan_superelement *c, const card
         cardan_3_times(d->G, 1, V_rate, 3, more);
         for (int k = 0; k < 9; ++k) m[k] += more[k];
     }
-    cardan_node_rows(at, is, f, m, 3, stride, out);
+    cardan_node_rows(0, at, is, load, 3, stride, out);
     for (int j = 0; j < 3; ++j) {
         real dv[3], dw[3];
 
@@ -134,7 +134,7 @@ CARDAN_INLINE void cardan_drift_tangent(const cardan_superelement *c, const card
     cardan_clear(3 * n, is->moment);
     cardan_drift_rows(c, at->w, NULL, is->force);
     cardan_drift_rows(c, NULL, at->v, is->moment);
-    cardan_node_rows(at, is, is->force, is->moment, n, stride, C + 6);
+    cardan_node_rows(0, at, is, is->force, n, stride, C + 6);
 
     /* K: rotations of the node turn its velocity and its acceleration in the frame */
     cardan_3_times(at->node, 1, in->u + 3, 1, arm);
@@ -156,14 +156,14 @@ CARDAN_INLINE void cardan_drift_tangent(const cardan_superelement *c, const card
     cardan_drift_rows(c, at->w, NULL, is->scratch);
     cardan_clear(3 * n, is->force);
     cardan_drift_rows(c, at->w_rate, NULL, is->force);
-    cardan_add_3_rows(n, is->w_skew, is->scratch, n, is->force);
+    cardan_3_rows(0, n, is->w_skew, is->scratch, is->force);
     cardan_clear(3 * n, is->moment);
     cardan_drift_rows(c, NULL, at->v_rate, is->moment);
-    cardan_add_3_rows(n, d.v_skew, is->scratch, n, is->moment);
+    cardan_3_rows(0, n, d.v_skew, is->scratch, is->moment);
     cardan_clear(3 * n, is->scratch);
     cardan_drift_rows(c, NULL, at->v, is->scratch);
-    cardan_add_3_rows(n, is->w_skew, is->scratch, n, is->moment);
-    cardan_node_rows(at, is, is->force, is->moment, n, stride, K + 6);
+    cardan_3_rows(0, n, is->w_skew, is->scratch, is->moment);
+    cardan_node_rows(0, at, is, is->force, n, stride, K + 6);
 }
 
 #endif

@@ -18,9 +18,8 @@ CARDAN_INLINE int cardan_superelement_generalized_momenta(int n, int on_node, in
     const real *const rate_2 = in->udot + 6 * on_node;
     real *const along = out + 6 * on_node, *const slope = along + n + 6 * on_node;
 
-    cardan_clear(n, along);
+    cardan_set_product(n, n, NULL, c.modal, rate, along);
     cardan_clear(n, slope);
-    cardan_add_product(n, n, c.modal, rate, along);
     if (!on_node) return CARDAN_OK;
 
     real *const H = work, *const bent = work + 3 * n, *const mixed = work + 9 * n;
@@ -33,11 +32,9 @@ CARDAN_INLINE int cardan_superelement_generalized_momenta(int n, int on_node, in
     cardan_frame_motion_of(&second, on_node, 1, &other);
     cardan_superelement_shape(&c, z, rate, s, H, J, bent, NULL, NULL);
     /* p = m v + w x s + P z', of the frame H w + s x v + J w, along z P^T v + H^T w + M z' */
-    for (int k = 0; k < 3; ++k) {
-        p[k] = c.mass[0] * at.v[k];
-        cardan_dot(n, H + k * n, rate, m + k);
-        cardan_add_scaled(n, at.w + k, H + k * n, along);
-    }
+    for (int k = 0; k < 3; ++k) p[k] = c.mass[0] * at.v[k];
+    cardan_dots(3, n, H, rate, m);
+    cardan_rows(0, 3, n, H, at.w, along);
     cardan_superelement_flow(&c, rate, p);
     cardan_3_add_cross(at.w, s, p);
     cardan_3_add_cross(s, at.v, m);
@@ -55,7 +52,7 @@ CARDAN_INLINE int cardan_superelement_generalized_momenta(int n, int on_node, in
             mixed[i] = (rate_2[i] * at.w[k] + rate[i] * other.w[k]) * 0.5;
         cardan_add_product(n, n, c.spin_back + k * n * n, mixed, slope);
     }
-    for (int k = 0; k < 6; ++k) cardan_add_scaled(n, pairs + k, bent + k * n, slope);
+    cardan_rows(0, 6, n, bent, pairs, slope);
     if (c.drift) {
         real G[9], more[3];
 

@@ -26,7 +26,7 @@ CARDAN_INLINE void cardan_superelement_columns(const cardan_superelement *c,
                                                const real *B, int stride, real *out)
 {
     const int n = c->n;
-    real f[9], m[9], more[9];
+    real load[18], *const f = load, *const m = load + 9, more[9];
 
     cardan_3_times(is->s_skew, 0, X, 3, m);
     for (int k = 0; k < 9; ++k) f[k] = c->mass[0] * X[k];
@@ -36,19 +36,18 @@ CARDAN_INLINE void cardan_superelement_columns(const cardan_superelement *c,
         cardan_3_times(N, 0, Y, 3, more);
         for (int k = 0; k < 9; ++k) m[k] += more[k];
     }
-    cardan_node_rows(at, is, f, m, 3, stride, out);
+    cardan_node_rows(1, at, is, load, 3, stride, out);
     /* what acts along z, a row of work for each column */
     for (int j = 0; j < 3; ++j) {
         real *const row = is->columns;
 
         const real by_alpha[3] = {X[j], X[3 + j], X[6 + j]};
 
-        cardan_clear(n, row);
-        cardan_add_product(3, n, c->momentum, by_alpha, row);
+        cardan_set_product(3, n, NULL, c->momentum, by_alpha, row);
         if (Y) {
             const real by_w[3] = {Y[j], Y[3 + j], Y[6 + j]};
 
-            cardan_add_rows(3, n, B, by_w, row);
+            cardan_rows(0, 3, n, B, by_w, row);
         }
         for (int i = 0; i < n; ++i) out[(6 + i) * stride + j] = row[i];
     }
@@ -71,8 +70,11 @@ CARDAN_INLINE void cardan_superelement_mass(const cardan_superelement *c,
         for (int l = 0; l < 3; ++l) X[3 * k + l] = at->R0[3 * l + k];
     cardan_superelement_columns(c, at, is, X, NULL, NULL, NULL, NULL, stride, M + 3);
     /* z'' */
-    cardan_set(3 * n, c->momentum, is->force);
-    cardan_node_rows(at, is, is->force, is->H, n, stride, M + 6);
+    for (int i = 0; i < 3 * n; ++i) {
+        is->force[i] = CARDAN_REAL(c->momentum[i]);
+        is->moment[i] = is->H[i];
+    }
+    cardan_node_rows(1, at, is, is->force, n, stride, M + 6);
 }
 
 CARDAN_INLINE void cardan_superelement_damping(const cardan_superelement *c, const cardan_in *in,
@@ -104,11 +106,10 @@ CARDAN_INLINE void cardan_superelement_damping(const cardan_superelement *c, con
 
     /* f and moment by z': 2 w^ P; 2 w_l (j + S z) + (A + A^T) z' + w^ H */
     for (int i = 0; i < 3 * n; ++i) is->moment[i] = is->by_w[i] + is->ahead[i] + is->back[i];
-    cardan_add_3_rows(n, is->w_skew, is->H, n, is->moment);
+    cardan_3_rows(0, n, is->w_skew, is->H, is->moment);
     for (int k = 0; k < 9; ++k) product[k] = 2.0 * is->w_skew[k];
-    cardan_clear(3 * n, is->force);
-    cardan_add_3_constants(n, product, c->momentum, n, is->force);
-    cardan_node_rows(at, is, is->force, is->moment, n, stride, C + 6);
+    cardan_3_constants(n, product, c->momentum, is->force);
+    cardan_node_rows(1, at, is, is->force, n, stride, C + 6);
 }
 
 CARDAN_INLINE void cardan_superelement_stiffness(const cardan_superelement *c,
@@ -138,32 +139,22 @@ CARDAN_INLINE void cardan_superelement_stiffness(const cardan_superelement *c,
     cardan_3_times(is->w_skew, 0, is->w_skew, 3, product);
     cardan_3_skew(at->w_rate, 1.0, skew);
     for (int k = 0; k < 9; ++k) product[k] += skew[k];
-    cardan_clear(3 * n, is->force);
-    cardan_add_3_constants(n, product, c->momentum, n, is->force);
+    cardan_3_constants(n, product, c->momentum, is->force);
     /* moment by z: -alpha^ P + w^ (2 w_l (j + S z) + A z') */
     cardan_3_skew(at->alpha, -1.0, skew);
-    cardan_clear(3 * n, is->moment);
-    cardan_add_3_constants(n, skew, c->momentum, n, is->moment);
-    cardan_add_3_rows(n, is->w_skew, is->by_w, n, is->moment);
-    cardan_add_3_rows(n, is->w_skew, is->ahead, n, is->moment);
+    cardan_3_constants(n, skew, c->momentum, is->moment);
+    cardan_3_rows(0, n, is->w_skew, is->by_w, is->moment);
+    cardan_3_rows(0, n, is->w_skew, is->ahead, is->moment);
     /* + A z'' + 2 w'_l (j + S z) + 2 w_l S z' */
     for (int i = 0; i < 3 * n; ++i) is->moment[i] += is->spun_second[i];
-    for (int k = 0; k < 3; ++k)
-        for (int l = 0; l < 3; ++l) {
-            const real by_rate = 2.0 * at->w_rate[l], by_w = 2.0 * at->w[l];
-            const int pair = CARDAN_PAIR[k][l];
+    for (int k = 0; k < 3; ++k) {
+        real twice[12];
 
-            cardan_add_scaled(n, &by_rate, is->bent + pair * n, is->moment + k * n);
-            cardan_add_scaled(n, &by_w, is->squared + pair * n, is->moment + k * n);
-        }
-    cardan_node_rows(at, is, is->force, is->moment, n, stride, K + 6);
-}
-
-/* A matrix (n, n) within one of more columns. */
-CARDAN_INLINE void cardan_block(int n, int stride, const real *entries, real *out)
-{
-    for (int i = 0; i < n; ++i)
-        memcpy(out + i * stride, entries + i * n, (size_t)n * sizeof *out);
+        cardan_pairs_with(k, at->w_rate, twice);
+        cardan_pairs_with(k, at->w, twice + 6);
+        cardan_rows(0, 12, n, is->bent, twice, is->moment + k * n);
+    }
+    cardan_node_rows(1, at, is, is->force, n, stride, K + 6);
 }
 
 /* K, C, M (N, N) one behind the other, N = n + 6 where a node has the frame. Nothing depends on
@@ -173,32 +164,29 @@ CARDAN_INLINE int cardan_superelement_tangent(int n, int on_node, int drifts, co
                                               real *CARDAN_RESTRICT work)
 {
     const cardan_superelement c = cardan_superelement_of(n, drifts, constants);
-    const int first = 6 * on_node, N = n + first, size = n * n;
-    real *const entries = work + 37 * n;
+    const int first = 6 * on_node, N = n + first, along = first * N + first;
     real *const K = out, *const C = out + N * N, *const M = out + 2 * N * N;
     cardan_superelement_terms is;
     cardan_frame_motion at;
     real by_spin[9];
 
     cardan_frame_motion_of(in, on_node, 2, &at);
-    cardan_clear(3 * N * N, out);
     /* along z: K + w'_k A_k^T - w_k w_l S_kl; the matrices follow each other */
     cardan_pairs_of(at.w, by_spin + 3);
     for (int k = 0; k < 6; ++k) by_spin[3 + k] = -by_spin[3 + k];
     for (int k = 0; k < 3; ++k) by_spin[k] = at.w_rate[k];
-    cardan_set(size, c.stiffness, entries);
-    if (on_node) cardan_add_product(9, size, c.spin_back, by_spin, entries);
-    cardan_block(n, N, entries, K + first * N + first);
+    cardan_set_matrix(on_node ? 9 : 0, n, c.stiffness, c.spin_back, by_spin, N, K + along);
     /* D + w_k (A_k^T - A_k) */
     for (int k = 0; k < 3; ++k) {
         by_spin[k] = -at.w[k];
         by_spin[3 + k] = at.w[k];
     }
-    cardan_set(size, c.damping, entries);
-    if (on_node) cardan_add_product(6, size, c.spin, by_spin, entries);
-    cardan_block(n, N, entries, C + first * N + first);
-    for (int i = 0; i < n; ++i) cardan_set(n, c.modal + i * n, M + (first + i) * N + first);
+    cardan_set_matrix(on_node ? 6 : 0, n, c.damping, c.spin, by_spin, N, C + along);
+    cardan_set_matrix(0, n, c.modal, c.spin, by_spin, N, M + along);
     if (!on_node) return CARDAN_OK;
+    /* nothing depends on where the node is, and without drift not on its velocity */
+    for (int i = 0; i < N; ++i)
+        for (int j = 3; j < 6; ++j) K[i * N + j] = C[i * N + j] = CARDAN_REAL(0.0);
     cardan_superelement_terms_of(&c, in, &at, work, &is);
     cardan_superelement_mass(&c, &at, &is, N, M);
     cardan_superelement_damping(&c, in, &at, &is, N, C);

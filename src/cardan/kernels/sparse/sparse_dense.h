@@ -134,6 +134,26 @@ static inline double cardan_dot(ptrdiff_t n, const double *x, const double *y)
     return sum;
 }
 
+#if CARDAN_PACK > 1
+#define CARDAN_SIZES_4(x) ((cardan_four)(*(const cardan_four_bits *)(x) & ~CARDAN_SIGN))
+#endif
+
+/* The same, and the sum of the sizes of the products. */
+static inline double cardan_dot_sizes(ptrdiff_t n, const double *x, const double *y, double *sizes)
+{
+    ptrdiff_t j = 0;
+
+#if CARDAN_PACK > 1
+    cardan_four total = {0};
+    for (; j + 4 <= n; j += 4)
+        total += CARDAN_SIZES_4(x + j) * CARDAN_SIZES_4(y + j);
+    *sizes += (total[0] + total[2]) + (total[1] + total[3]);
+#endif
+    for (; j < n; j++)
+        *sizes += fabs(x[j]) * fabs(y[j]);
+    return cardan_dot(n, x, y);
+}
+
 /* A tile of C -= At B: six rows and one row, by as many columns as the vector has. */
 #define CARDAN_TILES(six, one, vector)                                                             \
     static inline void six(ptrdiff_t n, const double *a, ptrdiff_t lda, const double *b,           \

@@ -25,35 +25,24 @@ void cardan_sparse_multiply(const cardan_sparse *plan, const double *a, const do
     }
 }
 
-/* The sum of the sizes of x y, n numbers */
-static double sizes(ptrdiff_t n, const double *x, const double *y)
-{
-    double sum = 0;
-
-    for (ptrdiff_t j = 0; j < n; j++)
-        sum += fabs(x[j] * y[j]);
-    return sum;
-}
-
 double cardan_sparse_residual(const cardan_sparse *plan, const cardan_sparse_factors *f,
                               const double *a, const double *b, const double *x, double *r)
 {
     double most = 0, size = 0;
     int finite = 1;
 
-    cardan_sparse_multiply(plan, a, x, r);
     for (ptrdiff_t block = 0; block < plan->blocks; block++) {
         const double *row = a + plan->at[block];
         for (ptrdiff_t i = plan->first[block]; i < plan->first[block + 1]; i++) {
             const double unit = f->rows ? f->rows[i] : 1;
-            double sum = fabs(b[i]);
+            double sum = fabs(b[i]), product = 0;
             for (ptrdiff_t pair = plan->row[block]; pair < plan->row[block + 1]; pair++) {
                 const int32_t column = plan->column[pair], from = plan->first[column];
                 const ptrdiff_t n = plan->first[column + 1] - from;
-                sum += sizes(n, row, x + from);
+                product += cardan_dot_sizes(n, row, x + from, &sum);
                 row += n;
             }
-            r[i] = b[i] - r[i];
+            r[i] = b[i] - product;
             /* fmax would drop a NaN, so it is noted separately */
             finite = finite && r[i] - r[i] == 0;
             if (fabs(r[i]) * unit > most)
