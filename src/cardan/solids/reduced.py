@@ -87,18 +87,6 @@ def from_mesh(
     loads: dict[str, Array] = {}
     if any(group.material.expansion.any() for group in body.groups):
         loads["temperature"] = thermal(body, 1.0)
-    geometric: dict[str, csr_matrix] = {}
-    if stiffening is not None:
-        if stiffening not in nodes:
-            raise ModelError(
-                f"stiffening={brief(stiffening)}: there is no interface of that name."
-                f"{near(stiffening, nodes)}"
-            )
-        # it spins about the origin of the frame
-        given = at.get(stiffening) if isinstance(at, Mapping) else None
-        fixed = nodes[stiffening]
-        center = origin_of(stiffening, mesh.points[fixed], given)
-        geometric = spin_stiffness(body, fixed, center)
     recovered = [] if stress is None else mesh.nodes(stress).tolist()
     record = reduce(
         body.mass(),
@@ -114,7 +102,7 @@ def from_mesh(
         rayleigh=rayleigh,
         loads=loads,
         static_shapes=static_shapes,
-        geometric=geometric,
+        geometric=_by_spin(body, nodes, stiffening, at),
         stress=stress_operator(body, recovered) if recovered else None,
         stress_names=nodal_names(recovered) or None,
         load_stresses={
@@ -139,6 +127,26 @@ def _with_density(mesh: Mesh, material: AnyMaterial | Mapping[str, AnyMaterial])
             "cd.material(E=210e9, nu=0.3, rho=7850)"
         )
     return body
+
+
+def _by_spin(
+    body: Solid, nodes: Mapping[str, Integers], stiffening: str | None, at: object
+) -> dict[str, csr_matrix]:
+    """Geometric stiffness about the origin of an interface; none without one.
+
+    Raises:
+        ModelError: there is no interface of that name, or it does not support the body.
+    """
+    if stiffening is None:
+        return {}
+    if stiffening not in nodes:
+        raise ModelError(
+            f"stiffening={brief(stiffening)}: there is no interface of that name."
+            f"{near(stiffening, nodes)}"
+        )
+    selection = at.get(stiffening) if isinstance(at, Mapping) else None
+    fixed = nodes[stiffening]
+    return spin_stiffness(body, fixed, origin_of(stiffening, body.mesh.points[fixed], selection))
 
 
 @checked

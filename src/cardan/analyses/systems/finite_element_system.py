@@ -281,9 +281,9 @@ class FiniteElementSystem(CompiledSystem):
                 )
             # however large these are: a gap would say how well redundant rows can be told
             U, s, _, V = split(G)
-            held = -V @ (U.T @ (bent / self.rows[:, None]) / s[:, None])
-            right = -matrix.toarray() * self.columns[:, None] - M @ held
-            parts.append(held + Dense().solve(M, G, right, 0 * bent)[0])
+            particular = -V @ (U.T @ (bent / self.rows[:, None]) / s[:, None])
+            right = -matrix.toarray() * self.columns[:, None] - M @ particular
+            parts.append(particular + Dense().solve(M, G, right, 0 * bent)[0])
         along, by_u = (part * self.columns[:, None] for part in parts)
         by_r, by_z = (
             self._differences(at, block, lambda x: self.accelerations(x, tau).udot)

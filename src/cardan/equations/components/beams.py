@@ -75,21 +75,7 @@ def from_beams(
     body_names = [_body_name(scene, one) for one in _listed(bodies)]
     component = isolated(scene, build(scene), names, body_names)
     record = lowered(component.system)
-    if interfaces is None:
-        if len(names) > 1:
-            raise ModelError(
-                f"interfaces: {len(names)} beams have several ends; give those that others are "
-                f"connected to, such as {{'root': '{names[0]}.start', 'tip': '{names[-1]}.end'}}"
-            )
-        interfaces = {"start": f"{names[0]}.start", "end": f"{names[0]}.end"}
-    if not isinstance(interfaces, Mapping):
-        raise ModelError(
-            f"interfaces={brief(interfaces)}: give them by name, such as {{'tip': "
-            f"'{names[0]}.end'}}"
-        )
-    places = {
-        name: _place(component, record, names, name, where) for name, where in interfaces.items()
-    }
+    places = _places(component, record, names, interfaces)
     inner = [segment.line for segment in component.system.segments]
     rotations = np.concatenate([component.rotations, *(one.rotations[1:-1] for one in inner)])
     positions = np.concatenate([component.positions, *(one.positions[1:-1] for one in inner)])
@@ -123,6 +109,34 @@ def from_beams(
     )
     surface = _centerlines(component, record, positions)
     return replace(reduced, surface=surface, sections=sections)
+
+
+def _places(
+    component: BeamSystem,
+    record: FiniteElementRecord,
+    names: Sequence[str],
+    interfaces: Mapping[str, Where] | None,
+) -> dict[str, tuple[int, Array]]:
+    """Nodes and origins of interfaces; both ends of one beam by default.
+
+    Raises:
+        ModelError: they are not given by name, or one is on none of the beams.
+    """
+    if interfaces is None:
+        if len(names) > 1:
+            raise ModelError(
+                f"interfaces: {len(names)} beams have several ends; give those that others are "
+                f"connected to, such as {{'root': '{names[0]}.start', 'tip': '{names[-1]}.end'}}"
+            )
+        interfaces = {"start": f"{names[0]}.start", "end": f"{names[0]}.end"}
+    if not isinstance(interfaces, Mapping):
+        raise ModelError(
+            f"interfaces={brief(interfaces)}: give them by name, such as {{'tip': "
+            f"'{names[0]}.end'}}"
+        )
+    return {
+        name: _place(component, record, names, name, where) for name, where in interfaces.items()
+    }
 
 
 def _centerlines(component: BeamSystem, record: FiniteElementRecord, positions: Array) -> Surface:
