@@ -13,6 +13,7 @@ from . import (
     free_body,
     gimbal,
     mass_ratio,
+    reduced,
     satellite,
     stick_slip,
     stiff_spring,
@@ -40,6 +41,7 @@ CASES: dict[str, Case] = {
         chatter.SETTLED,
         satellite.CASE,
         *flexible.CASES,
+        *reduced.CASES,
     )
 }
 

@@ -59,6 +59,7 @@ class Case:
         coarse: Of those of order 2.
         step: Of those with a fixed step [s].
         options: For compile.
+        quick: Whether some of its cells are in every run of the tests.
         slow: Methods that take long: measured where the page is made, and by tests with
             CARDAN_HARD=1.
     """
@@ -76,6 +77,7 @@ class Case:
     coarse: Mapping[str, Any] = field(default_factory=lambda: {"rtol": 1e-6, "atol": 1e-8})
     step: float = 1e-3
     options: Mapping[str, Any] = field(default_factory=dict)
+    quick: bool = True
     slow: tuple[str, ...] = ()
 
     def __repr__(self) -> str:

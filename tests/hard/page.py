@@ -146,7 +146,8 @@ keeps saddles with a warning. A slack cable of several pieces has nodes that not
 
 - Contact of arbitrary shapes: cardan has no meshes and no collision search. Use a program such as
   MuJoCo or Chrono.
-- Flexible bodies other than [beams](flexible.md): there are no shells and solids.
+- Large deflections of other parts than [beams](flexible.md): [superelements](superelements.md) of
+  shells and solids deform by little.
 - Chaos over long times: compare statistics of an [ensemble](ensembles.md) instead of one motion.
 - Beams, and a node for every body: `Rosenbrock` takes its Jacobian by differences there: use `Radau`.
 - `Newmark` takes no constraints; use `GeneralizedAlpha` or `HHT`.
@@ -163,7 +164,8 @@ top says so. Statuses and bounds then still hold; measured errors, steps and tim
 Most bounds were set before the first run. The bounds of micrometers, astronomical units, the free
 body, stick-slip, and EnergyMidpoint on 100 links were set after it. They follow from theory, or are
 at least three times the measured error. For generalized-alpha over 1e7 steps it is at least twice.
-The step sizes for passing gimbal lock and for the four-bar were also set after the first run.
+The step sizes for passing gimbal lock and for the four-bar were also set after the first run, as
+were those of order 2 and the statuses of superelements.
 
 From the source folder, `python -m pytest -s tests/hard -k "satellite and HHT"` runs one cell. With
 `CARDAN_HARD=1` this includes the slow ones. For your own method and tolerances write a script, run

@@ -31,13 +31,17 @@ def cells(slow: bool) -> Iterator[Any]:
 
 
 def spread() -> Iterator[Any]:
-    """One cell in five, and the first one of cases that none of these is of."""
-    every = some(cells(slow=False), 5, 1)
+    """One cell in five of quick cases, and the first one of those that none of these is of."""
+    usual = list(cells(slow=False))
+    every = some((cell for cell in usual if cell.values[0].quick), 5, 1)
     there = {cell.values[0].name for cell in every if not cell.marks}
     for cell in every:
         name = cell.values[0].name
         yield cell if name in there else pytest.param(*cell.values, id=cell.id)
         there.add(name)
+    for cell in usual:
+        if not cell.values[0].quick:
+            yield pytest.param(*cell.values, marks=pytest.mark.slow, id=cell.id)
 
 
 QUICK = list(spread())
@@ -46,7 +50,8 @@ QUICK = list(spread())
 def test_a_spread_has_every_method_and_every_case() -> None:
     by_default = [cell.values for cell in QUICK if not cell.marks]
     assert {method for _, method in by_default} == {cell.values[1] for cell in QUICK}
-    assert {case.name for case, _ in by_default} == {cell.values[0].name for cell in QUICK}
+    quick = {case.name for case, _ in (cell.values for cell in QUICK) if case.quick}
+    assert {case.name for case, _ in by_default} == quick
 
 
 @pytest.mark.parametrize(("case", "method"), [*QUICK, *cells(slow=True)])
