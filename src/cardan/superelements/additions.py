@@ -83,22 +83,26 @@ class Additions:
 
 def additions_of(
     dofs: NodeDofs,
-    *,
-    C: object,
-    damping: object,
-    rayleigh: tuple[float, float] | None,
-    loads: Mapping[str, object],
-    static_shapes: Sequence[str],
-    stress: object,
-    stress_names: Sequence[str] | None,
-    load_stresses: Mapping[str, object],
+    dampings: tuple[object, object, tuple[float, float] | None],
+    loading: tuple[Mapping[str, object], Sequence[str]],
+    stresses: tuple[object, Sequence[str] | None, Mapping[str, object]],
     geometric: Mapping[str, object],
 ) -> Additions:
     """What a user adds, checked.
 
+    Args:
+        dofs: Rows of the matrices.
+        dampings: ``C``, ``damping`` and ``rayleigh`` of the reduction.
+        loading: ``loads`` and ``static_shapes``.
+        stresses: ``stress``, ``stress_names`` and ``load_stresses``.
+        geometric: Geometric stiffness by name.
+
     Raises:
         ModelError: numbers of another shape, or that are negative or not finite.
     """
+    C, damping, rayleigh = dampings
+    loads, static_shapes = loading
+    stress, stress_names, load_stresses = stresses
     ratios = np.zeros(0) if damping is None else np.atleast_1d(numbers("damping", damping))
     if ratios.ndim != 1 or not np.isfinite(ratios).all() or (ratios < 0).any():
         raise ModelError(

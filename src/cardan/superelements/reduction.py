@@ -76,16 +76,14 @@ def reduce(
         node_dofs: Motions of a node; ``"x y z"`` for three rows each, ``"x y z rx ry rz"`` for six.
         order: Of the rows: ``"node"`` (all of node 0 first) or ``"component"`` (x of all first).
         dofs, node_ids: Node and motion of each row, ``[(17, "x"), ...]``; numbers of the nodes.
-        supported: True where K includes supports, so that it resists rigid motions.
-        damping: Ratio of all modes of the free component, or one for each, lowest first.
-        rayleigh: a [1/s] and b [s] of C = a M + b K, instead or in addition.
+        damping, rayleigh: Ratio of free modes, one or each; a [1/s] and b [s] of C = a M + b K.
         loads: Forces in the rows (rows,) by name, such as those by a unit rise of temperature.
         static_shapes: Loads and ``"gravity"`` whose static response is among the shapes.
         stress, stress_names: Rows of stress by the rows of K (components, rows), and their names.
         load_stresses: What loads add to these rows where nothing moves (components,) by name.
         geometric: Geometric stiffness (rows, rows) by name, for loads of unit size.
-        triangles, lines: Nodes between which pictures have them (triangles, 3), (lines, 2).
-        make_free: Take out of K what resists rigid motions of the interfaces, as rounded texts do.
+        triangles, lines: Nodes of those of pictures (triangles, 3), (lines, 2).
+        supported, make_free: K has supports; or what resists rigid motions is taken out of it.
 
     Returns:
         A record to print, save and use in scenes.
@@ -109,15 +107,10 @@ def reduce(
         surface=surface_of(numbered, triangles, lines),
         additions=additions_of(
             numbered,
-            C=C,
-            damping=damping,
-            rayleigh=rayleigh,
-            loads=loads or {},
-            static_shapes=static_shapes,
-            stress=stress,
-            stress_names=stress_names,
-            load_stresses=load_stresses or {},
-            geometric=geometric or {},
+            (C, damping, rayleigh),
+            (loads or {}, static_shapes),
+            (stress, stress_names, load_stresses or {}),
+            geometric or {},
         ),
     )
 

@@ -101,9 +101,8 @@ def _build(
     cuts, solved = _circuits(assembly, branches, independent)
     closures, closable = ((), solved) if branches is None else (solved, ())
     assembly.number(closures)
-    for frame in scene.frames.values():
-        if frame.named:
-            assembly.frame(frame, frame.name)
+    for frame in [one for one in scene.frames.values() if one.named]:
+        assembly.frame(frame, frame.name)
 
     expression_inertias = announcements.check_masses(assembly.unchecked, convert)
     beams, limits = segments(scene, assembly)

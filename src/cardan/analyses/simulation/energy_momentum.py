@@ -82,7 +82,9 @@ class _Looked:
             if "M" not in kind.parts and self._resists(group):
                 self._say(what, "its force depends on speeds")
             if "generalized_momenta" in kind.functions:
-                self._check_coupled(group, what)
+                self.mesh.connect("generalized_momenta")
+                if "power" in kind.functions:
+                    self._say(what, "it is damped")
             elif "M" in kind.parts and kind.nu and len(group.place[0]) > 1:
                 self._check_mass_blocks(group, what)
         for group, lost in zip(self.acting, self._lost(), strict=True):
@@ -104,12 +106,6 @@ class _Looked:
         raise ModelError(
             f"{self.who}: {what} is not conservative ({why}): take method='GeneralizedAlpha'"
         )
-
-    def _check_coupled(self, group: Table, what: str) -> None:
-        """Elements that give their momenta have no damping."""
-        self.mesh.connect("generalized_momenta")
-        if "power" in group.kind.functions:
-            self._say(what, "it is damped")
 
     def _check_mass_blocks(self, group: Table, what: str) -> None:
         """Masses of elements stand with their nodes."""

@@ -79,10 +79,9 @@ class Cable(ForceElement):
         damped = not at.data["damping"].is_zero
         strain = ("strain of a taut cable, a slack one has none", "gamma = max(ell / L - 1, 0)")
         tension = "EA * (gamma + eta * elldot / L)" if damped else "EA * gamma"
-        pull = ("tension", f"f = {tension}")
+        pull = ("tension, eta the damping" if damped else "tension", f"f = {tension}")
         if self.compression:
             strain = ("strain", "gamma = ell / L - 1")
-            pull = ("tension, eta the damping" if damped else "tension", f"f = {tension}")
         elif damped:
             pull = (
                 "tension of a taut cable, eta the damping; a slack one has none",
