@@ -14,7 +14,7 @@ LOOPS = ("loop", "second loop", "redundant loop")
 # what EnergyMomentum takes: nothing in them takes or gives energy
 CONSERVATIVE = (
     *("revolute", "spherical", "universal", "gear coupling", "input jump", "gravity field"),
-    *(*LOOPS, "event", "time event"),
+    *(*LOOPS, "event", "time event", "superelement"),
 )
 # features that a method refuses, each for the reason in the list of refusals
 REFUSED: dict[str, tuple[str, ...]] = {
