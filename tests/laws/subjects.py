@@ -157,6 +157,11 @@ def _scene() -> Iterator[Call]:
             "section": cd.section.rectangle(0.1, 0.01), "material": cd.material(E=7e10, nu=0.3),
         },
         "cable": {"name": "new", "start": s.ground, "end": "b", "EA": 1e3, "rhoA": 0.1},
+        "superelement": {
+            "name": "new", "record": cd.superelement.from_beams(s, "beam", modes=1),
+            "interfaces": {"start": body},
+        },
+        "reduce": {"beams": "beam"},
         "constraint": {"name": "new", "expression": s.q("hinge") - 1},
         "output": {"name": "new", "expression": s.q("hinge")},
         "input": {"name": "new"},

@@ -15,5 +15,5 @@ class Scene(SceneRecord):
     save = verb("cardan.scene.files.yaml.writer:save")
     __str__ = verb("cardan.scene.summary:summary")
     superelement = verb("cardan.scene.superelement_arguments:add_superelement")
-    reduce = verb("cardan.equations.components.beams:reduced_with_cost")
+    reduce = verb("cardan.equations.components.beams:reduce")
     graph = attribute("cardan.topology.drawing.graph_view:view")

@@ -1,5 +1,5 @@
 """Components: the matrices of a part of a scene by the elements that it has there."""
 
-from .beams import from_beams, reduced_with_cost
+from .beams import from_beams, reduce
 
-__all__ = ["from_beams", "reduced_with_cost"]
+__all__ = ["from_beams", "reduce"]

@@ -16,7 +16,7 @@ from ...scene.body import Body
 from ...scene.frame import Frame, Place
 from ...scene.scene import SceneRecord
 from ...superelements.record import SuperelementRecord
-from ...superelements.reduction import reduce
+from ...superelements.reduction import reduce as reduce_matrices
 from ...superelements.surface import Surface
 from ...topology.build import build
 from ..finite_elements.lowering import lowered
@@ -91,7 +91,7 @@ def from_beams(
             )
         geometric = spin_stiffness(record, matrices, q, rotations, positions, *places[stiffening])
     operator, sections = section_operator(component, record, q, rotations)
-    reduced = reduce(
+    reduced = reduce_matrices(
         matrices.M,
         matrices.K,
         positions,
@@ -155,7 +155,8 @@ def _centerlines(component: BeamSystem, record: FiniteElementRecord, positions: 
     return Surface(every, arms, np.zeros((0, 3), np.intp), np.concatenate(lines).astype(np.intp))
 
 
-def reduced_with_cost(
+@checked
+def reduce(
     scene: SceneRecord,
     beams: str | Beam | Sequence[str | Beam],
     modes: int | None = None,
@@ -206,7 +207,8 @@ def reduced_with_cost(
 
 def _listed(value: object) -> list[object]:
     """One thing or several as a list."""
-    if isinstance(value, str | Beam | Body) or not isinstance(value, Iterable):
+    single = isinstance(value, np.ndarray) and value.ndim == 0
+    if single or isinstance(value, str | Beam | Body) or not isinstance(value, Iterable):
         return [value]
     return [*value]
 

@@ -118,6 +118,7 @@ def _leaving(group: Group, kind: Kind, p: Numbers, random: np.random.Generator) 
         if block.name not in inputs:
             shape = (len(block),) if block.name == "r" else (n, len(block))
             inputs[block.name] = random.uniform(0, 1, shape)
+    _keep_at_rest(kind, inputs)
     with np.errstate(all="ignore"):
         values = evaluate(function, inputs, "numpy")
     results = {o.name: np.broadcast_to(values[o.name], (n, o.size)) for o in function.outputs}
@@ -133,6 +134,26 @@ def _leaving(group: Group, kind: Kind, p: Numbers, random: np.random.Generator) 
     for part in pushed:
         for e in np.flatnonzero(~(np.abs(part).max(axis=1, initial=0) <= ROUNDING * size)):
             yield group.members[int(e)]
+
+
+def _keep_at_rest(kind: Kind, inputs: dict[str, Numbers]) -> None:
+    """Set internal states to 0 that no motion in the plane moves from there."""
+    if "zdot" not in kind.functions or "z" not in inputs:
+        return
+    random, function = inputs["z"], kind.functions["zdot"]
+    missing = {b.name: np.zeros(len(b)) for b in function.inputs if b.name not in inputs}
+    moves, before = np.zeros(random.shape[1], dtype=bool), -1
+    while moves.sum() > before:
+        before = int(moves.sum())
+        inputs["z"] = np.where(moves, random, 0.0)
+        with np.errstate(all="ignore"):
+            rates = evaluate(function, missing | inputs, "numpy")[function.outputs[0].name]
+        # of an element that keeps only the first of the states that it reads
+        rates = np.broadcast_to(rates, (len(random), function.outputs[0].size))
+        large = ~(np.abs(rates) <= ROUNDING * (1 + np.abs(rates).max(initial=0.0)))
+        moves[: large.shape[1]] |= large.any(axis=0)
+        moves[large.shape[1] :] = True
+    inputs["z"] = np.where(moves, random, 0.0)
 
 
 def _motion(

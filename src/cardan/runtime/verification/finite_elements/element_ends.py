@@ -108,8 +108,8 @@ def _momentum(members: Members) -> float | str:
         expected = MOMENTA[max(names, key=len)](*ends)
         return relative(value - expected, expected)
     nodes = [in_space(block) for block in members.blocks]
-    # what carries a rigid tree or a superelement moves all of it
-    on_node = sum(nodes) == 1
+    # what carries a rigid tree or a superelement moves all of it; other elements have more ends
+    on_node = sum(nodes) == 1 and members.table.kind.name.startswith(("tree", "superelement"))
     if not ((nodes and all(nodes)) or on_node):
         return "its places are not nodes in space"
     if "ground" in members.table.kind.name:
