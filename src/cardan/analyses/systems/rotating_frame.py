@@ -362,8 +362,8 @@ class CorotatingMotion:
         rows, shape = self.tables.rotational_speeds, (self.tables.nu, self.tables.nu)
         turns = -cross_matrix(u[rows])
         i, j = (np.broadcast_to(x, turns.shape).ravel() for x in (rows[:, :, None], rows[:, None]))
-        turning = csr_array(coo_array((turns.ravel(), (i, j)), shape))
-        return self._matrix(E) + turning, self._matrix(W)
+        axis_turns = csr_array(coo_array((turns.ravel(), (i, j)), shape))
+        return self._matrix(E) + axis_turns, self._matrix(W)
 
     # nodes in the places of the model
 

@@ -111,8 +111,8 @@ def superelement_parts(
     number_of(model.manifest, name)
     blocks = dict[str, Array]()
     for letter, value, size in (("q", q, model.nq), ("u", u, model.nu), ("udot", udot, model.nu)):
-        given = np.zeros(size) if value is None else model._vector(letter, value)
-        blocks[letter] = np.asarray(given, float)
+        block = np.zeros(size) if value is None else model._vector(letter, value)
+        blocks[letter] = np.asarray(block, float)
         if blocks[letter].shape != (size,):
             raise ArgumentError(f"{letter} has shape {blocks[letter].shape}, expected ({size},)")
     source = model._source
