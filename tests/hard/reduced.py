@@ -196,8 +196,8 @@ CASES = (
     ),
     Case(
         name="superelement in a redundant loop",
-        hard="two cranks with a rigid coupler, rows of which are redundant, and a flexible one",
-        oracle="a pendulum in closed form, but for 1e-6 by the rod; error of the cranks [rad]",
+        hard="two cranks with a rigid coupler, with some redundant rows, and a flexible one",
+        oracle="closed form of a pendulum, to 1e-6 as the rod bends; error of the cranks [rad]",
         advice="give the rod some damping: `Radau` follows vibrations that nothing damps",
         build=redundant,
         t=at(2.0),

@@ -13,16 +13,16 @@ from .quantity import Place, Units, Value
 
 @dataclass(frozen=True)
 class SuperelementLoad(ForceElement):
-    """A load of a record of a superelement, such as that by heat, times a factor.
+    """A load of a superelement, such as the forces of a rise of temperature, times a factor.
 
     Forces act where the nodes are without deformation and turn with the frame.
 
     Args:
         frame: Axes of the superelement.
-        factor: What the load is multiplied by.
-        torque, force: Resultant about the origin of the frame, in its axes (3) [N m, N].
-        members: Names of the joints whose coordinates are its own.
-        forces: Along their speeds.
+        factor: Multiplies the load.
+        torque, force: Resultant about the origin of the frame, in its axes (3,), (3,) [N m, N].
+        members: Names of the joints whose coordinates are those of the superelement.
+        forces: Along the speeds of each of these joints [N, N m, and those of modal coordinates].
 
     Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), section 8.5.
     """
@@ -40,7 +40,7 @@ class SuperelementLoad(ForceElement):
         return {f"part{k + 1}": name for k, name in enumerate(self.members)}
 
     def acts_on(self) -> tuple[str, str]:
-        # on all coordinates at once, which is no force on one of them
+        # it acts on all coordinates at once: there is no single force or torque to name
         return "", ""
 
     def act(self, at: Places) -> tuple[Action, ...]:

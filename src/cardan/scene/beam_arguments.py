@@ -295,7 +295,7 @@ def add_cable(
             "compression=True for a bar"
         )
     if pull < 0 and not is_expression(values["EA"]) and pull <= -values["EA"]:
-        raise ModelError(f"{who}: tension is {pull:g}, which no length gives: it is above -EA")
+        raise ModelError(f"{who}: tension is {pull:g}; no bar is that short: give more than -EA")
     cable = Cable(
         model=model,
         name=name,

@@ -259,7 +259,7 @@ def _bodies(m: Manifest) -> Iterator[str]:
         if superelement.frame not in frames or any(k >= nq for k in superelement.q):
             yield f"superelement '{superelement.name}' is nowhere"
         if not {*superelement.outputs} <= {output.name for output in m.outputs}:
-            yield f"the loads of superelement '{superelement.name}' are no outputs"
+            yield f"the loads of superelement '{superelement.name}' are not among the outputs"
     if not {shape.frame for shape in m.shapes} <= frames:
         yield "a shape is nowhere"
     if not m.absolute and m.bodies and len(bodies) != len(m.joints):

@@ -216,12 +216,8 @@ class SuperelementRow(Record):
         text, "interface that its frame is fixed to, or the mean or chord of all", default=""
     )
     stiffening: bool = field(flag, "whether its rotation stiffens it", default=False)
-    fixed: str = field(
-        text,
-        "interface with which fixed its first frequency is lowest: that of the frame",
-        default="",
-    )
-    first_frequency: float = field(number, "with that fixed [rad/s], 0 without any", default=0.0)
+    fixed: str = field(text, "interface that is fixed for its first frequency", default="")
+    first_frequency: float = field(number, "lowest then [rad/s]; 0 if nothing deforms", default=0.0)
     relative_inertia: Sequence[float] = field(
         listed(number, 9),
         "inertia about that interface over its largest moment, row by row",

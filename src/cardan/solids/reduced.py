@@ -12,10 +12,10 @@ from numpy.typing import ArrayLike
 
 from ..arguments import checked
 from ..arrays import Array, Integers
-from ..errors import ModelError, brief, near
+from ..errors import ModelError, brief
 from ..superelements.coarsening import coarsened
 from ..superelements.factor import Factor
-from ..superelements.interfaces import origin_of
+from ..superelements.interfaces import check_stiffening, origin_of
 from ..superelements.record import SuperelementRecord
 from ..superelements.reduction import reduce
 from ..superelements.stress_recovery import nodal_names
@@ -115,10 +115,10 @@ def from_mesh(
 
 
 def _with_density(mesh: Mesh, material: AnyMaterial | Mapping[str, AnyMaterial]) -> Solid:
-    """The body.
+    """The solid of a mesh.
 
     Raises:
-        ModelError: it has no mass.
+        ModelError: no material has a density.
     """
     body = Solid(mesh, material)
     if not any(group.material.density for group in body.groups):
@@ -139,11 +139,7 @@ def _by_spin(
     """
     if stiffening is None:
         return {}
-    if stiffening not in nodes:
-        raise ModelError(
-            f"stiffening={brief(stiffening)}: there is no interface of that name."
-            f"{near(stiffening, nodes)}"
-        )
+    check_stiffening(stiffening, nodes)
     selection = at.get(stiffening) if isinstance(at, Mapping) else None
     fixed = nodes[stiffening]
     return spin_stiffness(body, fixed, origin_of(stiffening, body.mesh.points[fixed], selection))

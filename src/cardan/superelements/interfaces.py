@@ -9,7 +9,7 @@ Source: MSC Nastran, Quick Reference Guide, RBE2 and RBE3.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -174,6 +174,19 @@ def _nodes(dofs: NodeDofs, name: str, selection: object) -> Integers:
     if len({*nodes}) != len(nodes):
         raise ModelError(f"interface '{name}': a node is there twice; give each once")
     return nodes
+
+
+def check_stiffening(stiffening: str, names: Collection[str]) -> None:
+    """Make sure that ``stiffening=`` is an interface.
+
+    Raises:
+        ModelError: there is no interface of that name.
+    """
+    if stiffening not in names:
+        raise ModelError(
+            f"stiffening={brief(stiffening)}: there is no interface of that name."
+            f"{near(stiffening, names)}"
+        )
 
 
 def origin_of(name: str, positions: Array, selection: object) -> tuple[float, float, float]:

@@ -86,8 +86,8 @@ def moving_surface(
     Args:
         record: The component.
         rows: Which coordinates move.
-        loads: Names of the loads that act. Where nobody said what one of them adds to the stress,
-            no stress is known.
+        loads: Names of the loads that act. If the record has no ``load_stresses`` of one of them,
+            the surface has no stress.
     """
     points, rows_of_stress = stressed_points(record)
     if not record.load_stresses.keys() >= {*loads}:
@@ -125,7 +125,7 @@ def moving_surface(
 
 
 def _section_forces(record: SuperelementRecord, rows: tuple[int, ...], loads: int) -> Array:
-    """Forces in sections of beams, to which loads add nothing where nothing moves."""
+    """Forces in sections (n + loads, sections, 6); those by loads alone are 0 for beams."""
     count = len(record.sections.stations)
     stress = record.stress[: len(COMPONENTS) * count, list(rows)]
     forces = stress.T.reshape(len(rows), count, len(COMPONENTS))

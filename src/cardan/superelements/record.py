@@ -62,9 +62,9 @@ class SuperelementRecord:
             one; the constants are exact where it is 0.
         loads: Forces in the coordinates by the names of loads (n,).
         stress: Rows of stress by the coordinates (components, n).
-        load_stresses: What loads add to these rows where nothing moves, by name (components,).
+        load_stresses: What loads add to these rows at z = 0, by name (components,).
         stress_names: Of these rows.
-        sections: Sections of beams whose forces these rows are, if it is of beams.
+        sections: Sections of beams; if there are any, the rows of stress are their forces.
         geometric: Geometric stiffness by the names of loads of unit size (n, n).
         surface: What one sees of it.
         notes: What may not be meant.
@@ -252,7 +252,7 @@ class SuperelementRecord:
     def stresses(self, z: ArrayLike, loads: Mapping[str, float] | None = None) -> Array:
         """Rows of the stress operator by coordinates, and by loads that act.
 
-        Heat that nothing resists gives displacements without stress: the load counts too.
+        Free thermal expansion has displacements and no stress, so that loads must be given too.
 
         Args:
             z: Coordinates (..., n).
@@ -262,7 +262,7 @@ class SuperelementRecord:
             (..., stress rows), in the order of ``stress_names``.
 
         Raises:
-            ModelError: no operator was given to the reduction, or not what a load adds.
+            ModelError: the reduction had no operator, or no ``load_stresses`` of a load.
         """
         if not len(self.stress):
             raise ModelError("stresses: the component has none; give stress= to the reduction")
@@ -289,10 +289,10 @@ class SuperelementRecord:
         return forces_of(beam, self.sections, rows.reshape(*rows.shape[:-1], -1, len(COMPONENTS)))
 
     def load_stress(self, name: str) -> Array:
-        """What a load adds to the rows of stress where nothing moves (components,).
+        """What a load adds to the rows of stress at z = 0 (components,).
 
         Raises:
-            ModelError: there is no such load, or nobody said what it adds.
+            ModelError: there is no such load, or the reduction had no ``load_stresses`` of it.
         """
         if name not in self.loads:
             raise ModelError(f"there is no load {brief(name)}.{near(name, self.loads)}")

@@ -76,14 +76,14 @@ def reduce(
         node_dofs: Motions of a node; ``"x y z"`` for three rows each, ``"x y z rx ry rz"`` for six.
         order: Of the rows: ``"node"`` (all of node 0 first) or ``"component"`` (x of all first).
         dofs, node_ids: Node and motion of each row, ``[(17, "x"), ...]``; numbers of the nodes.
-        damping, rayleigh: Ratio of free modes, one or each; a [1/s] and b [s] of C = a M + b K.
+        damping, rayleigh: Modal ratio, one or each of free modes; a, b [1/s, s] of C = a M + b K.
         loads: Forces in the rows (rows,) by name, such as those by a unit rise of temperature.
         static_shapes: Loads and ``"gravity"`` whose static response is among the shapes.
         stress, stress_names: Rows of stress by the rows of K (components, rows), and their names.
-        load_stresses: What loads add to these rows where nothing moves (components,) by name.
+        load_stresses: What loads add to these rows without displacements (components,) by name.
         geometric: Geometric stiffness (rows, rows) by name, for loads of unit size.
-        triangles, lines: Nodes of those of pictures (triangles, 3), (lines, 2).
-        supported, make_free: K has supports; or what resists rigid motions is taken out of it.
+        triangles, lines: Nodes of what pictures draw (triangles, 3), (lines, 2).
+        supported, make_free: K includes supports; take forces by rigid motions out of K.
 
     Returns:
         A record to print, save and use in scenes.

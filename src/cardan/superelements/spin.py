@@ -1,4 +1,4 @@
-"""With which frequency the spin of a component compares: the lowest with an interface fixed."""
+"""The frequency with which a spin is compared: the first with an interface fixed."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from .record import SuperelementRecord
 
 @dataclass(frozen=True, eq=False)
 class SpinScale:
-    """What centrifugal forces of a spin w compare with.
+    """Frequency and inertia that say whether a spin w stiffens a component.
 
-    They are those of w^T J w and stiffen a component across the axis; about the axis of a shaft
-    they are small.
+    Centrifugal forces are of the size of w^T J w: large where a slender body spins across its axis,
+    small where a shaft turns about it.
 
     Attributes:
-        interface: That is fixed.
-        frequency: The lowest one then [rad/s]; 0 where nothing deforms.
-        inertia: About the interface, over its largest principal moment, J (3, 3).
+        interface: Name of the one that is fixed.
+        frequency: The lowest with it fixed [rad/s]; 0 where nothing deforms.
+        inertia: J (3, 3) about the interface, over its largest principal moment.
     """
 
     interface: str
@@ -31,14 +31,14 @@ class SpinScale:
 
 
 def spin_scale(record: SuperelementRecord, interfaces: Collection[str]) -> SpinScale:
-    """The scale of a component that one of some interfaces holds, the one which does least.
+    """The scale with one of some interfaces fixed: the one that gives the lowest frequency.
 
     Args:
         record: The component.
         interfaces: Their names.
     """
     lowest = {name: _first_frequency(record, name) for name in interfaces}
-    # one that leaves nothing to deform is slower than none
+    # 0 says that nothing deforms: such an interface is not the softest
     name = min(interfaces, key=lambda one: lowest[one] or np.inf)
     properties = record.properties
     arm = np.array(properties.center) - record.interface(name).position

@@ -169,7 +169,7 @@ def load(path: Path) -> SuperelementRecord:
         if version == 1:
             _add_surface(arrays)
         if version < 3:
-            # nobody asked yet what loads add to stress
+            # these had neither stress of loads nor section forces
             arrays["load_stresses"] = np.zeros((0, len(arrays["stress"])))
             about["load_stresses"] = []
             arrays["stations"], about["sections"] = np.zeros(0), []
@@ -225,9 +225,9 @@ def _record(
         0,
         len(arrays["stress"]),
     ):
-        raise ValueError("its sections are not those of its stress")
+        raise ValueError("it does not have six rows of stress for each section")
     if not {*texts["load_stresses"]} <= {*texts["loads"]}:
-        raise ValueError("'load_stresses' names loads that there are not")
+        raise ValueError("'load_stresses' names loads that do not exist")
     method, massless = _text(about["method"]), about["massless"]
     if method not in METHODS or type(massless) is not int or not 0 <= massless <= len(arrays["M"]):
         raise ValueError("its method is unknown")

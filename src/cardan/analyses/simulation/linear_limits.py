@@ -1,4 +1,4 @@
-"""Runs and equilibria in which superelements leave the range where they are told as linear."""
+"""Warnings of runs and equilibria in which superelements leave their linear range."""
 
 from __future__ import annotations
 
@@ -13,31 +13,31 @@ from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ...schema.mechanism import SuperelementRow
 
 ANGLE = 0.1  # of an interface in the frame [rad]
-# spin over the first frequency. The lowest bending of a blade, w1 sqrt(1 + 1.19 (w/w1)^2), is off
-# by 2 % there: a frame on an interface has nothing of the stiffening, the others have most of it
+# spin over the first frequency. The true first frequency of a blade is w1 sqrt(1 + 1.19 (w/w1)^2);
+# at these limits it is off by 2 %: a frame on an interface has no stiffening, others most of it
 SPIN, SPIN_OF_SEVERAL = 0.2, 0.5
 
 
 def excesses(motion: TrajectoryRecord) -> Iterator[str]:
-    """A sentence for every limit that a run passes.
+    """A sentence for every limit that a run exceeds.
 
     Args:
-        motion: Any; those without their model pass none.
+        motion: Any; nothing is checked without its model.
     """
     if motion.model is not None and len(motion):
         yield from (text for limit in LIMITS if (text := limit(motion.model, motion)))
 
 
 def warn_of_state(model: LoadedModel, x: Array, t: float, r: Array) -> None:
-    """Warn of every limit that a state of rest or of steady motion passes.
+    """Warn of every limit that a state of rest or of steady motion exceeds.
 
     Args:
         model: Any.
         x: State (nx,).
         t, r: Time [s] and inputs (nr,).
     """
-    there = TrajectoryRecord.of_states(model, np.array([t]), x[None], np.atleast_2d(r), "state")
-    for text in excesses(there):
+    state = TrajectoryRecord.of_states(model, np.array([t]), x[None], np.atleast_2d(r), "state")
+    for text in excesses(state):
         warn(text, SolveWarning)
 
 
@@ -54,7 +54,7 @@ def rotated(model: LoadedModel, motion: TrajectoryRecord) -> str:
         entries = range(first, first + count)
         turns = [k for k in entries if model.manifest.coordinates[k].unit == "rad"]
         angles = np.linalg.norm(motion.x[:, turns], axis=1)
-        # of numbers that are none nothing is said here
+        # runs report NaN elsewhere
         worst, name = max((worst, name), (float(np.nanmax(angles, initial=0.0)), joint.name))
     if worst <= ANGLE:
         return ""
@@ -68,7 +68,7 @@ def rotated(model: LoadedModel, motion: TrajectoryRecord) -> str:
 def spun(model: LoadedModel, motion: TrajectoryRecord) -> str:
     """A sentence about the superelement that spins fastest for its stiffness, which is constant.
 
-    "" if all spin slowly against their first frequency, or are stiffened by it.
+    "" if all spin slowly compared with their first frequency, or have stiffening.
     """
     worst, text = 1.0, ""
     for row in model.manifest.superelements:
@@ -93,8 +93,8 @@ def spun(model: LoadedModel, motion: TrajectoryRecord) -> str:
 def _spin(motion: TrajectoryRecord, row: SuperelementRow) -> float:
     """The largest spin in the mean over a period of the first vibration [rad/s].
 
-    It is sqrt(w^T J w), with the inertia J over its largest moment: what turns about the axis of a
-    slender body does not stretch it, and what swings faster than the body bends neither.
+    It is sqrt(w^T J w), with the inertia J over its largest moment: a spin about the axis of a
+    slender body does not stretch it. A faster oscillation than its first one hardly bends it.
     """
     assert motion.model is not None
     w = motion.model.velocity(row.frame, motion.q, motion.u, in_="frame", t=motion.t, r=motion._r)[
@@ -109,13 +109,13 @@ def _spin(motion: TrajectoryRecord, row: SuperelementRow) -> float:
 
 
 def _means(t: Array, values: Array, period: float) -> Array:
-    """Means (n,) over a period that ends at each time, over what there is at the start."""
+    """Means (n,) over the period that ends at each time, which is cut off at the start."""
     parts = np.diff(t) * (values[1:] + values[:-1]) / 2
     integral = np.concatenate([[0.0], np.cumsum(parts)])
     width = min(period, t[-1] - t[0])
     starts = np.maximum(t - width, t[0])
     means = (integral - np.interp(starts, t, integral)) / width
-    # the first ones are of shorter times, and part of later ones
+    # at early times the interval is shorter than the width, so that these means are too small
     return np.asarray(means)
 
 

@@ -279,7 +279,8 @@ class FiniteElementSystem(CompiledSystem):
                 bent[:, self._beam_speeds] = self._differences(
                     there, block, self._bent, self._beam_speeds
                 )
-            # however large these are: a gap would say how well redundant rows can be told
+            # Dense.solve judges the rank of G by b, the gap of constraints. Here b is a derivative
+            # and not a gap: its particular solution goes to the right side, and b is 0
             U, s, _, V = split(G)
             particular = -V @ (U.T @ (bent / self.rows[:, None]) / s[:, None])
             right = -matrix.toarray() * self.columns[:, None] - M @ particular

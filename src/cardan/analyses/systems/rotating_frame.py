@@ -358,13 +358,12 @@ class CorotatingMotion:
         E, W = _blocks(len(moved.p)), _blocks(len(moved.p))
         W[along, 3:, 3:] = cross_matrix(moved.omega)[along]
         E[:, 3:, 3:] = -W[:, 3:, 3:]
-        # axes of nodes and joints turn along with what they tell
+        # rotation vectors are along axes that turn with their nodes and joints
         rows, shape = self.tables.rotational_speeds, (self.tables.nu, self.tables.nu)
         turns = -cross_matrix(u[rows])
         i, j = (np.broadcast_to(x, turns.shape).ravel() for x in (rows[:, :, None], rows[:, None]))
-        return self._matrix(E) + csr_array(coo_array((turns.ravel(), (i, j)), shape)), self._matrix(
-            W
-        )
+        axis_turns = csr_array(coo_array((turns.ravel(), (i, j)), shape))
+        return self._matrix(E) + axis_turns, self._matrix(W)
 
     # nodes in the places of the model
 

@@ -10,11 +10,12 @@ import numpy as np
 
 from ...arguments import checked
 from ...arrays import Array
-from ...errors import ModelError, brief, near
+from ...errors import ModelError, brief
 from ...scene.beam import Beam
 from ...scene.body import Body
 from ...scene.frame import Frame, Place
 from ...scene.scene import SceneRecord
+from ...superelements.interfaces import check_stiffening
 from ...superelements.record import SuperelementRecord
 from ...superelements.reduction import reduce as reduce_matrices
 from ...superelements.surface import Surface
@@ -84,11 +85,7 @@ def from_beams(
     matrices = element_matrices(record, q, rotations)
     geometric = {}
     if stiffening is not None:
-        if stiffening not in places:
-            raise ModelError(
-                f"stiffening={brief(stiffening)}: there is no interface of that name."
-                f"{near(stiffening, places)}"
-            )
+        check_stiffening(stiffening, places)
         geometric = spin_stiffness(record, matrices, q, rotations, positions, *places[stiffening])
     operator, sections = section_operator(component, record, q, rotations)
     reduced = reduce_matrices(

@@ -36,7 +36,7 @@ def section_operator(
         The operator (6 sections, 6 n), in the order N, Qy, Qz, Mx, My, Mz, and where the sections
         are: at the start and at the end of each element.
     """
-    from scipy.sparse import coo_matrix
+    from scipy.sparse import csr_matrix
 
     stiffness = _stiffness(record, q)
     blocks, columns, names, stations = [], [], list[str](), list[float]()
@@ -60,16 +60,11 @@ def section_operator(
                 columns.append((U * ends[:, None] + np.arange(U)).ravel())
                 names.append(segment.name)
                 stations.append(float(line.stations[k + end]))
-    rows_of = np.arange(U * len(blocks)).reshape(len(blocks), U, 1)
-    shape = (len(blocks), U, 2 * U)
-    entries = (
-        np.array(blocks).ravel(),
-        (
-            np.broadcast_to(rows_of, shape).ravel(),
-            np.broadcast_to(np.array(columns)[:, None, :], shape).ravel(),
-        ),
-    )
-    operator = coo_matrix(entries, shape=(U * len(blocks), U * len(rotations))).tocsr()
+    n_rows = U * len(blocks)
+    # the rows of a section have the columns of both nodes of its element
+    places = np.repeat(columns, U, axis=0).ravel()
+    starts = 2 * U * np.arange(n_rows + 1)
+    operator = csr_matrix((np.ravel(blocks), places, starts), (n_rows, U * len(rotations)))
     return operator, BeamSections(tuple(names), np.array(stations))
 
 

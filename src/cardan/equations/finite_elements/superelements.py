@@ -21,7 +21,7 @@ from .nodal_scene import JOINT, NODE, Key, Scene
 from .record import BlockKind, Group, Kind, unique
 
 HEADERS = ("frame_motion.h", "rows.h", "superelement.h")
-# what a routine includes besides
+# headers that a routine needs beyond these
 MORE_HEADERS = {
     "tangent": ("superelement_terms.h", "superelement_drift.h", "superelement_tangent.h"),
     "generalized_momenta": ("superelement_momenta.h",),
@@ -218,7 +218,7 @@ def constants(part: PartOfSystem) -> Array:
 
 
 def _stiffening(part: PartOfSystem) -> Array:
-    """What the geometric stiffness takes from S (6, n, n), by pairs."""
+    """Geometric stiffness as a part of S (6, n, n), by pairs of axes."""
     geometric, rows = part.record.geometric, list(part.rows)
     squares = np.zeros((len(PAIRS), len(rows), len(rows)))
     for pair, (name, (k, m)) in enumerate(zip(NAMES, PAIRS, strict=True)):
@@ -286,7 +286,7 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
         del results["power"]
     constants_of = dict.fromkeys(results, member.constants)
     if member.part.stiffening:
-        # its part of the tangent alone
+        # the part of the tangent by geometric stiffness alone
         results["geometric"] = results["balance_tangent"]
         constants_of["geometric"] = _geometric(member)
     functions = {
@@ -322,7 +322,7 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
 
 
 def _geometric(member: _Member) -> Array:
-    """Constants (k,) of an element of nothing but geometric stiffness."""
+    """Constants (k,) of an element that has geometric stiffness alone."""
     n, values = len(member.part.rows), np.zeros_like(member.constants)
     end = len(values) - 9 * n * drifts(member.part)
     values[end - 6 * n * n : end] = _stiffening(member.part).ravel()

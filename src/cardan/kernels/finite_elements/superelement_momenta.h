@@ -6,8 +6,8 @@
 
 #include "superelement.h"
 
-/* Momenta along the axes of the node, then those of z; and of two speeds, u and u' in udot, by how much
- * u'.M u / 2 grows with z. */
+/* Momenta along the axes of the node, then those of z; then, for the speeds u and u' (in udot), the
+ * derivative of u'.M u / 2 by z. */
 CARDAN_INLINE int cardan_superelement_generalized_momenta(int n, int on_node, int drifts,
                                                           const double *constants, const cardan_in *in,
                                                           real *CARDAN_RESTRICT out,

@@ -17,8 +17,6 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import reduce
-from operator import add
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -79,7 +77,7 @@ class SuperelementParts:
         if letter not in ("forces", "M", "C", "K"):
             raise ArgumentError(f"total: {letter!r}: give 'forces', 'M', 'C' or 'K'")
         parts: Mapping[str, Array] = getattr(self, letter)
-        return np.asarray(reduce(add, parts.values()))
+        return np.asarray(np.sum([*parts.values()], axis=0))
 
     def __repr__(self) -> str:
         lines = [f"SuperelementParts('{self.name}', {len(self.speeds)} speeds), largest entries"]
@@ -111,17 +109,12 @@ def superelement_parts(
     Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), section 8.7.2.
     """
     number_of(model.manifest, name)
-    values = {"q": q, "u": u, "udot": udot}
-    blocks = {
-        letter: np.zeros(model.nu)
-        if value is None
-        else np.asarray(model._vector(letter, value), float)
-        for letter, value in values.items()
-    }
-    for letter, value in blocks.items():
-        size = model.nq if letter == "q" else model.nu
-        if value.shape != (size,):
-            raise ArgumentError(f"{letter} has shape {value.shape}, expected ({size},)")
+    blocks = dict[str, Array]()
+    for letter, value, size in (("q", q, model.nq), ("u", u, model.nu), ("udot", udot, model.nu)):
+        block = np.zeros(size) if value is None else model._vector(letter, value)
+        blocks[letter] = np.asarray(block, float)
+        if blocks[letter].shape != (size,):
+            raise ArgumentError(f"{letter} has shape {blocks[letter].shape}, expected ({size},)")
     source = model._source
     assert isinstance(source, Assembled)
     mesh = source.results(model).mesh
@@ -143,14 +136,10 @@ def _place(groups: tuple[Table, ...], name: str) -> tuple[int, int]:
 
 
 class _Element:
-    """The functions of one superelement at a state, of which some blocks count as 0."""
+    """The functions of one superelement at a state, any of whose blocks can be set to 0."""
 
     def __init__(self, model: LoadedModel, group: Table, inputs: dict[str, Array]) -> None:
         self.model, self.group, self.inputs = model, group, inputs
-
-    def has(self, form: str) -> bool:
-        """True when the element has a function."""
-        return form in self.group.kind.functions
 
     def call(self, form: str, *counting: str) -> Array:
         """Results of a function where of u, udot and gravity only some are not 0."""
@@ -165,14 +154,14 @@ class _Element:
         return values
 
     def tangent(self, form: str, *counting: str) -> dict[str, Array]:
-        """K, C and M (N, N) of a function, likewise."""
+        """K, C and M (N, N) of a function where only some of u, udot and gravity are not 0."""
         n, flat = self.group.kind.nu, self.call(form, *counting)
         blocks = flat.reshape(-1, n, n)
         return dict(zip((x for x in PARTS if x in "KCM"), blocks, strict=True))
 
 
 def _parts(name: str, speeds: tuple[str, ...], element: _Element) -> SuperelementParts:
-    """The parts out of states at which others are 0."""
+    """The parts, from states in which only some of speeds, accelerations and gravity are not 0."""
     u, udot = element.inputs["u"], element.inputs["udot"]
     states: dict[str, tuple[str, ...]] = {
         "unloaded": (),
@@ -181,20 +170,22 @@ def _parts(name: str, speeds: tuple[str, ...], element: _Element) -> Superelemen
         "gravity": ("gravity",),
         "motion": ("u", "udot"),
     }
-    of = {key: element.tangent("balance_tangent", *some) for key, some in states.items()}
-    none = {letter: np.zeros((len(u), len(u))) for letter in "KCM"}
+    tangents = {key: element.tangent("balance_tangent", *some) for key, some in states.items()}
+    zeros = {letter: np.zeros((len(u), len(u))) for letter in "KCM"}
     geometric = {
-        key: element.tangent(GEOMETRIC, *some) if element.has(GEOMETRIC) else none
+        key: element.tangent(GEOMETRIC, *some)
+        if GEOMETRIC in element.group.kind.functions
+        else zeros
         for key, some in states.items()
     }
-    unloaded, stiffened = of["unloaded"], geometric["motion"]
+    unloaded, stiffened = tangents["unloaded"], geometric["motion"]
     # forces of second order in speeds
-    by_speeds = of["speeds"]["C"] - unloaded["C"] - geometric["speeds"]["C"]
+    by_speeds = tangents["speeds"]["C"] - unloaded["C"] - geometric["speeds"]["C"]
     gyroscopic, pseudo = (by_speeds - by_speeds.T) / 2, (by_speeds + by_speeds.T) / 2
     inertia = unloaded["M"] - geometric["unloaded"]["M"]
     elastic, weighted = (element.call("balance", *some)[: len(u)] for some in ((), ("gravity",)))
     changes = {
-        key: of[key]["K"] - unloaded["K"] - geometric[key]["K"]
+        key: tangents[key]["K"] - unloaded["K"] - geometric[key]["K"]
         for key in ("speeds", "acceleration", "gravity")
     }
     return SuperelementParts(
