@@ -151,10 +151,9 @@ class _Looked:
     def _changing(self) -> list[Table]:
         """The groups that say something else at other times or by other inputs."""
         first = self.mesh.results("balance", self.state(self.q[0]))
-        inputs = self.state(self.q[0]).r
         changing = np.zeros(len(first), dtype=bool)
         for t in MOMENTS.tolist():
-            r = self.random.uniform(-1, 1, np.shape(inputs))
+            r = self.random.uniform(-1, 1, self.tables.nr)
             now = self.mesh.results("balance", self.state(self.q[0], t=t, r=r))
             # what reads neither is computed alike, to the bit
             changing |= [not np.array_equal(a, b) for a, b in zip(first, now, strict=True)]
