@@ -346,3 +346,14 @@ def test_bars_in_files_and_what_they_refuse(tmp_path: Path) -> None:
     page = cd.derive(scene).explain(tmp_path / "truss.html").read_text("utf-8")
     assert "strain" in page
     assert "slack" not in page
+
+
+@each("EA", (5.0, 4.0, 0.0))
+def test_bars_whose_parameters_give_no_length(EA: float) -> None:
+    """They were refused by the mass of a node, or by a division."""
+    scene = cd.Scene("bar", gravity=(0, 0, 0))
+    far, stiffness = scene.ground.at(2.0, 0, 0), scene.parameter("EA", EA)
+    bar = {"rhoA": 0.1, "elements": 2, "compression": True}
+    scene.cable("bar", scene.ground, far, stiffness, tension=-5.0, **bar)
+    with pytest.raises(cd.ModelError, match=r"cable 'bar': EA is .* no length gives a tension"):
+        cd.derive(scene)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy
 
 import cardan as cd
 
@@ -199,3 +200,18 @@ def test_outputs_and_events_that_are_noted_change_nothing() -> None:
     (event,) = runs[1].events
     (true,) = fine.events
     assert event.t == pytest.approx(true.t, abs=1e-5)
+
+
+@pytest.mark.parametrize("driven", [False, True])
+def test_what_begins_later_is_named(driven: bool) -> None:
+    """It ran, and said at its end that energy was unaccounted for."""
+    late = sympy.Piecewise((0.0, cd.t < 0.5), ((cd.t - 0.5) ** 3, True))
+    scene = cd.Scene("late", gravity=(0, 0, 0))
+    body, rider = (scene.body(name, 1.0, (0, 0, 0), (0.1, 0.1, 0.1)) for name in ("a", "b"))
+    scene.joint("free", cd.Free(), scene.ground, body)
+    scene.joint("late", cd.Prismatic("x"), body, rider, prescribed=late if driven else None)
+    if not driven:
+        scene.force("late", cd.Force(body, (late, 0, 0)))
+    model = cd.compile(scene, coordinates="absolute")
+    with pytest.raises(cd.ModelError, match=r"'late' is not conservative .it depends on the time"):
+        model.simulate([0, 1], method=METHOD, step=1e-2)

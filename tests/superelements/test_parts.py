@@ -182,3 +182,9 @@ def test_what_is_asked_wrongly() -> None:
     assert "gyroscopic" not in repr(parts)
     with pytest.raises(cd.ArgumentError, match="give 'forces', 'M', 'C' or 'K'"):
         parts.total("D")
+
+
+def test_printed_parts_show_what_is_no_number() -> None:
+    model = model_of("root", "nodal")
+    parts = model.superelement_parts("body", np.full(model.nq, np.nan))
+    assert "forces  inertia nan" in str(parts)

@@ -220,6 +220,13 @@ def test_refused(case: str) -> None:
         cd.Scene("wrong").superelement("bar", bar(), loads=loads)
 
 
+@pytest.mark.parametrize("argument", ["interfaces", "loads"])
+def test_what_is_given_by_name_is_no_list(argument: str) -> None:
+    options: Any = {argument: ["left"]}
+    with pytest.raises(cd.ArgumentError, match=rf"{argument}=\['left'\]: give .* by name"):
+        cd.Scene("wrong").superelement("bar", bar(), **options)
+
+
 def test_factors_that_move_are_refused() -> None:
     scene = cd.Scene("wrong")
     scene.joint("hinge", cd.Revolute("z"), scene.ground, scene.body("hub", 1.0))

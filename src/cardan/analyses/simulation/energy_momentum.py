@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 # what differences of energies over a small way and rounding leave of forces
 DIFFERENCE, WAY = 1e-5, 1e-4
 SMALL = 1e-9
+# at which forces are compared, so that those that begin late are seen [s]
+MOMENTS = np.geomspace(1e-3, 1e3, 13)
 # common motions that change no element: all rigid ones, those of what is heavy
 RIGID, HEAVY = 6.0, 3.0
 
@@ -45,7 +47,7 @@ class _Looked:
         from ...runtime.models.finite_elements.elements import State
 
         self.mesh, self.tables, self.who = mesh, mesh.tables, who
-        random = np.random.default_rng(1)
+        self.random = random = np.random.default_rng(1)
         # loads that begin at 0, or that inputs give, act here
         r = random.uniform(-1, 1, inputs)
         self.state = partial(State, t=0.3, r=r)
@@ -93,6 +95,8 @@ class _Looked:
         rates = self.mesh.balance(self.state(self.q[0]))[2]
         if np.abs(rates).max(initial=0.0) > SMALL:
             self._say("a joint", "it is driven along a given motion")
+        for group in self._changing():
+            self._say(_named(group), "it depends on the time or an input")
 
     def _resists(self, group: Table) -> bool:
         """True when forces of a group change with speeds."""
@@ -143,6 +147,17 @@ class _Looked:
                 work = work - 0.5 * (ends[1][k][:, 1] - ends[0][k][:, 1])
             lost.append(bool(np.abs(work).max(initial=0.0) > DIFFERENCE * size + 1e-300))
         return lost
+
+    def _changing(self) -> list[Table]:
+        """The groups that say something else at other times or by other inputs."""
+        first = self.mesh.results("balance", self.state(self.q[0]))
+        changing = np.zeros(len(first), dtype=bool)
+        for t in MOMENTS.tolist():
+            r = self.random.uniform(-1, 1, self.tables.nr)
+            now = self.mesh.results("balance", self.state(self.q[0], t=t, r=r))
+            # what reads neither is computed alike, to the bit
+            changing |= [not np.array_equal(a, b) for a, b in zip(first, now, strict=True)]
+        return [group for group, changes in zip(self.acting, changing, strict=True) if changes]
 
     def _power(self, force: Array, group: Table, q: Array, motion: Array) -> Array:
         """Power of forces over a rigid motion (6) of everything:

@@ -132,7 +132,7 @@ def _add(
     ]
     stiffness = geometry.value(cable.EA, f"{name}.EA", "N")
     distance = float(np.linalg.norm(points[1] - points[0]))
-    length = distance / (1 + cable.tension / stiffness) if cable.length is None else cable.length
+    length = _unloaded(cable, stiffness, distance) if cable.length is None else cable.length
     if not is_expression(length) and length == 0:
         raise ModelError(
             f"cable '{name}': its ends are at one point in the reference configuration, which "
@@ -170,6 +170,20 @@ def _add(
             cable.compression,
         )
         model.forces[label] = Force(label, element)
+
+
+def _unloaded(cable: Cable, stiffness: float, distance: float) -> float:
+    """The length without load at which a cable between its ends has its tension.
+
+    Raises:
+        ModelError: an expression of EA has a value that gives none.
+    """
+    if not stiffness > 0 or stiffness + cable.tension <= 0:
+        raise ModelError(
+            f"cable '{cable.name}': EA is {stiffness:g} at the values of the parameters, and no "
+            f"length gives a tension of {cable.tension:g} then: EA is above 0 and above -tension"
+        )
+    return distance / (1 + cable.tension / stiffness)
 
 
 def _declare(model: SceneRecord, cable: Cable, key: str) -> None:

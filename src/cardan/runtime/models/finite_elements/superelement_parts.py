@@ -83,7 +83,7 @@ class SuperelementParts:
         lines = [f"SuperelementParts('{self.name}', {len(self.speeds)} speeds), largest entries"]
         for letter in ("forces", "M", "C", "K"):
             sizes = {name: abs(x).max() for name, x in getattr(self, letter).items()}
-            some = ", ".join(f"{name} {size:.4g}" for name, size in sizes.items() if size > 0)
+            some = ", ".join(f"{name} {size:.4g}" for name, size in sizes.items() if size != 0)
             lines.append(f"  {letter:<7} {some or 'none'}")
         return "\n".join(lines)
 
