@@ -107,9 +107,6 @@ def add_superelement(
     names = [one.name for one in record.interfaces]
     if "frame" in names:
         raise ModelError(f"{who}: an interface is called 'frame', which its frame is called")
-    for argument, named in (("interfaces", interfaces), ("loads", loads)):
-        if not isinstance(named, Mapping | None):
-            raise ModelError(f"{who}: {argument}={brief(named)}: give {{name: value}}")
     joined = {}
     for interface, place in (interfaces or {}).items():
         if interface not in names:

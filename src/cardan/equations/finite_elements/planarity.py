@@ -118,7 +118,7 @@ def _leaving(group: Group, kind: Kind, p: Numbers, random: np.random.Generator) 
         if block.name not in inputs:
             shape = (len(block),) if block.name == "r" else (n, len(block))
             inputs[block.name] = random.uniform(0, 1, shape)
-    _keep_at_rest(kind, inputs)
+    _settle_states(kind, inputs)
     with np.errstate(all="ignore"):
         values = evaluate(function, inputs, "numpy")
     results = {o.name: np.broadcast_to(values[o.name], (n, o.size)) for o in function.outputs}
@@ -136,7 +136,7 @@ def _leaving(group: Group, kind: Kind, p: Numbers, random: np.random.Generator) 
             yield group.members[int(e)]
 
 
-def _keep_at_rest(kind: Kind, inputs: dict[str, Numbers]) -> None:
+def _settle_states(kind: Kind, inputs: dict[str, Numbers]) -> None:
     """Set internal states to 0 that no motion in the plane moves from there."""
     if "zdot" not in kind.functions or "z" not in inputs:
         return
@@ -153,7 +153,6 @@ def _keep_at_rest(kind: Kind, inputs: dict[str, Numbers]) -> None:
         large = ~(np.abs(rates) <= ROUNDING * (1 + np.abs(rates).max(initial=0.0)))
         moves[: large.shape[1]] |= large.any(axis=0)
         moves[large.shape[1] :] = True
-    inputs["z"] = np.where(moves, random, 0.0)
 
 
 def _motion(

@@ -86,13 +86,11 @@ INCLUDE = (
     Key("file", "text", True),
     Key("prefix", "text"),
     Key("at", "place"),
-    Key("base", "text"),
-    Key("mimic", "text"),
+    *(Key(name, "text") for name in ("base", "mimic")),
     Key("parameters", "reals"),
 )
 BEAM = (
-    Key("start", "end", True),
-    Key("end", "end", True),
+    *(Key(role, "end", True) for role in ROLES),
     Key("section", "section", True),
     Key("material", "material"),
     Key("elements", "real"),
@@ -105,11 +103,9 @@ BEAM = (
     Key("nodes", "reals"),
 )
 CABLE = (
-    Key("start", "end", True),
-    Key("end", "end", True),
+    *(Key(role, "end", True) for role in ROLES),
     Key("EA", "scalar", True),
-    Key("rhoA", "scalar"),
-    Key("length", "scalar"),
+    *(Key(name, "scalar") for name in ("rhoA", "length")),
     Key("tension", "real"),
     Key("damping", "scalar"),
     Key("elements", "real"),
@@ -117,14 +113,12 @@ CABLE = (
     Key("compression", "flag"),
 )
 SUPERELEMENT = (
-    Key("file", "text"),
+    *(Key(name, "text") for name in ("file", "frame", "inertia")),
     Key("matrices", "matrices"),
     Key("mesh", "solid_mesh"),
     Key("interfaces", "places"),
-    Key("frame", "text"),
     Key("weights", "column"),
     Key("stiffening", "flag"),
-    Key("inertia", "text"),
     Key("loads", "factors"),
 )
 _REDUCTION = (
@@ -134,6 +128,7 @@ _REDUCTION = (
     Key("at", "points"),
     Key("damping", "numbers"),
     Key("rayleigh", "column"),
+    Key("static_shapes", "texts"),
 )
 MATRICES = (
     Key("file", "text", True),
@@ -141,9 +136,7 @@ MATRICES = (
     Key("interface", "node_sets", True),
     *_REDUCTION,
     *(Key(name, "text") for name in ("frame_dofs", "node_dofs", "order")),
-    Key("static_shapes", "texts"),
-    Key("supported", "flag"),
-    Key("make_free", "flag"),
+    *(Key(name, "flag") for name in ("supported", "make_free")),
 )
 SOLID_MESH = (
     Key("file", "text", True),
@@ -151,7 +144,6 @@ SOLID_MESH = (
     Key("material", "materials", True),
     Key("interfaces", "node_sets", True),
     *_REDUCTION,
-    Key("static_shapes", "texts"),
     Key("stress", "node_set"),
     Key("stiffening", "text"),
 )
@@ -159,12 +151,10 @@ PRESTRAIN = tuple(Key(name, "scalar") for name in STRAINS)
 POSE = (Key("position", "vector", True), Key("rotation", "rotation"), Key("base", "text"))
 JOINT = (
     Key("type", "text", True),
-    Key("parent", "place", True),
-    Key("child", "place", True),
+    *(Key(name, "place", True) for name in ("parent", "child")),
     Key("prescribed", "motion"),
     Key("cut", "flag"),
-    Key("q0", "numbers"),
-    Key("u0", "numbers"),
+    *(Key(name, "numbers") for name in ("q0", "u0")),
     Key("limits", "limits"),
     Key("at", "vector"),
     Key("base", "text"),
@@ -177,39 +167,25 @@ FORCE = (Key("type", "text", True),)
 OUTPUT = (Key("expression", "law", True), Key("unit", "text"))
 SIMULATE = (
     Key("time", "times"),
-    Key("q", "initial"),
-    Key("u", "initial"),
-    Key("z", "initial"),
+    *(Key(name, "initial") for name in ("q", "u", "z")),
     Key("method", "text"),
-    Key("rtol", "real"),
-    Key("atol", "real"),
-    Key("step", "real"),
-    Key("max_step", "real"),
+    *(Key(name, "real") for name in ("rtol", "atol", "step", "max_step")),
     Key("inputs", "signals"),
 )
 
 # annotation of a field or argument -> kind of its value
 _KINDS = {
-    "Value": "value",
-    "Value | None": "value",
-    "Rows": "value",
-    "Rows | None": "value",
-    "Direction | None": "direction",
-    "Any": "value",
-    "Direction": "direction",
-    "Vector": "value",
-    "Pair": "value",
+    **dict.fromkeys(("Value", "Value | None", "Rows", "Rows | None"), "value"),
+    **dict.fromkeys(("Any", "Vector", "Pair"), "value"),
+    **dict.fromkeys(("Direction", "Direction | None"), "direction"),
+    **dict.fromkeys(("JointName", "BeamName", "str"), "text"),
+    **dict.fromkeys(("Sequence[float]", "Sequence[float] | None"), "numbers"),
+    "Sequence[Value]": "vector",
     "Place": "place",
     "Bodies": "members",
-    "JointName": "text",
-    "BeamName": "text",
     "LocalNames": "names",
     "Curves": "curves",
     "bool": "flag",
-    "str": "text",
-    "Sequence[Value]": "vector",
-    "Sequence[float]": "numbers",
-    "Sequence[float] | None": "numbers",
 }
 # arguments of shapes that mean more than their annotation says
 _ARGUMENTS = {"rotation": "rotation", "file": "mesh"}
