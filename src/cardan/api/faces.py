@@ -88,19 +88,11 @@ class attribute(verb):
 def _method(function: Callable[..., Any]) -> Callable[..., Any]:
     """A function with ``self`` for its first argument, and results as users hold them."""
 
-    signature = inspect.signature(function)
-
     @wraps(function)
     def method(self: object, /, *arguments: object, **named: object) -> Any:
-        try:
-            return face(function(self, *arguments, **named))
-        except TypeError:
-            try:
-                signature.bind(self, *arguments, **named)
-            except TypeError as problem:
-                raise TypeError(f"{method.__name__}() {problem}") from None
-            raise
+        return face(function(self, *arguments, **named))
 
+    signature = inspect.signature(function)
     first, *parameters_after_self = signature.parameters.values()
     itself = first.replace(name="self", annotation=first.empty)
     method.__dict__["__signature__"] = signature.replace(
