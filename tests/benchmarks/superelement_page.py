@@ -159,8 +159,8 @@ solution with eight modes at a tight tolerance.
 """
 RIGID = """
 A rigid rod on nodes has the same kind of coordinates and the same solver. In joint coordinates the
-rigid mechanism has three speeds and two conditions, and code without tables; superelements do not
-have such a form. The frame on the pin is the cheapest. It differs from the others by the
+rigid mechanism has code without tables; superelements do not have such a form. The frame on the
+pin is the cheapest. It differs from the others by the
 square of the deformation, which is its error here.
 
 ## Beside Exudyn
