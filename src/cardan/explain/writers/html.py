@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 # letters of a piece of a formula: what fits a telephone
 ROOM = 26.0
 # letters of a name, and of its index, that a formula shows in full
-LONGEST, INDEX = 24, 20
+LONGEST, INDEX = 24, 18
 # letters of a formula that fits a table on a telephone, and rows of a table that are not folded
 COLUMN, ROWS = 14.0, 60
 # what blocks are told to look like: on pages by the style sheet, in notebooks each by itself, in

@@ -24,22 +24,22 @@ static const real AHEAD = 1.3;   /* steps that are looked ahead */
 static const real STRIDE = 0.25; /* radians or sizes between two looks */
 enum { HALVINGS = 10, MOST_LOOKS = 12 };
 
-/* Numbers that are kept: rows at two states, lengths, order, squares, entries of a row, a state. */
+/* Numbers that are kept: three per row, entries of a row, a state, rows at two states. */
+enum { LENGTHS, ORDER, SQUARES, ENTRIES, STATE, HERE, THERE };
+
 ptrdiff_t cardan_rank_length(const cardan_run *run)
 {
     return run->constraint_jacobian.function
-               ? 2 * run->rates * run->nu + 3 * run->rates + run->nu + run->n : 0;
+               ? ENTRIES * run->rates + run->nu + run->n + 2 * run->rates * run->nu : 0;
 }
 
-static real *place(const cardan_run *run, int what)
+static inline real *place(const cardan_run *run, int what)
 {
-    const ptrdiff_t rows = run->rates * run->nu;
-    const ptrdiff_t starts[] = {0, rows, 2 * rows, 2 * rows + run->rates, 2 * rows + 2 * run->rates,
-                                2 * rows + 3 * run->rates, 2 * rows + 3 * run->rates + run->nu};
+    real *start = run->rank_memory + (what < ENTRIES ? what : ENTRIES) * run->rates;
 
-    return run->rank_memory + starts[what];
+    start += (what > ENTRIES ? run->nu : 0) + (what > STATE ? run->n : 0);
+    return start + (what > HERE ? run->rates * run->nu : 0);
 }
-enum { HERE, THERE, LENGTHS, ORDER, SQUARES, ENTRIES, STATE };
 
 /* Whether the order that memory holds is one of rows. */
 int cardan_rank_sound(const cardan_run *run)
@@ -49,7 +49,7 @@ int cardan_rank_sound(const cardan_run *run)
 }
 
 /* Row k in the order. */
-static real *row_of(const cardan_run *run, int what, ptrdiff_t k)
+static inline real *row_of(const cardan_run *run, int what, ptrdiff_t k)
 {
     return place(run, what) + (ptrdiff_t)place(run, ORDER)[k] * run->nu;
 }
@@ -78,17 +78,19 @@ static int jacobian(cardan_run *run, real t, const real *y, real *rows, int take
     status = cardan_call_model(run, &run->constraint_jacobian, &in, rows);
     for (ptrdiff_t i = 0; i < run->rates && status == 0; i++) {
         real *row = rows + i * run->nu;
-        /* of elements most rows are used up by what joints carry */
+        for (ptrdiff_t j = 0; j < run->nu && run->columns; j++)
+            row[j] *= run->columns[j];
         squares[i] = cardan_dot(row, row, run->nu);
+        /* of elements most rows are used up by what joints carry */
         if (squares[i] == 0)
             continue;
-        for (ptrdiff_t j = 0; j < run->nu; j++)
-            row[j] *= run->columns ? run->columns[j] : 1;
         if (taken)
-            lengths[i] = fmax(lengths[i], sqrt(cardan_dot(row, row, run->nu)));
-        for (ptrdiff_t j = 0; j < run->nu && lengths[i] > 0; j++)
+            lengths[i] = fmax(lengths[i], sqrt(squares[i]));
+        if (!(lengths[i] > 0))
+            continue;
+        for (ptrdiff_t j = 0; j < run->nu; j++)
             row[j] /= lengths[i];
-        squares[i] = cardan_dot(row, row, run->nu);
+        squares[i] /= lengths[i] * lengths[i];
     }
     return status;
 }

@@ -161,9 +161,11 @@ static int balance(cardan_run *run, const cardan_alpha *v, real t, const real *y
 /* Residual at the trial state. */
 int cardan_alpha_balance(cardan_run *run, const cardan_alpha *v, real t)
 {
-    int status = run->nz > 0 ? cardan_inputs_at(run, t, run->trial) : 0;
+    int status = 0;
 
-    if (status == 0)
+    if (run->nz > 0)
+        status = cardan_inputs_at(run, t, run->trial);
+    if (run->nz > 0 && status == 0)
         status = cardan_alpha_internal(run, v, t);
     return status != 0 ? status : balance(run, v, t, run->trial, v->udot_new, v->lam_new);
 }
