@@ -118,7 +118,8 @@ def cable_rows(model: SceneRecord) -> list[list[str]]:
         length = "" if cable.length is None else _short(cable.length)
         numbers = (_short(cable.EA), _short(cable.rhoA), length)
         ends = (cable.start.name, cable.end.name)
-        rows.append([cable.name, *numbers, *ends, str(cable.elements)])
+        name = f"{cable.name} (bar)" if cable.compression else cable.name
+        rows.append([name, *numbers, *ends, str(cable.elements)])
     return rows
 
 

@@ -11,6 +11,8 @@ from ..arrays import Array
 from ..errors import SolveError
 from .record import SuperelementRecord
 
+EQUAL = 1 + 1e-6  # frequencies up to this ratio are the same, of symmetric components
+
 
 @dataclass(frozen=True, eq=False)
 class SpinScale:
@@ -38,14 +40,15 @@ def spin_scale(record: SuperelementRecord, interfaces: Collection[str]) -> SpinS
         interfaces: Their names.
     """
     lowest = {name: _first_frequency(record, name) for name in interfaces}
-    # 0 says that nothing deforms: such an interface is not the softest
-    name = min(interfaces, key=lambda one: lowest[one] or np.inf)
+    # 0 says that nothing deforms: it is not the softest; of equal ones take the first
+    softest = min(filter(None, lowest.values()), default=0.0)
+    name = next(one for one in interfaces if softest <= lowest[one] <= EQUAL * softest)
     properties = record.properties
     arm = np.array(properties.center) - record.interface(name).position
     steiner = properties.mass * (arm @ arm * np.eye(3) - np.outer(arm, arm))
     inertia = np.array(properties.inertia) + steiner
     largest = float(np.linalg.eigvalsh(inertia)[-1])
-    return SpinScale(name, lowest[name], inertia / largest if largest > 0 else 0 * inertia)
+    return SpinScale(name, softest, inertia / largest if largest > 0 else 0 * inertia)
 
 
 def _first_frequency(record: SuperelementRecord, interface: str) -> float:
