@@ -89,7 +89,8 @@ static real error_of(cardan_run *run, const cardan_alpha *v, real h, int *status
     error = cardan_alpha_norm(run, v, missed, run->rtol, run->atol, status);
     culprit = run->culprit;
     inside = *status == 0 ? cardan_alpha_misfit(run, v, h, status) : 0;
-    inside = fmax(inside, cardan_alpha_internal_error(run, v, h));
+    if (run->nz > 0)
+        inside = fmax(inside, cardan_alpha_internal_error(run, v, h));
     if (!(inside <= error))
         return inside;
     run->culprit = culprit;
@@ -116,11 +117,10 @@ static int derivative(cardan_run *run, const cardan_alpha *v, real t)
     cardan_in in = cardan_at(run, &t, run->trial);
     int status = cardan_call_model(run, &run->qdot, &in, run->k);
 
-    if (status == 0)
+    if (status == 0 && run->nz > 0)
         status = cardan_alpha_internal(run, v, t);
     for (ptrdiff_t i = 0; i < run->nz; i++)
         run->k[nq + v->nu + i] = v->zdot[i];
-
     for (ptrdiff_t i = 0; i < v->nu; i++)
         run->k[nq + i] = v->udot_new[i];
     if (status == 0 && run->power.function)

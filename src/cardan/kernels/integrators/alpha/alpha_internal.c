@@ -196,9 +196,6 @@ static int solve(cardan_run *run, const cardan_alpha *v, real t, real *change)
 
 int cardan_alpha_internal(cardan_run *run, const cardan_alpha *v, real t)
 {
-    /* most scenes have none: their runs need no coefficients */
-    if (run->nz == 0)
-        return 0;
     const coefficients m = first_order(v);
     const real *rate = run->f + run->nq + run->nu;
     const int status = solve(run, v, t, v->w_new);
@@ -228,5 +225,5 @@ real cardan_alpha_internal_error(const cardan_run *run, const cardan_alpha *v, r
         const real part = (run->trial[first + i] - other) / (run->atol + run->rtol * size);
         sum += part * part;
     }
-    return nz > 0 ? sqrt(sum / (real)nz) : 0;
+    return sqrt(sum / (real)nz);
 }

@@ -225,6 +225,34 @@ static ptrdiff_t right_of(const cardan_alpha *v, real h, real scale)
     return right - v->right;
 }
 
+/* Shift increments by W^2 Gᵀ times `part` of the stabilization of row e; dx, if given, follows. */
+static void shift_by(const cardan_alpha *v, ptrdiff_t e, real part, real *dx)
+{
+    const ptrdiff_t nu = v->nu;
+    const real *along = v->tangent + 3 * nu * nu + (v->m + e) * nu;
+
+    for (ptrdiff_t i = 0; i < nu; i++) {
+        const real step = v->weight[i] * v->weight[i] * along[i] * v->unit[e] * part;
+        v->shift[i] += step;
+        if (dx)
+            dx[i] -= step;
+    }
+}
+
+/* The shift that `closing` stands for, along the axes of the last matrix: with a shift of its own it
+ * would lag behind constraints that turn, and drift along the free directions. */
+int cardan_alpha_predict_shift(const cardan_alpha *v)
+{
+    if (v->mesh)
+        return cardan_alpha_sparse_predict_shift(v);
+    for (ptrdiff_t e = 0; e < v->mp && v->index == 2; e++)
+        if (v->picked[e] != 0)
+            shift_by(v, e, v->closing[e], NULL);
+        else
+            v->closing[e] = 0;
+    return 0;
+}
+
 /* Newton correction: solve for the residual of the trial, update a', shift and multipliers.
  *
  * dx (nu) receives the change of the increment; for h = 0 that of the accelerations.
@@ -232,7 +260,7 @@ static ptrdiff_t right_of(const cardan_alpha *v, real h, real scale)
 int cardan_alpha_correct(cardan_run *run, const cardan_alpha *v, real h, real *dx)
 {
     const ptrdiff_t nu = v->nu, extra = stabilizers(v, h);
-    const real *G = v->tangent + 3 * nu * nu + v->m * nu, *solution = v->right + nu;
+    const real *solution = v->right + nu;
     const real scale = h == 0 ? 1 : h * h * v->beta * (1 - v->af) / (1 - v->am);
     ptrdiff_t n;
 
@@ -246,16 +274,12 @@ int cardan_alpha_correct(cardan_run *run, const cardan_alpha *v, real h, real *d
         if (h != 0)
             v->a_new[i] += dx[i] / (v->beta * h * h);
     }
-    /* stabilization: shift += W^2 Gᵀ eta, subtracted from the increment */
+    /* stabilization: subtracted from the increment */
     for (ptrdiff_t e = 0; e < v->mp && extra > 0; e++) {
         if (v->picked[e] == 0)
             continue;
-        for (ptrdiff_t i = 0; i < nu; i++) {
-            const real step = v->weight[i] * v->weight[i] * G[e * nu + i] * v->unit[e] * *solution;
-            v->shift[i] += step;
-            dx[i] -= step;
-        }
-        solution++;
+        v->closing[e] += *solution;
+        shift_by(v, e, *solution++, dx);
     }
     for (ptrdiff_t k = 0; k < v->m; k++)
         if (v->picked[k] != 0)

@@ -40,6 +40,7 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
     v->udot_new = cardan_reserve(memory, &used, nu);
     v->lam_new = cardan_reserve(memory, &used, m);
     v->shift = cardan_reserve(memory, &used, nu);
+    v->closing = cardan_reserve(memory, &used, mp);
     v->increment = cardan_reserve(memory, &used, nu);
     v->residual = cardan_reserve(memory, &used, nu + mp + m);
     v->rates = cardan_reserve(memory, &used, nq);

@@ -34,6 +34,8 @@ static const real SHARE = 0.005, SOUGHT = 1e-13, MAX_TOL = 1e-11;
 static const real TRUST = 0.8;
 /* corrections due to rounding of coordinates far from the origin, in units of that rounding */
 static const real ROUNDED = 32;
+/* steps of one size after which multipliers and stabilization are predicted from the last ones */
+static const real STEADY = 2;
 /* rotation in one step [rad] above which speeds and positions may need separate matrices */
 static const real FAR = 0.25;
 /* correction that may remain due to rounding, in units of the Newton tolerance */
@@ -127,19 +129,29 @@ static int place(cardan_run *run, const cardan_alpha *v, real h)
     return status;
 }
 
-/* Predictor: extrapolate a linearly. calm: choose a' such that the increment is h u, which is safer
- * for steps longer than the oscillations of a fine mesh, as after a jump of the forces. */
+/* Predictor: extrapolate a linearly, between steps of one size lam too, and stabilize as in the step
+ * before. calm: choose a' such that the increment is h u, which is safer for steps longer than the
+ * oscillations of a fine mesh, as after a jump of the forces. */
 static int predict(cardan_run *run, const cardan_alpha *v, real h, int calm)
 {
+    const int steady = !calm && v->now[ALPHA_STEPS_SINCE_CHANGE] >= STEADY;
+    int status = 0;
+
     for (ptrdiff_t i = 0; i < v->nu; i++) {
         v->a_new[i] = calm ? (1 - 0.5 / v->beta) * v->a[i] : v->a[i] + h * v->rise[i];
         v->shift[i] = 0;
     }
-    for (ptrdiff_t k = 0; k < v->m; k++)
-        v->lam_new[k] = v->picked[k] != 0 ? v->lam[k] : 0;
+    for (ptrdiff_t k = 0; k < v->m; k++) {
+        const real change = steady ? v->lam[k] - v->lam_old[k] : 0;
+        v->lam_new[k] = v->picked[k] != 0 ? v->lam[k] + change : 0;
+    }
+    for (ptrdiff_t k = 0; k < v->mp; k++)
+        v->closing[k] = steady ? v->closing[k] : 0;
+    if (steady && v->mp > 0 && v->now[ALPHA_MATRIX] != 0)
+        status = cardan_alpha_predict_shift(v);
     for (ptrdiff_t i = run->nq + run->nu; i < run->nx; i++)
         run->trial[i] = run->y[i];
-    return place(run, v, h);
+    return status != 0 ? status : place(run, v, h);
 }
 
 /* Residual of the balance and the constraints at a state. */
@@ -161,13 +173,13 @@ static int balance(cardan_run *run, const cardan_alpha *v, real t, const real *y
 /* Residual at the trial state. */
 int cardan_alpha_balance(cardan_run *run, const cardan_alpha *v, real t)
 {
-    int status = 0;
-
-    if (run->nz > 0)
-        status = cardan_inputs_at(run, t, run->trial);
-    if (run->nz > 0 && status == 0)
-        status = cardan_alpha_internal(run, v, t);
-    return status != 0 ? status : balance(run, v, t, run->trial, v->udot_new, v->lam_new);
+    if (run->nz > 0) {
+        int status = cardan_inputs_at(run, t, run->trial);
+        status = status != 0 ? status : cardan_alpha_internal(run, v, t);
+        if (status != 0)
+            return status;
+    }
+    return balance(run, v, t, run->trial, v->udot_new, v->lam_new);
 }
 
 /* Residuals of the constraints at the trial state (without a mesh the entire residual). */
@@ -353,7 +365,7 @@ int cardan_alpha_restart(cardan_run *run, const cardan_alpha *v, real h)
             v->lam_old[k] = v->lam[k] = v->lam_new[k];
     }
     v->now[ALPHA_MATRIX] = 0;
-    v->now[ALPHA_SPLIT_LEVELS] = v->now[ALPHA_RENEW] = 0;
+    v->now[ALPHA_SPLIT_LEVELS] = v->now[ALPHA_RENEW] = v->now[ALPHA_STEPS_SINCE_CHANGE] = 0;
     v->now[ALPHA_STEP] = h;
     cardan_alpha_internal_restart(run, v, 1, 1);
     status = later(run, v, part, slope);

@@ -103,6 +103,32 @@ int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, re
     return CARDAN_MODEL;
 }
 
+/* Shift the increment until position gaps `right` are closed. */
+static int close_gaps(const cardan_alpha *v, cardan_mesh_system *system)
+{
+    int status;
+
+    for (ptrdiff_t i = 0; i < v->nu; i++)
+        system->right[i] = 0;
+    status = cardan_mesh_solve(v->mesh, system);
+    for (ptrdiff_t i = 0; i < v->nu; i++)
+        v->shift[i] -= system->solution[i];
+    return status;
+}
+
+/* The shift that `closing` stands for, by the last matrix. */
+int cardan_alpha_sparse_predict_shift(const cardan_alpha *v)
+{
+    cardan_mesh_system system = v->system;
+
+    if (!stabilized(v) || v->now[ALPHA_SPLIT_LEVELS] != 0)
+        return 0;
+    system.factors.weak = (int32_t)v->now[ALPHA_WEAK];
+    for (ptrdiff_t k = 0; k < v->m; k++)
+        system.right[v->mesh->unknown[k]] = k < v->mp ? v->closing[k] : 0;
+    return close_gaps(v, &system);
+}
+
 /* Newton correction: solve for the residual of the trial, update a', shift and multipliers.
  *
  * dx (nu) receives the change of the increment; for h = 0 that of the accelerations.
@@ -135,15 +161,15 @@ int cardan_alpha_sparse_correct(cardan_run *run, const cardan_alpha *v, real h, 
     if (!stabilized_step || status != 0)
         return status;
     /* second solve, stabilization: position gap minus the part the first solve already corrects */
-    for (ptrdiff_t i = 0; i < nu; i++)
-        system.right[i] = 0;
-    for (ptrdiff_t k = 0; k < v->m; k++)
-        system.right[unknown[k]] = k < v->mp ? -g[k] + lever * rates[k] : 0;
-    status = cardan_mesh_solve(v->mesh, &system);
-    for (ptrdiff_t i = 0; i < nu; i++) {
-        v->shift[i] -= system.solution[i];
-        dx[i] += system.solution[i];
+    for (ptrdiff_t k = 0; k < v->m; k++) {
+        const real gap = k < v->mp ? -g[k] + lever * rates[k] : 0;
+        system.right[unknown[k]] = gap;
+        if (k < v->mp)
+            v->closing[k] += gap;
     }
+    status = close_gaps(v, &system);
+    for (ptrdiff_t i = 0; i < nu; i++)
+        dx[i] += system.solution[i];
     return status;
 }
 
