@@ -42,7 +42,8 @@ FUNCTIONS = ("balance", "balance_tangent")
 COUNTS = (1, 10, 100)
 STEPS, QUICK = (240, 500, 1000, 2000), (240, 500)
 TOLERANCES = (1e-4, 3e-5, 1e-5, 1e-6)
-SEVERAL, FEW, SHORT, CALLS = 200, 20, 1e-4, 200
+# beyond the rows of a run whose balance is looked at
+SEVERAL, FEW, SHORT, CALLS = 900, 300, 1e-4, 200
 MISSING = 3
 ALPHA = cd.GeneralizedAlpha(problem.RHO_INF, index=3)
 

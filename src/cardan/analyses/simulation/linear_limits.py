@@ -74,7 +74,7 @@ def spun(model: LoadedModel, motion: TrajectoryRecord) -> str:
     for row in model.manifest.superelements:
         if row.stiffening or not row.first_frequency > 0:
             continue
-        spin, several = _spin(motion, row), row.frame_choice != row.fixed
+        spin, several = _spin(model, motion, row), row.frame_choice != row.fixed
         ratio = spin / row.first_frequency
         excess = ratio / (SPIN_OF_SEVERAL if several else SPIN)
         if excess > worst:
@@ -90,16 +90,13 @@ def spun(model: LoadedModel, motion: TrajectoryRecord) -> str:
     return text
 
 
-def _spin(motion: TrajectoryRecord, row: SuperelementRow) -> float:
+def _spin(model: LoadedModel, motion: TrajectoryRecord, row: SuperelementRow) -> float:
     """The largest spin in the mean over a period of the first vibration [rad/s].
 
     It is sqrt(w^T J w), with the inertia J over its largest moment: a spin about the axis of a
     slender body does not stretch it. A faster oscillation than its first one hardly bends it.
     """
-    assert motion.model is not None
-    w = motion.model.velocity(row.frame, motion.q, motion.u, in_="frame", t=motion.t, r=motion._r)[
-        :, :3
-    ]
+    w = model.velocity(row.frame, motion.q, motion.u, in_="frame", t=motion.t, r=motion._r)[:, :3]
     squares = np.einsum("ti,ij,tj->t", w, np.reshape(row.relative_inertia, (3, 3)), w)
     good = np.isfinite(squares)
     t, squares = motion.t[good], squares[good]
@@ -113,10 +110,8 @@ def _means(t: Array, values: Array, period: float) -> Array:
     parts = np.diff(t) * (values[1:] + values[:-1]) / 2
     integral = np.concatenate([[0.0], np.cumsum(parts)])
     width = min(period, t[-1] - t[0])
-    starts = np.maximum(t - width, t[0])
-    means = (integral - np.interp(starts, t, integral)) / width
     # at early times the interval is shorter than the width, so that these means are too small
-    return np.asarray(means)
+    return np.asarray((integral - np.interp(np.maximum(t - width, t[0]), t, integral)) / width)
 
 
 LIMITS: tuple[Callable[[LoadedModel, TrajectoryRecord], str], ...] = (rotated, spun)

@@ -97,11 +97,9 @@ class Scene:
         trees: dict[int, list[int]] = {}
         first: dict[int, int] = {}
         for i in sorted(self.in_trees):
-            parent = self.system.bodies[i].parent
-            # one tree for all that hangs on a node, one for each branch on the ground
-            key = first[parent] if parent in first else i if parent == GROUND else -2 - parent
-            first[i] = key
-            trees.setdefault(key, []).append(i)
+            # branches on one base are trees of their own: they couple through the base alone
+            first[i] = first.get(self.system.bodies[i].parent, i)
+            trees.setdefault(first[i], []).append(i)
         return tuple(map(tuple, trees.values()))
 
     @cached_property

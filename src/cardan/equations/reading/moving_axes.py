@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, NoReturn, Protocol, TypeAlias
+from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
 import numpy as np
 
@@ -25,15 +25,10 @@ from ..record import EquationRecord
 if TYPE_CHECKING:
     import sympy
 
-
-class _Frame(Protocol):
-    """A frame or body of a scene."""
-
-    @property
-    def name(self) -> str: ...
+    from ...scene.frame import Located
 
 
-Place: TypeAlias = "_Frame | str"
+Place: TypeAlias = "Located | str"
 
 
 class MovingAxes:

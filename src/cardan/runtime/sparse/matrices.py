@@ -43,6 +43,11 @@ class Matrices:
         poses = [kind.node for kind in tables.kinds]
         massless = np.zeros(len(total), bool)
         massless[:places] = ~np.array(poses, bool)[tables.kind] if places else False
+        bound = [place for g in tables.groups if g.kind.m for place in np.unique(g.place)]
+        for group in tables.groups:
+            # its coordinates have masses of their own, unlike those of joints between nodes
+            if group.kind.name.startswith("superelement"):
+                massless[np.setdiff1d(group.place, bound)] = False
         switched = np.zeros(len(total), bool)
         for group, count, start in zip(tables.groups, having, starts, strict=False):
             switched[start : start + count] = "H" in group.kind.parts

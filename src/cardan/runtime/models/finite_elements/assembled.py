@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from math import prod
 from typing import TYPE_CHECKING, final
 
 import numpy as np
+from numpy.lib.stride_tricks import as_strided
 
 from ....arrays import Array
 from ....errors import ModelError
@@ -79,16 +80,8 @@ class Assembled(Source):
         record = results.mesh.record
         count = ctypes.sizeof(record) // 8
         w = np.ctypeslib.as_array((ctypes.c_double * count).from_buffer(record))
-        caller = Caller(
-            f"{name}('{of}')" if of else name,
-            address,
-            arguments,
-            shape,
-            entries,
-            0,
-            w,
-            evaluator=_Evaluator(results.of(name, of)),  # type: ignore[arg-type]
-        )
+        label, one = f"{name}('{of}')" if of else name, _Evaluator(results, name, of)
+        caller = Caller(label, address, arguments, shape, entries, 0, w, evaluator=one)  # type: ignore[arg-type]
         return LoadedFunction(name, of, code, w, caller, caller, results.mesh.interpreted)
 
     def _code(
@@ -98,13 +91,14 @@ class Assembled(Source):
         # runs call these from C: closures over the mesh
         if name in NEEDED:
             address, work = mesh.closure(name), mesh.work
+        row = ResultRow(name=name, shape=list(shape), entries=list(entries))
         entry = FunctionRow(
             file="",
             symbol=name,
             work_size=work,
             prepared_size=0,
             output_size=prod(shape),
-            outputs=[ResultRow(name=name, shape=list(shape), entries=list(entries))],
+            outputs=[row],
             operations={},
             inputs=[],
             lanes=[1],
@@ -114,10 +108,12 @@ class Assembled(Source):
 
 
 class _Evaluator:
-    """A function of one state, called as generated C is; see :class:`.Interpreted`."""
+    """A function of states, called as generated C is; see :class:`.Interpreted`."""
 
-    def __init__(self, function: Callable[[dict[str, Array]], Array]) -> None:
-        self.function = function
+    def __init__(self, results: Results, name: str, of: str | None) -> None:
+        self.function = results.of(name, of)
+        # functions of many states at once need to know where each ends
+        self.sizes = results.tables.sizes if results.at_once(name, of) else None
 
     def run(
         self, blocks: list[Array | None], strides: Sequence[int], out: Array
@@ -126,6 +122,14 @@ class _Evaluator:
         present = [
             (n, b, d) for n, b, d in zip(ORDER, blocks, strides, strict=True) if b is not None
         ]
+        if self.sizes is not None:
+            rows = {
+                name: as_strided(block, (len(out), self.sizes[name]), (8 * stride, 8))
+                for name, block, stride in present
+                if name in self.sizes
+            }
+            out[:] = np.reshape(self.function(rows), (len(out), -1))
+            return 0, -1
         for k in range(len(out)):
             here = {name: block[k * stride :] for name, block, stride in present}
             out[k] = np.reshape(self.function(here), -1)

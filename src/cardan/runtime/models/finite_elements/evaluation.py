@@ -75,6 +75,11 @@ class Results:
         function: Callable[..., Array] = getattr(self, name)
         return function if of is None else partial(function, of)
 
+    def at_once(self, name: str, of: str | None) -> bool:
+        """Whether a function takes blocks of many states (n, ...)."""
+        on_node = of is not None and of not in self.in_trees
+        return on_node and name in {"pose", "velocity", "acceleration"}
+
     def shape(self, name: str) -> tuple[tuple[int, ...], list[str]]:
         """Shape of a result, and names of its numbers."""
         row, names = FUNCTIONS[name], self._names
@@ -88,10 +93,8 @@ class Results:
 
     def _at(self, inputs: Inputs, **more: Array) -> State:
         """A state of given blocks; arrays may be longer than what belongs to it."""
-        tables = self.tables
-        sizes = {"q": tables.nq, "u": tables.nu, "udot": tables.nu, "lam": tables.m}
-        sizes |= {"z": tables.nz, "s": tables.ns, "r": tables.nr}
-        blocks: dict[str, Any] = {n: inputs[n][:k] for n, k in sizes.items() if n in inputs and k}
+        sizes = self.tables.sizes.items()
+        blocks: dict[str, Any] = {n: inputs[n][:k] for n, k in sizes if n in inputs and k}
         return State(t=float(inputs["t"][0]) if "t" in inputs else 0.0, **(blocks | more))
 
     def _small(self, name: str, rows: int) -> None:

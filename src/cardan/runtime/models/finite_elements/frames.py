@@ -28,6 +28,11 @@ def rotation(q: Array) -> Array:
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
+def rotate(R: Array, vectors: Array) -> Array:
+    """R v, of matrices (..., 3, 3) and vectors (..., 3)."""
+    return np.asarray(np.einsum("...ij,...j->...i", R, vectors))
+
+
 class Frames:
     """Frames by where they stand on their places: nodes, or the ground."""
 
@@ -58,11 +63,11 @@ class Frames:
         return rotation(node_pose[..., :4]), node_pose[..., 4:]
 
     def _speeds(self, frame: str, u: Array) -> tuple[Array, Array]:
-        """Angular velocity in its axes and velocity in ground axes of the node, (3,) each."""
+        """Angular velocity in its axes and velocity in ground axes of the node, (..., 3) each."""
         (_, start), plane = self._starts[frame] or (0, 0), self._planes[frame]
         size = 6 if plane is None else 3
-        twist = speeds(plane, u[start : start + size])
-        return twist[:3], twist[3:]
+        twist = speeds(plane, u[..., start : start + size])
+        return twist[..., :3], twist[..., 3:]
 
     def pose(self, frame: str, q: Array) -> Array:
         """Transforms (..., 4, 4) from the axes of a frame to those of the ground."""
@@ -73,25 +78,25 @@ class Frames:
         return T
 
     def velocity(self, frame: str, q: Array, u: Array) -> Array:
-        """Angular velocity and velocity of the origin (6,), ground axes."""
+        """Angular velocity and velocity of the origin (..., 6), ground axes."""
         start = self._starts[frame]
         if start is None:
-            return np.zeros(6)
+            return np.zeros((*u.shape[:-1], 6))
         R, _ = self._node(frame, q)
         omega_node, v = self._speeds(frame, u)
-        omega = R @ omega_node
-        return np.concatenate([omega, v + np.cross(omega, R @ self._position[frame])])
+        omega = rotate(R, omega_node)
+        return np.concatenate([omega, v + np.cross(omega, R @ self._position[frame])], axis=-1)
 
     def acceleration(self, frame: str, q: Array, u: Array, udot: Array) -> Array:
-        """Angular acceleration and acceleration of the origin (6,), ground axes."""
+        """Angular acceleration and acceleration of the origin (..., 6), ground axes."""
         start = self._starts[frame]
         if start is None:
-            return np.zeros(6)
+            return np.zeros((*u.shape[:-1], 6))
         R, _ = self._node(frame, q)
         arm, (alpha_node, a) = R @ self._position[frame], self._speeds(frame, udot)
-        omega, alpha = R @ self._speeds(frame, u)[0], R @ alpha_node
+        omega, alpha = rotate(R, self._speeds(frame, u)[0]), rotate(R, alpha_node)
         a = a + np.cross(alpha, arm) + np.cross(omega, np.cross(omega, arm))
-        return np.concatenate([alpha, a])
+        return np.concatenate([alpha, a], axis=-1)
 
     def jacobian(self, frame: str, q: Array, nu: int) -> Array:
         """J (6, nu) with velocity = J u."""

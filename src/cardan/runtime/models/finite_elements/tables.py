@@ -98,6 +98,12 @@ class Tables:
         """(places + 1,) first speed of every place."""
         return self._starts([kind.nu for kind in self.kinds])
 
+    @cached_property
+    def sizes(self) -> dict[str, int]:
+        """Entries of the blocks of a state."""
+        speeds = {"u": self.nu, "udot": self.nu, "lam": self.m}
+        return {"q": self.nq, **speeds, "z": self.nz, "s": self.ns, "r": self.nr}
+
     @property
     def driven(self) -> bool:
         """True when something is driven along a motion: its power is that of its multipliers."""
