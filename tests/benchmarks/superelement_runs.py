@@ -12,7 +12,7 @@ import argparse
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from importlib.util import find_spec
@@ -112,13 +112,20 @@ def instances(rounds: int, counts: tuple[int, ...]) -> Iterator[Instances]:
             return time.thread_time() - begin
 
         spin(1)
-        least = min(spin(SEVERAL) - spin(FEW) for _ in range(rounds)) / (SEVERAL - FEW)
+        turns = [(spin(SEVERAL), spin(FEW)) for _ in range(rounds)]
+        least = difference(turns) / (SEVERAL - FEW)
         # lanes that are left over are computed too
         times = [
             _call(problem.booms("root"), name, width, every, CALLS)[1] * every / count
             for name in FUNCTIONS
         ]
         yield Instances(count, times[0], times[1], 1e9 * least / count)
+
+
+def difference(turns: Iterable[tuple[float, float]]) -> float:
+    """Of the least long time and the least short one [s]: what disturbs one turn counts once."""
+    longer, shorter = zip(*turns, strict=True)
+    return float(min(longer) - min(shorter))
 
 
 def _ours(model: Any, flexible: bool, options: dict[str, Any]) -> Callable[[bool], Any]:
@@ -151,17 +158,17 @@ def steps_of(models: dict[str, Any], rounds: int, exact: Array) -> Iterator[Step
     cases = {
         name: _ours(model, not name.startswith("rigid"), options) for name, model in models.items()
     }
-    spent: dict[str, list[float]] = {name: [] for name in cases}
+    spent: dict[str, list[tuple[float, float]]] = {name: [] for name in cases}
     for call in cases.values():
         call(True)
     for _ in range(rounds):
         for name, call in cases.items():
-            spent[name].append(call(True)[0] - call(False)[0])
-    base = min(spent["rigid, on nodes"])
+            spent[name].append((call(True)[0], call(False)[0]))
+    base = difference(spent["rigid, on nodes"])
     for name, call in cases.items():
         middle = call(True)[1]
         miss = float("nan") if name.startswith("rigid") else distance(middle, exact)
-        least = min(spent[name])
+        least = difference(spent[name])
         yield Step(name, models[name].nu, 1e6 * least / n, least / base, miss)
 
 
@@ -214,14 +221,14 @@ def _theirs(build: Any, size: int, steps: int, sparse: bool, whole: bool) -> tup
 def curves(models: dict[str, Any], steps: tuple[int, ...], rounds: int) -> Iterator[Point]:
     """Time of a turn, without its start, beside the error of the middle; turn by turn."""
     every, exact, of_cables = list(cases(models, steps)), reference(), cable_reference()
-    spent: list[list[float]] = [[] for _ in every]
+    spent: list[list[tuple[float, float]]] = [[] for _ in every]
     for _ in range(rounds):
         for times, case in zip(spent, every, strict=True):
-            times.append(case.call(True)[0] - case.call(False)[0])
+            times.append((case.call(True)[0], case.call(False)[0]))
     for times, case in zip(spent, every, strict=True):
         target = of_cables if "cable" in case.program else exact
         miss = distance(case.call(True)[1], target)
-        yield Point(case.program, case.size, case.effort, min(times), miss)
+        yield Point(case.program, case.size, case.effort, difference(times), miss)
 
 
 def main() -> int:

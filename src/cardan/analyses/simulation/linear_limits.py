@@ -70,11 +70,12 @@ def spun(model: LoadedModel, motion: TrajectoryRecord) -> str:
 
     "" if all spin slowly compared with their first frequency, or have stiffening.
     """
-    worst, text = 1.0, ""
+    worst, text, q, u = 1.0, "", np.ascontiguousarray(motion.q), np.ascontiguousarray(motion.u)
     for row in model.manifest.superelements:
         if row.stiffening or not row.first_frequency > 0:
             continue
-        spin, several = _spin(model, motion, row), row.frame_choice != row.fixed
+        w = model.velocity(row.frame, q, u, in_="frame", t=motion.t, r=motion._r)[:, :3]
+        spin, several = _spin(motion.t, w, row), row.frame_choice != row.fixed
         ratio = spin / row.first_frequency
         excess = ratio / (SPIN_OF_SEVERAL if several else SPIN)
         if excess > worst:
@@ -90,16 +91,15 @@ def spun(model: LoadedModel, motion: TrajectoryRecord) -> str:
     return text
 
 
-def _spin(model: LoadedModel, motion: TrajectoryRecord, row: SuperelementRow) -> float:
+def _spin(t: Array, w: Array, row: SuperelementRow) -> float:
     """The largest spin in the mean over a period of the first vibration [rad/s].
 
     It is sqrt(w^T J w), with the inertia J over its largest moment: a spin about the axis of a
     slender body does not stretch it. A faster oscillation than its first one hardly bends it.
     """
-    w = model.velocity(row.frame, motion.q, motion.u, in_="frame", t=motion.t, r=motion._r)[:, :3]
     squares = np.einsum("ti,ij,tj->t", w, np.reshape(row.relative_inertia, (3, 3)), w)
     good = np.isfinite(squares)
-    t, squares = motion.t[good], squares[good]
+    t, squares = t[good], squares[good]
     if len(t) < 2 or t[-1] <= t[0]:
         return float(np.sqrt(squares.max(initial=0.0)))
     return float(np.sqrt(_means(t, squares, 2 * np.pi / row.first_frequency).max()))
@@ -107,8 +107,7 @@ def _spin(model: LoadedModel, motion: TrajectoryRecord, row: SuperelementRow) ->
 
 def _means(t: Array, values: Array, period: float) -> Array:
     """Means (n,) over the period that ends at each time, which is cut off at the start."""
-    parts = np.diff(t) * (values[1:] + values[:-1]) / 2
-    integral = np.concatenate([[0.0], np.cumsum(parts)])
+    integral = np.concatenate([[0.0], np.cumsum(np.diff(t) * (values[1:] + values[:-1]) / 2)])
     width = min(period, t[-1] - t[0])
     # at early times the interval is shorter than the width, so that these means are too small
     return np.asarray((integral - np.interp(np.maximum(t - width, t[0]), t, integral)) / width)
