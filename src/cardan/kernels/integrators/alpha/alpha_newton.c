@@ -34,6 +34,8 @@ static const real SHARE = 0.005, SOUGHT = 1e-13, MAX_TOL = 1e-11;
 static const real TRUST = 0.8;
 /* corrections due to rounding of coordinates far from the origin, in units of that rounding */
 static const real ROUNDED = 32;
+/* rotation [rad] by which the directions of the stabilization may lag behind the constraints */
+static const real LAG = 0.15;
 /* steps of one size after which multipliers and stabilization are predicted from the last ones */
 static const real STEADY = 2;
 /* rotation in one step [rad] above which speeds and positions may need separate matrices */
@@ -262,7 +264,7 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
      * corrections do not show this near a point fixed in space, where nothing moves. */
     if (v->mesh && v->m > 0) {
         v->now[ALPHA_ROTATION] += cardan_alpha_sparse_turn(run, v, h);
-        stale |= v->now[ALPHA_ROTATION] > SLOW;
+        stale |= v->now[ALPHA_ROTATION] > (shares ? LAG : SLOW);
     }
     stale |= v->mesh && v->now[ALPHA_EXTRA] > PRICE;
     /* the matrix failed recently: start with a new one right away */
@@ -281,6 +283,9 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
             v->now[ALPHA_FEWEST] = v->now[ALPHA_EXTRA] = 0;
             stale = 0;
             tangents++;
+            /* the predicted shift acts along the constraints of the new matrix */
+            if (k == 0 && v->mp > 0 && status == 0)
+                status = predict(run, v, h, 0);
         }
         status = status != 0 ? status : correct(run, v, h, t_new);
         norm = status == 0 ? left_by(run, v, v->dx, most, &status) : 0;
