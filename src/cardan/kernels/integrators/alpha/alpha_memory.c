@@ -46,7 +46,8 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
     v->rates = cardan_reserve(memory, &used, nq);
     v->dx = cardan_reserve(memory, &used, nu);
     v->mesh = run->mesh;
-    lay_states(run, v, memory, &used);
+    if (run->nz > 0)
+        lay_states(run, v, memory, &used);
     /* a mesh has sparse systems in place of the dense matrices below */
     if (v->mesh)
         return used + cardan_alpha_sparse_lay(v->mesh, memory ? memory + used : memory, v);
@@ -69,27 +70,26 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
  * beta = (1 - am + af)^2 / 4. HHT has am = 0, Newmark am = af = 0.
  * Other defaults: stabilized index 2, modified Newton, adaptive.
  */
-static cardan_alpha method_of(const cardan_run *run)
+static void set_coefficients(const cardan_run *run, cardan_alpha *v)
 {
     static const real usual[7] = {1.0 / 3, 4.0 / 9, 100.0 / 324, 11.0 / 18, 2, 0, 1};
     const real *options = run->options ? run->options : usual;
-    cardan_alpha v = {0};
 
-    v.am = options[0];
-    v.af = options[1];
-    v.beta = options[2];
-    v.gamma = options[3];
-    v.index = (ptrdiff_t)options[4];
-    v.full = (ptrdiff_t)options[5];
-    v.adaptive = (ptrdiff_t)options[6];
-    return v;
+    v->am = options[0];
+    v->af = options[1];
+    v->beta = options[2];
+    v->gamma = options[3];
+    v->index = (ptrdiff_t)options[4];
+    v->full = (ptrdiff_t)options[5];
+    v->adaptive = (ptrdiff_t)options[6];
 }
 
 /* The method with its arrays in the memory of a run. */
 cardan_alpha cardan_alpha_at(const cardan_run *run)
 {
-    cardan_alpha v = method_of(run);
+    cardan_alpha v = {0};
 
+    set_coefficients(run, &v);
     (void)lay(run, &v);
     return v;
 }
@@ -97,8 +97,9 @@ cardan_alpha cardan_alpha_at(const cardan_run *run)
 ptrdiff_t cardan_alpha_length(const cardan_run *run)
 {
     cardan_run measured = *run;
-    cardan_alpha v = method_of(run);
+    cardan_alpha v = {0};
 
+    set_coefficients(run, &v);
     measured.method_memory = NULL;
     return lay(&measured, &v);
 }
