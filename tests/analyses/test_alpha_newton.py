@@ -10,6 +10,9 @@ import pytest
 
 import cardan as cd
 from analyses.test_alpha import SPEED, spinning, top
+from benchmarks.superelement_problem import START as SPIN
+from benchmarks.superelement_problem import TURN as RUN
+from benchmarks.superelement_problem import slider_crank
 from cardan.errors import ModelError
 from cardan.runtime.models.finite_elements.frames import rotation
 
@@ -96,6 +99,16 @@ def test_full_and_modified_newton_steps_agree(index: int) -> None:
     # the start has one of its own
     assert made[1] >= 2 * 500
     assert made[0] <= 1.1 * 500
+
+
+@pytest.mark.parametrize("frame", ["pin", "chord", "mean"])
+def test_tangents_of_a_stiff_mechanism_serve_several_steps(frame: str) -> None:
+    """Where the stabilization began at zero, three steps took five tangents."""
+    model = cd.compile(slider_crank(frame))
+    method, step = cd.GeneralizedAlpha(0.8), RUN / 1000
+    told = model.simulate(0.2 * RUN, u=SPIN, method=method, step=step).statistics
+    assert told["evaluations"] <= 3.5 * told["steps"]
+    assert told["jacobians"] <= 0.5 * told["steps"]
 
 
 def test_newton_steps_are_full_or_modified() -> None:
