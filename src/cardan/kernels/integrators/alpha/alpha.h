@@ -92,14 +92,14 @@ ptrdiff_t cardan_alpha_matrix(cardan_run *run, real h, real *matrix);
 int cardan_alpha_renew(cardan_run *run, const cardan_alpha *v, real h, real t, const real *y,
                        const real *udot, const real *lam);
 int cardan_alpha_correct(cardan_run *run, const cardan_alpha *v, real h, real *dx);
-int cardan_alpha_predict_shift(const cardan_alpha *v);
+int cardan_alpha_shift(const cardan_alpha *v);
 
 /* alpha_sparse.c */
 ptrdiff_t cardan_alpha_sparse_lay(const cardan_mesh *mesh, real *memory, cardan_alpha *v);
 int cardan_alpha_sparse_sound(const cardan_alpha *v);
 int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, real t,
                               const real *y, const real *udot, const real *lam);
-int cardan_alpha_sparse_predict_shift(const cardan_alpha *v);
+int cardan_alpha_sparse_shift(const cardan_alpha *v);
 int cardan_alpha_sparse_correct(cardan_run *run, const cardan_alpha *v, real h, real *dx);
 real cardan_alpha_sparse_turn(const cardan_run *run, const cardan_alpha *v, real h);
 int cardan_alpha_sparse_settle(cardan_run *run, const cardan_alpha *v, real h, real t, real *dx);

@@ -241,10 +241,12 @@ static void shift_by(const cardan_alpha *v, ptrdiff_t e, real part, real *dx)
 
 /* The shift that `closing` stands for, along the axes of the last matrix: with a shift of its own it
  * would lag behind constraints that turn, and drift along the free directions. */
-int cardan_alpha_predict_shift(const cardan_alpha *v)
+int cardan_alpha_shift(const cardan_alpha *v)
 {
     if (v->mesh)
-        return cardan_alpha_sparse_predict_shift(v);
+        return cardan_alpha_sparse_shift(v);
+    for (ptrdiff_t i = 0; i < v->nu; i++)
+        v->shift[i] = 0;
     for (ptrdiff_t e = 0; e < v->mp && v->index == 2; e++)
         if (v->picked[e] != 0)
             shift_by(v, e, v->closing[e], NULL);

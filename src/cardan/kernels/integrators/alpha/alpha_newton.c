@@ -150,7 +150,7 @@ static int predict(cardan_run *run, const cardan_alpha *v, real h, int calm)
     for (ptrdiff_t k = 0; k < v->mp; k++)
         v->closing[k] = steady ? v->closing[k] : 0;
     if (steady && v->mp > 0 && v->now[ALPHA_MATRIX] != 0)
-        status = cardan_alpha_predict_shift(v);
+        status = cardan_alpha_shift(v);
     for (ptrdiff_t i = run->nq + run->nu; i < run->nx; i++)
         run->trial[i] = run->y[i];
     return status != 0 ? status : place(run, v, h);
@@ -199,10 +199,17 @@ int cardan_alpha_gaps(cardan_run *run, const cardan_alpha *v, real t)
     return run->model_status != 0 ? CARDAN_MODEL : 0;
 }
 
-/* New matrix at the trial state. */
+/* New matrix at the trial state; what the stabilization closed so far it closes along the new axes. */
 static int renew(cardan_run *run, const cardan_alpha *v, real h, real t)
 {
-    return cardan_alpha_renew(run, v, h, t, run->trial, v->udot_new, v->lam_new);
+    int status = cardan_alpha_renew(run, v, h, t, run->trial, v->udot_new, v->lam_new);
+
+    v->now[ALPHA_AGE] = v->now[ALPHA_ROTATION] = 0;
+    v->now[ALPHA_FEWEST] = v->now[ALPHA_EXTRA] = 0;
+    if (status != 0 || v->mp == 0)
+        return status;
+    status = cardan_alpha_shift(v);
+    return status != 0 ? status : place(run, v, h);
 }
 
 /* Stopping criterion: the sum of all later corrections, norm rate / (1 - rate), is at most 1.
@@ -252,7 +259,7 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
     const real other = v->now[ALPHA_MATRIX] / h - 1;
     const int shares = v->mesh && v->index == 2 && v->mp > 0;
     real last = INFINITY;
-    int tangents = 0, stale = 0, status = predict(run, v, h, 0);
+    int tangents = 0, stale = 0, afresh = 0, status = predict(run, v, h, 0);
     const real most = status == 0 ? leaves(run, v, h, &status) : 0;
 
     /* no matrix yet, or one of a very different step size */
@@ -279,18 +286,18 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
 
         if (stale || v->full) {
             status = renew(run, v, h, t_new);
-            v->now[ALPHA_AGE] = v->now[ALPHA_ROTATION] = 0;
-            v->now[ALPHA_FEWEST] = v->now[ALPHA_EXTRA] = 0;
             stale = 0;
             tangents++;
-            /* the predicted shift acts along the constraints of the new matrix */
-            if (k == 0 && v->mp > 0 && status == 0)
-                status = predict(run, v, h, 0);
         }
         status = status != 0 ? status : correct(run, v, h, t_new);
         norm = status == 0 ? left_by(run, v, v->dx, most, &status) : 0;
         if (status != 0)
             return status;
+        /* far from the solution the constraints are others, and redundant ones may seem independent */
+        if (afresh && v->mp > 0) {
+            afresh = 0, stale = 1;
+            continue;
+        }
         /* first correction: the rate of an earlier step, discounted; then the measured rate */
         rate = v->adaptive || v->mesh ? pow(v->now[ALPHA_RATE], TRUST) : norm <= 1 ? 0.5 : 1;
         if (last < INFINITY)
@@ -311,7 +318,8 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
             if (tangents == 0 && v->now[ALPHA_AGE] <= 1)
                 v->now[ALPHA_RENEW] = HASTE;
             /* diverging: start over from constant velocities, with a matrix factored at that state */
-            if (!(rate < 1))
+            afresh = !(rate < 1);
+            if (afresh)
                 status = predict(run, v, h, 1);
             stale = 1;
             norm = v->full && rate < 1 ? norm : INFINITY;

@@ -117,12 +117,14 @@ static int close_gaps(const cardan_alpha *v, cardan_mesh_system *system)
 }
 
 /* The shift that `closing` stands for, by the last matrix. */
-int cardan_alpha_sparse_predict_shift(const cardan_alpha *v)
+int cardan_alpha_sparse_shift(const cardan_alpha *v)
 {
     cardan_mesh_system system = v->system;
 
     if (!stabilized(v) || v->now[ALPHA_SPLIT_LEVELS] != 0)
         return 0;
+    for (ptrdiff_t i = 0; i < v->nu; i++)
+        v->shift[i] = 0;
     system.factors.weak = (int32_t)v->now[ALPHA_WEAK];
     for (ptrdiff_t k = 0; k < v->m; k++)
         system.right[v->mesh->unknown[k]] = k < v->mp ? v->closing[k] : 0;
