@@ -228,6 +228,20 @@ def test_prescribed_motion(crank: cd.CompiledModel) -> None:
     assert found["hinge"] == pytest.approx(-0.5, abs=1e-12)
 
 
+@pytest.mark.parametrize("coordinates", ["relative", "absolute"])
+def test_internal_states_come_to_rest_on_the_way_down(coordinates: str) -> None:
+    """They crept away from rest: their rates fall as they rise, forces rise with positions."""
+    scene = pendulum()
+    scene.force("spring", cd.JointSpring("pivot", stiffness=2.0))
+    rod = scene.bodies["rod"]
+    scene.force("strut", cd.Maxwell(scene.ground.at(0.2, 0, -2), rod.at(0, 0, -1), 300.0, 10.0))
+    found = cd.compile(scene, coordinates=coordinates).equilibrium(stable=True, q={"pivot": 2.0})
+    assert found.converged
+    # nothing is left of the strut
+    assert found["strut.force"] == pytest.approx(0.0, abs=1e-6)
+    assert found["pivot"] == pytest.approx(0.0, abs=1e-8)
+
+
 @pytest.mark.parametrize(
     ("call", "kind", "said"),
     [

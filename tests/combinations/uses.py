@@ -33,18 +33,34 @@ def equilibrium(names: Names) -> None:
     """Rest is the same place in both kinds of coordinates, and accelerations vanish there."""
     mine, theirs = route(names), other_route(names)
     here = resting(mine)
-    joints = {
+
+    def rests(q: Any, z: Any) -> bool:
+        rates = mine.model.forward_dynamics(q, here.u, z=z, t=here.t, s=here.point.at.s)
+        return bool(np.abs(rates - here.point.at.udot).max() < 1e-5)
+
+    assert rests(here.q, mine.model.parts_of(here.x)[2])
+    if {*names} & DRY:
+        return
+    there = resting(theirs, q=joints_of(mine, here, theirs))
+    if any(row.level == "velocity" for row in mine.model.manifest.multipliers):
+        # what rolls rests in sets of places: the other one must belong to the same set
+        # (J. I. Neimark, N. A. Fufaev, Dynamics of Nonholonomic Systems, chapter 5)
+        model = mine.model
+        named = [
+            [there.named[name] for name in part] for part in (model.coordinates, model.internals)
+        ]
+        assert rests(*map(np.array, named))
+        return
+    np.testing.assert_allclose(outputs(mine, here), outputs(theirs, there), atol=REST)
+
+
+def joints_of(mine: Route, here: cd.Equilibrium, theirs: Route) -> dict[str, Any]:
+    """The joints of a position, as those of another model: it may rest in several places."""
+    return {
         row.name: here.q[slice(row.q[0], row.q[0] + row.q[1])]
         for row in mine.model.manifest.joints
         if row.q and row.q[1] and row.name in theirs.model.joints
     }
-    z, s = mine.model.parts_of(here.x)[2], here.point.at.s
-    rates = mine.model.forward_dynamics(here.q, here.u, z=z, t=here.t, s=s)
-    assert np.abs(rates - here.point.at.udot).max() < 1e-5
-    if {*names} & DRY:
-        return
-    there = resting(theirs, q=joints)
-    np.testing.assert_allclose(outputs(mine, here), outputs(theirs, there), atol=REST)
 
 
 def resting(side: Route, **start: Any) -> cd.Equilibrium:
@@ -83,7 +99,10 @@ def linearize(names: Names) -> None:
         size = np.abs(ours.A).max(initial=1.0)
         np.testing.assert_allclose(ours.A, matrix, atol=EIGEN * size)
     elif not {*names} & DRY:
-        one, two = (side.model.linearize(resting(side)).eigenvalues for side in sides)
+        here = resting(sides[0])
+        there = resting(sides[1], q=joints_of(sides[0], here, sides[1]))
+        rests = zip(sides, (here, there), strict=True)
+        one, two = (side.model.linearize(rest).eigenvalues for side, rest in rests)
         assert one.shape == two.shape, (one.shape, two.shape)
         gaps = np.abs(one[:, None] - two).min(axis=1)
         assert gaps.max(initial=0.0) < EIGEN * np.abs(one).max(initial=1.0), gaps
@@ -133,7 +152,10 @@ def export(names: Names) -> None:
         assert said.returncode == 0, said.stderr
     x = [float(line.split("=")[1]) for line in said.stdout.splitlines() if line.startswith("x[")]
     motion = side.model.simulate(SPAN, **FINE)
-    np.testing.assert_allclose(x, motion.x[-1], rtol=EXPORTED, atol=EXPORTED)
+    # exported runs do not end steps where forces jump in time, and mechanisms may magnify that
+    coarser = side.model.simulate(SPAN, **{**FINE, "rtol": 3 * FINE["rtol"]})
+    doubt = float(np.abs(coarser.x[-1] - motion.x[-1]).max())
+    np.testing.assert_allclose(x, motion.x[-1], rtol=EXPORTED, atol=max(EXPORTED, doubt))
 
 
 def save(names: Names) -> None:

@@ -141,6 +141,7 @@ parameters.
 
 The column *of systems with* says what a system must have for the function. Equations
 [taken over from SymPy](sympy.md) have no bodies, inertias, kinetic energy or causes of forces.
+Friction that follows from reactions in closed loops is not known from accelerations.
 The column *over elements* says whether the function exists in
 [absolute coordinates](coordinates.md) too, where it runs over tables of elements.
 The column *verified* says whether an independent method checks it.

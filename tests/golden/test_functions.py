@@ -26,7 +26,7 @@ ACCEPT = "pytest tests/golden/test_functions.py --accept"
 NEEDS = {
     *("constraints", "events", "closed form", "linear"),
     *("bodies", "inertias", "kinetic energy", "causes of forces"),
-    *("element forces", "internal states"),
+    *("element forces", "internal states", "known friction"),
 }
 # what a system has as many of as its elements say
 OPEN = ("ndependent", "nclosing", "ncosines", "nphi", "nsources", "ny")

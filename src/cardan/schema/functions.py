@@ -27,7 +27,7 @@ forward_dynamics | t q u z s r tau | nu | rad/s^2 or m/s^2 | | elements rewritab
     udot with M udot + h = f + tau
     like: u
     also: wrenches parameters out
-inverse_dynamics | t q u udot z s r | nu | N m or N | | elements rewritable
+inverse_dynamics | t q u udot z s r | nu | N m or N | known friction | elements rewritable
     tau with M udot + h = f + tau
     like: u
     also: wrenches parameters out
@@ -153,13 +153,13 @@ strain_balance | t q lam r s | nu+npositions | of tau, then of g | | rewritable 
     gradient of the strain energy along the speeds, less Gᵀ lam; then g
 move | q du | nq+ntangent | of q, then 1 | | elements rare internal no_derivative
     q moved by the increment du along the speeds, and its tangent
-regressor | t q u udot z s r | nu nphi | of tau per phi | inertias, linear | rare
+regressor | t q u udot z s r | nu nphi | of tau per phi | inertias, linear, known friction | rare
     Y: tau is Y phi and what does not depend on phi, the inertial parameters
     source: Atkeson, An and Hollerbach, Int. J. Robotics Research 5 (1986).
     The numbers phi are named by ``inertial_parameters``: ten of every body, then
     coefficients of force elements. Nothing else is left over in a robot whose forces are
     gravity, damping and friction.
-energy_regressor | t q u r z s | 3 nphi | J, J and W per phi | inertias, linear | rare
+energy_regressor | t q u r z s | 3 nphi | J, J, W per phi | inertias, linear, known friction | rare
     kinetic and potential energy, and power without a potential, per inertial parameter
     source: Gautier and Khalil, IEEE Conf. Decision and Control (1988).
     The power is that of coefficients without a potential, such as damping, negative where

@@ -203,18 +203,15 @@ def crept(
     K, G = problem.tangent(point, load)
     force, gap = problem.residual(point, load)
     unit = max(float(abs(K).max()), float(np.abs(force).max(initial=0.0)), 1e-300)
-    below = float(saddle.lowest(K, G).values[:1].min(initial=0.0))
+    nu = len(problem.system.columns)
+    below = float(saddle.lowest(K[:nu, :nu], G[:, :nu]).values[:1].min(initial=0.0))
     # where the stiffness pushes away, enough of it to lead down
-    thick = _added(K, max(resistance * unit, -2 * below))
+    amounts = np.full(K.shape[0], max(resistance * unit, -2 * below))
+    # internal states follow their rates, which fall as they rise
+    amounts[nu:] = -resistance * float(abs(K[nu:, nu:]).max()) if len(amounts) > nu else 0.0
+    thick = csr_array(K + diags_array(amounts)) if issparse(K) else K + np.diag(amounts)
     step, y = saddle.solve(thick, G, -force, -gap)
     return step, y, below, unit
-
-
-def _added(K: Matrix, amount: float) -> Matrix:
-    n = K.shape[0]
-    if issparse(K):
-        return csr_array(K + diags_array(np.full(n, amount)))
-    return K + amount * np.eye(n)
 
 
 def _size(step: Array) -> float:

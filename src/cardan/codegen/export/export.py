@@ -9,9 +9,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ...equations.functions.recipes import missing
 from ...equations.record import EquationRecord
 from ...errors import CodegenError, DerivationError, brief, near
 from ...schema.c_functions import FunctionRow
+from ...schema.functions import FUNCTIONS
 from ...schema.manifest import Manifest
 from .. import header, layout, manifest
 from ..header import Exported
@@ -206,8 +208,8 @@ def _requested(
         DerivationError: one does not exist.
     """
     available = equations.names()
-    # equations that tell of no energy go without
-    usual = [name for name in STANDARD if name != "energy" or name in available]
+    # what equations do not tell, such as an energy, is left out
+    usual = [name for name in STANDARD if name in available]
     requested = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or usual]
     if integrators or not functions:
         # what keeps a closed system closed belongs to its dynamics
@@ -222,7 +224,10 @@ def _requested(
         requested += [(name, None) for name in more if (name, None) not in requested]
     for name, _ in requested:
         if name not in available:
-            raise DerivationError(f"function '{name}' does not exist.{near(name, available)}")
+            why = missing(equations.system, name) if name in FUNCTIONS else ""
+            raise DerivationError(
+                why or f"function '{name}' does not exist.{near(name, available)}"
+            )
     return requested
 
 

@@ -58,18 +58,8 @@ class Context:
         return frame_number(self.k.system, self.of or "")
 
     def with_friction_at(self, udot: Matrix) -> None:
-        """Let friction that follows from reactions be that at given accelerations.
-
-        Raises:
-            DerivationError: the reactions do not follow from these, as loops are closed.
-        """
-        friction = friction_forces(self.k.system)
-        if friction and (self.k.system.cuts or self.k.system.constraints):
-            raise DerivationError(
-                f"the friction of '{friction[0].name}' follows from reactions, which accelerations "
-                "alone do not determine in closed loops: inverse dynamics has no answer here"
-            )
-        if friction:
+        """Let friction that follows from reactions be that at given accelerations."""
+        if friction_forces(self.k.system):
             zero_tau = Matrix.zeros(self.k.graph, self.k.system.nu)
             self.d.friction_forces = solved(self.d, zero_tau, udot)
 

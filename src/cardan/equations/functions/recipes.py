@@ -13,6 +13,7 @@ from ...topology.system import System
 
 # to import them is to know their recipes
 from ..constraints import constraint_functions  # noqa: F401
+from ..constraints.reaction_friction import friction_forces
 from . import blocks, canonical, functions, regressor, residuals, rhs_jacobian  # noqa: F401
 from .context import RECIPES as RECIPES
 from .derivatives import request_of
@@ -110,6 +111,12 @@ def _unmet(system: System, name: str, need: str) -> str:
             f"'{system.name}' has no function '{name}': force '{pulls[0].name}' "
             f"({pulls[0].element.kind}) acts on masses where their centers are, and is not linear "
             "in first moments and inertias. Take the force out to identify the bodies"
+        )
+    friction = friction_forces(system) if system.cuts or system.constraints else []
+    if need == "known friction" and friction:
+        return (
+            f"'{system.name}' has no function '{name}': the friction of '{friction[0].name}' "
+            "follows from reactions, which accelerations alone do not determine in closed loops"
         )
     if need == "element forces" and not any(named_forces(system)):
         return f"function '{name}' is one of systems with force elements; '{system.name}' has none"

@@ -1042,7 +1042,7 @@ class Functions(Evaluation, metaclass=ABCMeta):
             out: array that is filled and returned
 
         Returns:
-            (..., 3, nphi) [J, J and W per phi]
+            (..., 3, nphi) [J, J, W per phi]
 
         Source: Gautier and Khalil, IEEE Conf. Decision and Control (1988).
         """
