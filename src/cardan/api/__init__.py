@@ -19,6 +19,7 @@ FACES |= {
     **{
         f"cardan.analyses.{module}:{name}Record": f"cardan.api.results:{name}"
         for module, name in (
+            ("continuation.record", "Continuation"),
             ("ensembles.result", "Ensemble"),
             ("identification.excitation", "Excitation"),
             ("identification.result", "Identification"),

@@ -36,6 +36,7 @@ from .components import DeformedSuperelement
 from .results import (
     Assembly,
     Campbell,
+    Continuation,
     Ensemble,
     Equilibrium,
     Excitation,
@@ -657,7 +658,7 @@ class CompiledModel(LoadedModel):
         parameters: Mapping[str, float] | None = None,
         t: float = 0.0,
         check: bool = False,
-        **named: Any,
+        **named: object,
     ) -> StaticPath:
         """Equilibria under loads that change: ``model.statics(P=(0, 10))``.
 
@@ -678,6 +679,56 @@ class CompiledModel(LoadedModel):
         Raises:
             ModelError: unknown names, nothing swept. ArgumentError: values of a wrong shape.
             SolveError: no equilibrium at the start; with ``check``, none further on.
+        """
+    def continuation(
+        self,
+        swept: Mapping[str, object] | None = None,
+        *,
+        q: Mapping[str, ArrayLike] | ArrayLike | None = None,
+        locked: LockedValues | None = None,
+        inputs: Mapping[str, float] | None = None,
+        parameters: Mapping[str, float] | None = None,
+        t: float = 0.0,
+        until: Mapping[str, float] | None = None,
+        bounds: Mapping[str, tuple[float, float]] | None = None,
+        events: Mapping[str, float] | None = None,
+        branches: int | bool = 0,
+        points: Count = 300,
+        step: float | None = None,
+        check: bool = False,
+        progress: bool | Callable[[float], None] | None = None,
+        **named: object,
+    ) -> Continuation:
+        """All equilibria that a load leads to, through limit loads: ``model.continuation(P=(0, 10))``.
+
+        Args:
+            swept, named: Parameter, input or ``t`` -> (start, end). The path ends at the end, and may
+                turn back and leave the range before. Several go together.
+            q: Coordinates to start from, by name or (nq,).
+            locked: Coordinate -> value it keeps, or (start, end): displacements are prescribed.
+            inputs, parameters: Values by name that stay, else those of the model.
+            t: Time [s], where something is prescribed.
+            until: Name -> value at which the path ends as well: of a coordinate, an output, what is
+                swept, or ``<coordinate>.holding_force``.
+            bounds: Name -> (low, high): the path ends where it leaves that range.
+            events: Name -> value: where it is passed is noted.
+            branches: How many generations of branches to follow from branch points; True for all.
+            points: Points of a branch at most.
+            step: Longest step, as a part of the size of the system, of a radian and of the range.
+            check: Raise where the path ends in between, instead of warning.
+            progress: Show a bar; by default where standard error is a terminal. Or a function of the
+                part of ``points`` that is done.
+
+        Returns:
+            The path and its branches, with folds, branch points, Hopf points and events in ``points``;
+            what was branches before Ctrl-C too.
+
+        Raises:
+            ModelError: unknown names, nothing swept. ArgumentError: values of a wrong shape.
+            SolveError: no equilibrium at the start; with ``check``, a path that ends in between.
+
+        Source: H. B. Keller, Applications of Bifurcation Theory (1977), 359-384; M. Géradin, A.
+        Cardona, Flexible Multibody Dynamics (2001), chapter 9.
         """
     def trim(
         self,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import final
 
+from ..analyses.continuation.record import ContinuationRecord
 from ..analyses.ensembles.result import EnsembleRecord
 from ..analyses.identification.excitation import ExcitationRecord
 from ..analyses.identification.result import IdentificationRecord
@@ -20,6 +21,13 @@ from ..analyses.simulation.precision.work_precision import PrecisionRecord
 from ..analyses.statics.equilibrium import EquilibriumRecord
 from ..analyses.statics.static_path import StaticPathRecord
 from .faces import attribute, verb
+
+
+@final
+class Continuation(ContinuationRecord):
+    """Equilibria along a path of loads, and branches that leave it."""
+
+    plot = verb("cardan.analyses.continuation.diagram:plot")
 
 
 @final

@@ -7,6 +7,7 @@ from typing import Any, final
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
+from ..analyses.continuation.record import ContinuationRecord
 from ..analyses.ensembles.result import EnsembleRecord
 from ..analyses.identification.excitation import ExcitationRecord
 from ..analyses.identification.result import IdentificationRecord
@@ -25,6 +26,29 @@ from ..analyses.statics.static_path import StaticPathRecord
 from ..arguments import Count
 from ..view.page import Page
 from .trajectory import Trajectory
+
+@final
+class Continuation(ContinuationRecord):
+    """Equilibria along a path of loads, and branches that leave it.
+    """
+    def plot(
+        self,
+        along: str,
+        up: str,
+        file: str | Path | None = None,
+    ) -> Figure:
+        """Draw a path and its branches as a Matplotlib figure, written to ``file`` if given.
+
+        Stable equilibria are lines, others are dashed; special points carry their names.
+
+        Args:
+            along, up: Names of the histories on the axes, such as ``"P"`` and ``"elbow"``.
+            file: Picture file; the ending says the format.
+
+        Raises:
+            ModelError: unknown names, or a file that is not a picture.
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
 
 @final
 class Ensemble(EnsembleRecord):

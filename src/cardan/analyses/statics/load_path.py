@@ -34,11 +34,8 @@ class Loading:
     stations: Array | None
 
     def values(self, s: float) -> dict[str, float]:
-        """Swept values at a place of the path."""
-        return {
-            name: float(np.interp(s, np.linspace(0, 1, len(column)), column))
-            for name, column in self.swept.items()
-        }
+        """Swept values at a place of the path; beyond its ends straight on."""
+        return {name: _interpolated(column, s) for name, column in self.swept.items()}
 
     def at(self, s: float) -> Load:
         """The load at a place of the path."""
@@ -58,9 +55,18 @@ class Loading:
         return replace(load, t=t, r=r, parameters=parameters or None, locked=locked)
 
 
+def _interpolated(column: Array, s: float) -> float:
+    """The value at a place of a path with evenly spaced values, continued beyond its ends."""
+    if 0 < s < 1:
+        return float(np.interp(s, np.linspace(0, 1, len(column)), column))
+    first, last = (0, 1) if s <= 0 else (-2, -1)
+    slope = (len(column) - 1) * (column[last] - column[first])
+    return float(column[first] + s * slope if s <= 0 else column[last] + (s - 1) * slope)
+
+
 def loading(
     system: DynamicSystem, kind_of: Mapping[str, str], base: Load, swept: Mapping[str, object],
-    locked: Mapping[str, object],
+    locked: Mapping[str, object], said: str,
 ) -> Loading:  # fmt: skip
     """A load path out of what a user wrote.
 
@@ -70,6 +76,7 @@ def loading(
         base: What stays.
         swept: Name -> (start, end) or values (n,).
         locked: Coordinate -> the same.
+        said: The analysis, for messages.
 
     Raises:
         ModelError: nothing is swept, or an unknown name.
@@ -78,26 +85,26 @@ def loading(
     """
     if not swept and not locked:
         raise ModelError(
-            "statics: say what is swept, from where to where, such as statics(P=(0, 10)). "
+            f"{said}: say what is swept, from where to where, such as {said}(P=(0, 10)). "
             f"{near('', kind_of).strip()}"
         )
     columns, kinds = dict[str, Array](), dict[str, str]()
     for name, values in swept.items():
         if name not in kind_of:
             raise ModelError(
-                f"statics: there is no parameter or input '{name}' to sweep; coordinates are "
+                f"{said}: there is no parameter or input '{name}' to sweep; coordinates are "
                 f"swept by locked={{'...': (0, 1)}}.{near(name, kind_of)}"
             )
-        columns[name], kinds[name] = column(f"statics: {name}", values), kind_of[name]
+        columns[name], kinds[name] = column(f"{said}: {name}", values), kind_of[name]
     for name, values in locked.items():
         system.place(name)
         if name in columns:
-            raise ModelError(f"statics: '{name}' is swept and held: leave one out")
-        columns[name], kinds[name] = column(f"statics: {name}", values), "locked"
+            raise ModelError(f"{said}: '{name}' is swept and held: leave one out")
+        columns[name], kinds[name] = column(f"{said}: {name}", values), "locked"
     counts = {name: len(column) for name, column in columns.items()}
     if len(set(counts.values())) > 1:
         said = ", ".join(f"'{name}' has {n}" for name, n in counts.items())
-        raise ArgumentError(f"statics: all that is swept goes together: {said} values")
+        raise ArgumentError(f"{said}: all that is swept goes together: {said} values")
     n = next(iter(counts.values()))
     base = replace(base, prescribed=tuple(locked))
     return Loading(system, base, columns, kinds, None if n == 2 else np.linspace(0, 1, n))

@@ -105,7 +105,7 @@ def follow(
                 continue
             length *= 0.5
             if shortest:
-                limit = limit_load(problem, way, places[0], here)
+                limit = limit_load(problem, way, places)
                 if limit is not None:
                     # what balances beyond it does so within rounding alone
                     most = max(limit.s, 0.0)

@@ -47,7 +47,7 @@ def statics(
     parameters: Mapping[str, float] | None = None,
     t: float = 0.0,
     check: bool = False,
-    **named: Any,
+    **named: object,
 ) -> StaticPathRecord:
     """Equilibria under loads that change: ``model.statics(P=(0, 10))``.
 
@@ -78,7 +78,7 @@ def statics(
     moved = {n: v for n, v in (locked or {}).items() if np.ndim(v) > 0}
     still = {n: v for n, v in (locked or {}).items() if n not in moved}
     base = read(system, still, inputs, parameters, t)
-    way = loading(system, _sweepable(model), base, {**(swept or {}), **named}, moved)
+    way = loading(system, sweepable(model), base, {**(swept or {}), **named}, moved, "statics")
     rows, crossed = list[tuple[float, EquilibriumRecord]](), list[Crossing]()
     try:
         failure = _stopped_or_done(model, Problem(system), way, q, steps, rows, crossed)
@@ -97,7 +97,7 @@ def statics(
     return path
 
 
-def _sweepable(model: Any) -> dict[str, str]:
+def sweepable(model: Any) -> dict[str, str]:
     """Quantities that can be swept."""
     return {
         **dict.fromkeys(model.parameters, "parameter"),

@@ -88,6 +88,28 @@ class SparseSaddle:
 
         return solve
 
+    def near(
+        self, K: Matrix, G: Matrix
+    ) -> tuple[Callable[[Array], Array], Callable[[Array], Array], float]:
+        """Solvers of [K -Gᵀ; G 0] and its transpose, and the sign of its determinant, 0 if unknown.
+
+        Where the matrix is singular they are those of one next to it, whose pivots were replaced.
+        """
+        planned, by = self._factors(csr_array(K), csr_array(G), False)
+        signs = np.where(np.arange(len(planned.order)) < K.shape[0], 1.0, -1.0)
+
+        def solved(right: Array, transposed: bool) -> Array:
+            solution: Array = by.solve(right[planned.order], transposed)
+            return solution[planned.place]
+
+        def solve(right: Array) -> Array:
+            return (solved(right, False).T * signs).T
+
+        def solve_transposed(right: Array) -> Array:
+            return solved((right.T * signs).T, True)
+
+        return solve, solve_transposed, 0.0 if len(by.shifts) else by.determinant()[0]
+
     def counted(self, K: Matrix, G: Matrix, symmetric: bool) -> tuple[int | None, float]:
         """Eigenvalues below 0 of K on what G allows, and the sign of its determinant there.
 

@@ -169,7 +169,7 @@ def _motion(
                 at = slice(space.quaternion, space.quaternion + 4)
                 x[:, at] /= np.linalg.norm(x[:, at], axis=1, keepdims=True)
             columns.append(x)
-    return {name: np.hstack(found) for name, found in parts.items()}
+    return {name: np.hstack(draws) for name, draws in parts.items()}
 
 
 def _data(group: Group, p: Numbers) -> Numbers:

@@ -1,0 +1,1 @@
+"""Paths of solutions as a parameter changes: folds, branch points, and branches that meet."""

@@ -1,0 +1,385 @@
+"""A curve with its special points: folds, points where curves cross, changes of stability, events.
+
+Signs at both ends of a step tell what lies within: of the rate of the parameter a fold, of the
+orientation an odd number of crossings, of the number of unstable directions what the other two do
+not explain. The step is halved until one of them is left, which is then located.
+
+Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), sections 5.2 to 5.4.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from scipy.optimize import brentq
+
+from ...arrays import Array
+from ...errors import SolveError
+from .family import Family, Point, length
+from .follow import End, Place, Reach, Step, steps
+from .singular_point import HalfBranch, SingularPoint, half_branches, singular_point
+
+FOLD, BRANCH, HOPF, EVENT = "fold", "branch point", "Hopf point", "event"
+EXACT = 1e-13  # of a step: places of test functions
+NARROW, THIN = 0.05, 2.0**-30  # of a step: where points are looked for, and given up
+NEAR = 2.0  # widths of a bracket within which a point must lie
+MOST_LOST = 3  # of the rank
+CLOSED = 1e-7  # of a step: a curve that comes back to its start
+Count = Callable[[Place], int | None]
+Growth = Callable[[Place], float]
+
+
+@dataclass(frozen=True, eq=False)
+class Test:
+    """A number along a curve whose passage through 0 counts.
+
+    Attributes:
+        name: Of the event.
+        value: The number.
+        ends: Whether the curve ends there.
+    """
+
+    name: str
+    value: Callable[[Place], float]
+    ends: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Special:
+    """A special point of a curve.
+
+    Attributes:
+        kind: ``"fold"``, ``"branch point"``, ``"Hopf point"`` or ``"event"``.
+        label: What of; the name of an event.
+        place: Where.
+        after: Place of the curve behind which it lies.
+        part: Of the step from there.
+        singular: The singular point; None of others.
+        halves: The curves that leave it other than this one.
+        frequency: Of the oscillation that begins there [rad/s]; NaN of others.
+        accurate: False where it is only known to lie within a short step.
+    """
+
+    kind: str
+    label: str
+    place: Place
+    after: int
+    part: float
+    singular: SingularPoint | None = None
+    halves: Sequence[HalfBranch] = ()
+    frequency: float = np.nan
+    accurate: bool = True
+
+
+@dataclass(eq=False)
+class Curve:
+    """What was singular of a curve so far.
+
+    Attributes:
+        family: Of what.
+        places: In their order.
+        special: Its special points.
+        ended: Why it ended.
+        status: ``"finished"``, ``"closed"``, ``"budget"``, ``"singular"`` or ``"interrupted"``.
+        corrections, refused: Linear systems solved, steps that were halved.
+    """
+
+    family: Family
+    places: list[Place]
+    special: list[Special] = field(default_factory=list)
+    ended: str = ""
+    status: str = "budget"
+    corrections: int = 0
+    refused: int = 0
+
+
+@dataclass(frozen=True, eq=False)
+class Watch:
+    """What is looked for along a curve.
+
+    Attributes:
+        count: Unstable directions with the parameter kept; None where they are not known.
+        growth: Real part of the oscillation next to growing and its frequency; None without.
+        tests: Events and ends.
+        most: Places at most.
+        switches: Whether curves that leave branch points are looked for.
+    """
+
+    count: Count
+    growth: Callable[[Place], tuple[float, float]] | None = None
+    tests: Sequence[Test] = ()
+    most: int = 300
+    switches: bool = True
+
+
+def trace(
+    curve: Curve, watch: Watch, reach: Reach, on_step: Callable[[Curve], None] = lambda _: None
+) -> None:
+    """Follow a curve from its last place to an end; what was singular stays, whatever happens."""
+    family, start = curve.family, curve.places[-1]
+    values = [test.value(start) for test in watch.tests]
+    try:
+        for step in steps(family, start, reach):
+            curve.corrections += step.corrections
+            curve.refused += step.refused
+            after = [test.value(step.after) for test in watch.tests]
+            end = _tested(curve, watch.tests, step, values, after)
+            special = [*_within(curve, watch, step)]
+            curve.special += [s for s in special if end is None or s.part <= end.part]
+            if end is not None:
+                curve.special.append(end)
+                curve.places.append(end.place)
+                curve.status, curve.ended = "finished", f"reached {end.label}"
+                break
+            curve.places.append(step.after)
+            values = after
+            on_step(curve)
+            if _comes_back(family, start, step):
+                curve.status, curve.ended = "closed", "closed: it leads back to its start"
+                break
+            if len(curve.places) >= watch.most:
+                curve.ended = f"after {watch.most} points, the most that points= allows"
+                break
+    except End as end_of_steps:
+        curve.status, curve.ended = "singular", str(end_of_steps)
+    curve.special.sort(key=lambda s: (s.after, s.part))
+
+
+def _tested(
+    curve: Curve, tests: Sequence[Test], step: Step, before: list[float], after: list[float]
+) -> Special | None:
+    """Note events within a step; the first that ends the curve."""
+    events, number = list[Special](), len(curve.places) - 1
+    for test, low, high in zip(tests, before, after, strict=True):
+        if low == 0 or not low * high <= 0:
+            continue
+
+        def value(part: float, test: Test = test) -> float:
+            return test.value(step.at(curve.family, part))
+
+        try:
+            part = 1.0 if high == 0 else float(brentq(value, 0, 1, xtol=EXACT))
+            place, accurate = step.at(curve.family, part), True
+        except SolveError:
+            part, place, accurate = 1.0, step.after, False
+        events.append(Special(EVENT, test.name, place, number, part, accurate=accurate))
+    ends = {test.name for test in tests if test.ends}
+    last = min((s for s in events if s.label in ends), key=lambda s: s.part, default=None)
+    curve.special += [
+        s for s in events if s.label not in ends and (last is None or s.part <= last.part)
+    ]
+    return last
+
+
+def _comes_back(family: Family, start: Place, step: Step) -> bool:
+    """True when a step passes the start in the direction in which the curve left it."""
+    if start is step.before:
+        return False
+    to = family.step(step.before.point, start.point)
+    along = float(step.before.tangent @ (family.weights * to))
+    if not 0 < along <= step.ds * (1 + 1e-9) or length(family, to) > 2 * step.ds:
+        return False
+    try:
+        there = step.at(family, along / step.ds)
+    except SolveError:
+        return False
+    off = length(family, family.step(there.point, start.point))
+    same = float(there.tangent @ (family.weights * start.tangent)) > 0
+    return bool(off <= CLOSED * max(1.0, step.ds) and same)
+
+
+# folds, crossings and changes of stability
+
+
+@dataclass(frozen=True, eq=False)
+class _Interval:
+    """A part of a step.
+
+    Attributes:
+        low, high: Its ends, 0 to 1.
+        before, after: The places there.
+        counts: Unstable directions there.
+    """
+
+    low: float
+    high: float
+    before: Place
+    after: Place
+    counts: tuple[int | None, int | None]
+
+    @property
+    def folds(self) -> bool:
+        """True when the parameter turns back an odd number of times."""
+        return self.before.parameter_rate * self.after.parameter_rate < 0
+
+    @property
+    def crosses(self) -> bool:
+        """True when an odd number of curves crosses."""
+        return self.before.orientation * self.after.orientation < 0
+
+    @property
+    def change(self) -> int:
+        """Change of the number of unstable directions; 0 where it is not known."""
+        before, after = self.counts
+        return 0 if before is None or after is None else after - before
+
+    @property
+    def unexplained(self) -> int:
+        """The part of it that folds and simple crossings do not explain."""
+        counted = None not in self.counts
+        explained = int(self.folds) + int(self.crosses)
+        surplus = abs(self.change) - explained
+        # a fold and a crossing may also undo one another
+        return 0 if not counted or (surplus == -2 and self.change == 0) else max(surplus, 0)
+
+    @property
+    def quiet(self) -> bool:
+        """True when nothing lies within, as far as the ends tell."""
+        return not (self.folds or self.crosses or self.unexplained)
+
+
+def _within(curve: Curve, watch: Watch, step: Step) -> Iterator[Special]:
+    """Special points within a step."""
+    counts = watch.count(step.before), watch.count(step.after)
+    yield from _searched(curve, watch, step, _Interval(0.0, 1.0, step.before, step.after, counts))
+
+
+def _searched(curve: Curve, watch: Watch, step: Step, interval: _Interval) -> Iterator[Special]:
+    """Special points within a part of a step."""
+    if interval.quiet:
+        return
+    number, width = len(curve.places) - 1, interval.high - interval.low
+    if interval.folds and not interval.crosses and not interval.unexplained:
+        yield _fold(curve.family, step, interval, number)
+        return
+    lost = max(1, abs(interval.change)) if not interval.folds else 1
+    if width <= NARROW and not interval.folds:
+        if (crossing := _crossing(curve, watch, step, interval, lost, number)) is not None:
+            yield crossing
+            return
+        if watch.growth is not None and not interval.crosses and interval.unexplained % 2 == 0:
+            yield _hopf(curve.family, watch, step, interval, number)
+            return
+    middle = 0.5 * (interval.low + interval.high)
+    try:
+        middle_place = step.at(curve.family, middle) if width > THIN else None
+    except SolveError:
+        middle_place = None
+    if middle_place is None:
+        kind = BRANCH if interval.crosses or not interval.folds else FOLD
+        yield Special(kind, "", interval.after, number, interval.high, accurate=False)
+        return
+    count = watch.count(middle_place)
+    for half in (
+        _Interval(interval.low, middle, interval.before, middle_place, (interval.counts[0], count)),
+        _Interval(middle, interval.high, middle_place, interval.after, (count, interval.counts[1])),
+    ):
+        yield from _searched(curve, watch, step, half)
+
+
+def _fold(family: Family, step: Step, interval: _Interval, number: int) -> Special:
+    """The place where the parameter turns back."""
+    try:
+        place = fold_within(family, step, interval.low, interval.high)
+        return Special(FOLD, "", place, number, _part(family, step, place.point))
+    except SolveError:
+        return Special(FOLD, "", interval.after, number, interval.high, accurate=False)
+
+
+def fold_within(family: Family, step: Step, low: float, high: float) -> Place:
+    """The place between two parts of a step where the parameter turns back.
+
+    Raises:
+        SolveError: the curve is not singular in between.
+    """
+
+    def parameter_rate(part: float) -> float:
+        return step.at(family, part).parameter_rate
+
+    return step.at(family, float(brentq(parameter_rate, low, high, xtol=EXACT)))
+
+
+def _part(family: Family, step: Step, point: Point) -> float:
+    """The part of a step at which a point lies."""
+    off = family.step(step.before.point, point)
+    return float(step.before.tangent @ (family.weights * off)) / step.ds
+
+
+def _crossing(
+    curve: Curve, watch: Watch, step: Step, interval: _Interval, lost: int, number: int
+) -> Special | None:
+    """The point within a part of a step where curves cross; None where none is singular."""
+    family = curve.family
+    inside = family.step(interval.before.point, interval.after.point)
+    start = family.moved(interval.before.point, 0.5 * inside)
+    for k in range(lost, MOST_LOST + 1):
+        try:
+            singular = singular_point(family, start, k)
+        except SolveError:
+            continue
+        part = _part(family, step, singular.point)
+        width = interval.high - interval.low
+        if not interval.low - NEAR * width <= part <= interval.high + NEAR * width:
+            continue
+        # J may have lost more of its rank than was asked for
+        if _loses_more(family, singular):
+            continue
+        place = _at_crossing(family, step, singular)
+        halves = _leaving(family, singular, place.tangent) if watch.switches else ()
+        return Special(BRANCH, "", place, number, part, singular, halves)
+    return None
+
+
+def _loses_more(family: Family, singular: SingularPoint) -> bool:
+    values = family.jacobian(singular.point).weakest(singular.k + 1)[0]
+    return len(values) > singular.k and bool(values.max() <= 1e-7)
+
+
+def _at_crossing(family: Family, step: Step, singular: SingularPoint) -> Place:
+    """The singular point as a place of the curve: the tangent lies in the null space."""
+    t = singular.V @ (singular.V.T @ (family.weights * step.before.tangent))
+    t = t / length(family, t)
+    return Place(singular.point, t, float(t[-1]), 0.0, family.jacobian(singular.point))
+
+
+def _leaving(family: Family, singular: SingularPoint, tangent: Array) -> Sequence[HalfBranch]:
+    """Curves that leave a singular point other than the one on which it was singular."""
+    try:
+        halves = half_branches(singular)
+    except SolveError:
+        return ()
+    along = [float(tangent @ (family.weights * half.tangent)) for half in halves]
+    if not halves:
+        return ()
+    forward, backward = int(np.argmax(along)), int(np.argmin(along))
+    return tuple(half for i, half in enumerate(halves) if i not in (forward, backward))
+
+
+def _hopf(family: Family, watch: Watch, step: Step, interval: _Interval, number: int) -> Special:
+    """The place where an oscillation begins to grow."""
+    growth = watch.growth
+    assert growth is not None
+    low, high, count = interval.low, interval.high, interval.counts[0]
+    frequency = np.nan
+    try:
+        ends = [growth(place)[0] for place in (interval.before, interval.after)]
+        if ends[0] * ends[1] < 0:
+
+            def rate(part: float) -> float:
+                return growth(step.at(family, part))[0]
+
+            low = high = float(brentq(rate, low, high, xtol=EXACT))
+        # without damping nothing grows before, and nothing decays
+        while high - low > EXACT:
+            middle = 0.5 * (low + high)
+            if watch.count(step.at(family, middle)) == count:
+                low = middle
+            else:
+                high = middle
+        place = step.at(family, high)
+        frequency = growth(place)[1]
+        return Special(HOPF, "", place, number, high, frequency=frequency)
+    except SolveError:
+        return Special(HOPF, "", interval.after, number, interval.high, accurate=False)

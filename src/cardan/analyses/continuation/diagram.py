@@ -1,0 +1,77 @@
+"""Paths and their branches as a picture: stable parts as lines, others dashed."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from ...arguments import checked
+from ...arrays import Array
+from .curve import BRANCH, EVENT, FOLD, HOPF
+from .record import BranchRecord, ContinuationRecord
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+DENSE = 20  # drawn points of a step
+MARKERS = {FOLD: "v", BRANCH: "D", HOPF: "o", EVENT: "|"}
+
+
+@checked
+def plot(path: ContinuationRecord, along: str, up: str, file: str | Path | None = None) -> Figure:
+    """Draw a path and its branches as a Matplotlib figure, written to ``file`` if given.
+
+    Stable equilibria are lines, others are dashed; special points carry their names.
+
+    Args:
+        path: The path.
+        along, up: Names of the histories on the axes, such as ``"P"`` and ``"elbow"``.
+        file: Picture file; the ending says the format.
+
+    Raises:
+        ModelError: unknown names, or a file that is not a picture.
+        ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+    """
+    from ...view.plot import done, empty
+
+    figure = empty((8, 5.4))
+    axis = figure.subplots()
+    for number, branch in enumerate(path.branches.values()):
+        for x, y, stable in _curves(branch, along, up):
+            style = "-" if stable else "--"
+            axis.plot(x, y, style, color=f"C{number % 10}", linewidth=1.4)
+        for point in branch.points:
+            at = point[along], point[up]
+            axis.plot(*at, MARKERS[point.kind], color="black", markersize=5)
+            axis.annotate(point.name, at, (4, 4), textcoords="offset points", fontsize=8)
+    axis.set(xlabel=along, ylabel=up)
+    axis.grid(alpha=0.3)
+    return done(figure, path.model.name, file)
+
+
+def _curves(branch: BranchRecord, along: str, up: str) -> list[tuple[Array, Array, bool]]:
+    """Stretches between changes of stability as smooth curves."""
+    rows = [(k, branch[along][k], branch[up][k], branch.stable[k]) for k in range(len(branch))]
+    marks = [(p.special.after + p.special.part, p[along], p[up], None) for p in branch.points]
+    entries = sorted([*rows, *marks], key=lambda entry: entry[0])
+    table = np.array([entry[1:3] for entry in entries], dtype=np.float64)
+    size = np.maximum(np.ptp(table, axis=0), 1e-300)
+    lengths = np.linalg.norm(np.diff(table / size, axis=0), axis=1)
+    distinct = np.concatenate([[True], lengths > 1e-9])
+    s, table = np.concatenate([[0.0], np.cumsum(lengths)])[distinct], table[distinct]
+    stable = [
+        entry[3] for entry, distinct_entry in zip(entries, distinct, strict=True) if distinct_entry
+    ]
+    if len(s) < 3:
+        return [(table[:, 0], table[:, 1], bool(stable[0]))]
+    curve, curves, last = CubicSpline(s, table), list[tuple[Array, Array, bool]](), True
+    for k, (low, high) in enumerate(pairwise(s)):
+        flags = [one for one in stable[k : k + 2] if one is not None]
+        last = bool(flags[0]) if flags else last
+        x, y = curve(np.linspace(low, high, DENSE)).T
+        curves.append((x, y, last))
+    return curves

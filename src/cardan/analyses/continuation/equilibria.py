@@ -1,0 +1,158 @@
+"""Equilibria under a load that changes, as a family: the load is the last unknown."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import final
+
+import numpy as np
+from scipy.sparse import csr_array, issparse
+
+from ...arrays import Array
+from ...errors import SolveError
+from ..statics.load_path import Loading
+from ..statics.static_problem import Load, Point, Problem
+from ..systems.saddle_point import FULL, RANK, Matrix, Sparse
+from ..systems.sparse_saddle_point import SparseSaddle
+from .block_elimination import SaddleJacobian
+from .family import DenseJacobian, Jacobian
+
+# of the range of the load: steps of differences of order 4, where those leave the domain of order 1
+LOAD_STEP, SHORT_STEP = 1e-3, 1e-7
+NODE = 6  # speeds of a node: lengths of increments count nodes, and do not grow with the mesh
+
+
+@dataclass(frozen=True, eq=False)
+class Loaded:
+    """An equilibrium under a load.
+
+    Attributes:
+        s: Place of the load on its path: 0 and 1 at the ends that were given, and beyond them.
+        load: The load there.
+        point: The position and its forces.
+    """
+
+    s: float
+    load: Load
+    point: Point
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class EquilibriumFamily:
+    """Equilibria of a system under a load.
+
+    Increments are those of positions and internal states, of multipliers and of forces that hold
+    what is held (in units of ``unit``), and of the place of the load.
+
+    Attributes:
+        problem: What is loaded.
+        way: The loads.
+        unit: Of forces, without units: the largest stiffness at the start.
+        weights: See :class:`.Family`: forces follow from the rest and do not count.
+    """
+
+    problem: Problem
+    way: Loading
+    unit: float
+    weights: Array
+
+    @classmethod
+    def of(cls, problem: Problem, way: Loading, point: Point, s: float = 0.0) -> EquilibriumFamily:
+        """The family through an equilibrium at a place of the loads."""
+        load, system = way.at(s), problem.system
+        unit = float(abs(problem.tangent(point, load)[0]).max()) or 1.0
+        nu, nz, m = len(system.columns), len(system.internals), len(system.rows)
+        position = np.full(nu + nz, 1.0 / max(1.0, nu / NODE))
+        return cls(
+            problem, way, unit, np.concatenate([position, np.zeros(m + len(load.locked)), [1]])
+        )
+
+    @property
+    def along_parameter(self) -> Array:
+        """The direction (N,) in which the load rises alone."""
+        direction = np.zeros(len(self.weights))
+        direction[-1] = 1.0
+        return direction
+
+    def start(self, point: Point, s: float = 0.0) -> Loaded:
+        """An equilibrium under the load at a place of its path."""
+        return Loaded(s, self.way.at(s), point)
+
+    def parameter(self, at: Loaded) -> float:
+        """Same as :meth:`.Family.parameter`: the place of the load."""
+        return at.s
+
+    def residual(self, at: Loaded) -> Array:
+        """Same as :meth:`.Family.residual`."""
+        force, gap = self.problem.residual(at.point, at.load)
+        return np.concatenate([force / self.unit, gap])
+
+    def moved(self, at: Loaded, dz: Array) -> Loaded:
+        """Same as :meth:`.Family.moved`."""
+        n = self.positions
+        s = at.s + float(dz[-1])
+        load = self.way.at(s)
+        under = self.problem.under(at.point, load)
+        return Loaded(s, load, self.problem.moved(under, dz[:n], dz[n:-1] * self.unit, load))
+
+    def step(self, before: Loaded, after: Loaded) -> Array:
+        """Same as :meth:`.Family.step`."""
+        x, y = self.problem.step(before.point, after.point)
+        return np.concatenate([x, y / self.unit, [after.s - before.s]])
+
+    def jacobian(self, at: Loaded) -> Jacobian:
+        """Same as :meth:`.Family.jacobian`."""
+        K, G = self.problem.tangent(at.point, at.load)
+        by_load = self._by_load(at)
+        core = self._core
+        if core is None or sum(G.shape) <= FULL:
+            return DenseJacobian(_dense(_array(K) / self.unit, _array(G), by_load))
+        return SaddleJacobian(csr_array(K / self.unit), G, by_load, core)
+
+    @property
+    def _core(self) -> SparseSaddle | None:
+        """What factors sparse matrices; None of a system with arrays."""
+        saddle = self.problem.system.saddle
+        factored = saddle.factored if isinstance(saddle, Sparse) else None
+        return factored if isinstance(factored, SparseSaddle) else None
+
+    @property
+    def positions(self) -> int:
+        """Number of increments of positions and internal states, which come first."""
+        system = self.problem.system
+        return len(system.columns) + len(system.internals)
+
+    def _by_load(self, at: Loaded) -> Array:
+        """Derivative of the residual by the place of the load (n,)."""
+
+        def off(h: float) -> Array:
+            load = self.way.at(at.s + h)
+            return self.residual(replace(at, load=load, point=self.problem.under(at.point, load)))
+
+        h = LOAD_STEP
+        try:
+            odd = [off(h) - off(-h), off(2 * h) - off(-2 * h)]
+            slope: Array = (8 * odd[0] - odd[1]) / (12 * h)
+            if np.isfinite(slope).all():
+                return slope
+        except SolveError:
+            pass
+        return (off(SHORT_STEP) - off(0.0)) / SHORT_STEP
+
+
+def _array(matrix: Matrix) -> Array:
+    return np.asarray(matrix.toarray() if issparse(matrix) else matrix)
+
+
+def _dense(K: Array, G: Array, by_load: Array) -> Array:
+    """[K -Gᵀ; G -P] and the column of the load, P the projection onto redundant rows.
+
+    It leaves multipliers that nothing determines as they are.
+    """
+    m, redundant = len(G), np.zeros((len(G), len(G)))
+    if m:
+        U, values, _ = np.linalg.svd(G)
+        rank = int(np.sum(values > RANK * values.max(initial=0.0)))
+        redundant = U[:, rank:] @ U[:, rank:].T
+    return np.concatenate([np.block([[K, -G.T], [G, -redundant]]), by_load[:, None]], axis=1)

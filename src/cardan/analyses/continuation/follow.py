@@ -1,0 +1,205 @@
+"""Follow a curve of solutions by its length.
+
+Each step goes along the tangent and is corrected by Newton's method across it. Its length keeps
+corrections quick and the turn of the tangent small; it is halved where they are not.
+
+Source: H. B. Keller, Applications of Bifurcation Theory (1977), 359-384 (pseudo arc length);
+R. Seydel, Practical Bifurcation and Stability Analysis (2010), section 4.5 (step control);
+P. Deuflhard, B. Fiedler, P. Kunkel, SIAM J. Numer. Anal. 24 (1987), 912-927 (contraction).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import SolveError
+from .family import Bordered, Family, Jacobian, Point, length, row
+
+NEWTON = 8
+# residuals that are rounding; corrections, as a part of the reach, whose square would be
+ROUNDING, TIGHT, NOISE = 1e-13, 1e-9, 1e-7
+# contraction and turn [rad] that steps aim at, the turn that is refused, and growth of a step
+CONTRACTION, TURN, SHARP, GROWTH = 0.05, 0.3, 0.6, 2.0
+FIRST, LONGEST, SHORTEST = 0.02, 0.25, 1e-9
+DIVERGED = 0.9  # contraction above which corrections lead nowhere
+ASIDE = 0.7  # corrections, as a part of a step, that lead to another curve
+
+
+@dataclass(frozen=True, eq=False)
+class Reach:
+    """Controls of the step.
+
+    Attributes:
+        first, longest: Length of the first step and of the longest one.
+        shortest: Length below which a curve ends.
+    """
+
+    first: float = FIRST
+    longest: float = LONGEST
+    shortest: float = SHORTEST
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """A point of a curve.
+
+    Attributes:
+        point: The point.
+        tangent: Along the curve, of length 1 (N,).
+        parameter_rate: Derivative of the parameter by the length of the curve: 0 at a fold.
+        orientation: Sign of the determinant of J with the tangent as a row; it changes where an odd
+            number of curves cross. 0 where it is not known.
+        jacobian: J there.
+    """
+
+    point: Point
+    tangent: Array
+    parameter_rate: float
+    orientation: float
+    jacobian: Jacobian
+
+
+def place(family: Family, point: Point, toward: Array) -> Place:
+    """The place at a point of the curve; ``toward``: a direction that its tangent agrees with."""
+    jacobian = family.jacobian(point)
+    by = jacobian.bordered(row(family, toward), np.zeros((len(family.weights) - 1, 0)))
+    tangent = by.solve(np.zeros(len(toward) - 1), np.ones(1))[0]
+    tangent = tangent / length(family, tangent)
+    # the row of the tangent itself gives the same sign: both have a positive product with it
+    return Place(point, tangent, float(tangent[-1]), by.sign, jacobian)
+
+
+def corrected(
+    family: Family, start: Place, ds: float, guess: Array | None = None
+) -> tuple[Point, float, int]:
+    """The point of the curve in the plane across the tangent at a distance from a place.
+
+    Args:
+        family, start, ds: Of what, from where, how far.
+        guess: An increment to begin with, the tangent by default.
+
+    Returns:
+        The point, the contraction of the first corrections, and their number.
+
+    Raises:
+        SolveError: there is none next to it.
+    """
+    across = row(family, start.tangent)
+    dz = ds * start.tangent if guess is None else guess
+    point, last, theta = family.moved(start.point, dz), math.inf, 0.0
+    none, moved, off = np.zeros((len(across[0]) - 1, 0)), 0.0, ds - float(across[0] @ dz)
+    for k in range(NEWTON):
+        left = family.residual(point)
+        try:
+            by: Bordered = family.jacobian(point).bordered(across, none)
+            correction = by.solve(-left, np.array([off]))[0]
+            size = length(family, correction)
+            moved += size
+            if not (np.isfinite(size) and moved <= ASIDE * max(abs(ds), NOISE)):
+                raise SolveError("the corrections lead away from the curve")
+        except SolveError:
+            # at a branch point the system is singular, though the prediction may lie on the curve
+            if not off and np.abs(left).max(initial=0.0) <= ROUNDING:
+                return point, theta, k + 1
+            raise
+        if k == 1:
+            theta = size / last if last > TIGHT else 0.0
+        if k and size > TIGHT and size > DIVERGED * last:
+            raise SolveError("the corrections do not converge")
+        point = family.moved(point, correction)
+        if size <= TIGHT or (size <= NOISE and size >= 0.5 * last):
+            return point, theta, k + 1
+        last, off = size, 0.0
+    raise SolveError("the corrections do not converge")
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """A step that was accepted.
+
+    Attributes:
+        before, after: Its ends.
+        ds: Its length along the tangent at its start.
+        corrections: Linear systems solved, refused steps among them.
+        refused: Steps that were halved.
+    """
+
+    before: Place
+    after: Place
+    ds: float
+    corrections: int
+    refused: int
+
+    def at(self, family: Family, part: float) -> Place:
+        """The place at a part of the step, 0 to 1.
+
+        Raises:
+            SolveError: it is not found.
+        """
+        if part in (0.0, 1.0):
+            return (self.before, self.after)[int(part)]
+        point = corrected(family, self.before, part * self.ds, self._guess(family, part))[0]
+        return place(family, point, self.before.tangent)
+
+    def _guess(self, family: Family, part: float) -> Array:
+        """The cubic with the tangents of both ends, in the chart of the start."""
+        end = family.step(self.before.point, self.after.point)
+        here = self.ds * self.before.tangent
+        share = float(self.before.tangent @ (family.weights * self.after.tangent))
+        there = self.after.tangent * (self.ds / max(share, 0.1))
+        h = part
+        cubic = (3 * h**2 - 2 * h**3) * end + h * (1 - h) ** 2 * here - h**2 * (1 - h) * there
+        return np.asarray(cubic)
+
+
+class End(SolveError):
+    """The curve is not followed any further.
+
+    Attributes:
+        place: The last place.
+    """
+
+    def __init__(self, message: str, last: Place) -> None:
+        super().__init__(message)
+        self.place = last
+
+
+def steps(family: Family, start: Place, reach: Reach) -> Iterator[Step]:
+    """Steps along a curve, without end.
+
+    Raises:
+        End: steps become too short.
+    """
+    here, ds = start, reach.first
+    while True:
+        spent = refused = 0
+        while True:
+            try:
+                point, theta, spent_now = corrected(family, here, ds)
+                spent += spent_now + 1
+                there = place(family, point, here.tangent)
+                turn = _angle(family, here.tangent, there.tangent)
+            except SolveError:
+                spent += 1
+                turn = math.inf
+            if turn <= SHARP:
+                break
+            refused += 1
+            ds *= 0.5
+            if ds < reach.shortest:
+                raise End("steps become too short", here)
+        yield Step(here, there, ds, spent, refused)
+        quick = math.sqrt(CONTRACTION / theta) if theta > 0 else GROWTH
+        calm = TURN / turn if turn > 0 else GROWTH
+        ds = min(reach.longest, ds * float(np.clip(min(quick, calm), 1 / GROWTH, GROWTH)))
+        here = there
+
+
+def _angle(family: Family, a: Array, b: Array) -> float:
+    """Angle between tangents [rad]."""
+    return 2 * math.asin(min(1.0, 0.5 * length(family, a - b)))

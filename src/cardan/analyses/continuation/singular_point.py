@@ -1,0 +1,267 @@
+"""Points of a curve at which J loses rank: where they are, and which curves meet there.
+
+A point is located as the solution of equations that are regular there: F + B beta = 0 with
+unfolding parameters beta, and g = 0 for the part g (k, k + 1) of J between its null spaces.
+Around it the solutions of F + B beta = 0 form a surface over the null space; those with beta =
+0 on a small sphere of it are where curves leave. That needs no second derivatives, and holds
+where they vanish.
+
+Source: W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria (2000), chapters 3
+and 5 (minimally extended systems); M. Golubitsky, D. Schaeffer, Singularities and Groups in
+Bifurcation Theory 1 (1985), chapter 7 (Liapunov-Schmidt reduction).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+from scipy.optimize import brentq
+
+from ...arrays import Array
+from ...errors import SolveError
+from .family import Bordered, Family, Point, length
+
+NEWTON, TIGHT, NOISE = 14, 1e-11, 1e-8
+FAR = 0.5  # increments that lead away from where the search began
+DIFFERENCE = 1e-4  # increments over which J is differentiated: it only steers Newton's method
+UNFOLDED = 1e-9  # unfolding parameters above this: curves pass each other
+SINGULAR = 1e-7  # singular values below this are 0
+RADIUS = 0.02  # of the sphere
+CHORD, CLOSED = 30, 1e-14  # iterations on the surface, and what may be left
+SAMPLES, STARTS = 36, 120  # on a circle, on spheres of more dimensions
+SAME = 1e-3  # directions nearer than this are one
+LEVELS = 3  # radii that are halved, for extrapolation
+
+
+@dataclass(frozen=True, eq=False)
+class SingularPoint:
+    """A point at which J has lost k of its rank.
+
+    Attributes:
+        family: Of what.
+        point: The point.
+        V: Its null space (N, k + 1), orthonormal in lengths of increments.
+        B: The left null space (n, k).
+        by: The bordered system with these.
+    """
+
+    family: Family
+    point: Point
+    V: Array
+    B: Array
+    by: Bordered = field(repr=False)
+
+    @property
+    def k(self) -> int:
+        """Rank that is lost."""
+        return int(self.B.shape[1])
+
+    @cached_property
+    def _rows(self) -> Array:
+        return (self.family.weights[:, None] * self.V).T
+
+    def surface(self, a: Array) -> tuple[Array, Array]:
+        """The increment (N,) from the point over a (k + 1,) of the null space, and beta (k,).
+
+        Raises:
+            SolveError: the surface does not reach so far.
+        """
+        dz, beta, last = self.V @ a, np.zeros(self.k), np.inf
+        for _ in range(CHORD):
+            left = self.family.residual(self.family.moved(self.point, dz)) + self.B @ beta
+            more, change = self.by.solve(-left, a - self._rows @ dz)
+            size = max(length(self.family, more), float(np.abs(change).max(initial=0.0)))
+            dz, beta = dz + more, beta + change
+            if size <= CLOSED or (size <= 1e3 * CLOSED and size >= 0.5 * last):
+                return dz, beta
+            if not size <= 2 * last:
+                break
+            last = size
+        raise SolveError("the surface of solutions does not reach so far")
+
+
+def singular_point(family: Family, start: Point, k: int) -> SingularPoint:
+    """The point next to a start at which J has lost k of its rank.
+
+    Raises:
+        SolveError: there is none.
+    """
+    point, jacobian = start, family.jacobian(start)
+    _, B, C = jacobian.weakest(k)
+    rows, gone, last = C.T, 0.0, np.inf
+    for _ in range(NEWTON):
+        by = jacobian.bordered(rows, B)
+        zeros = np.zeros((len(B), k + 1))
+        V, g = by.solve(zeros, np.eye(k + 1))
+        psi = by.solve_transposed(np.eye(k))[0]
+        dz, beta = by.solve(-family.residual(point), np.zeros(k + 1))
+
+        def curved(w: Array, at: Point = point, V: Array = V, psi: Array = psi) -> Array:
+            """Change of g along an increment."""
+            size = float(np.abs(w).max(initial=0.0))
+            if size == 0:
+                return np.zeros((k, k + 1))
+            h = DIFFERENCE / size
+            ends = (family.jacobian(family.moved(at, h * sign * w)).apply(V) for sign in (1, -1))
+            return np.asarray(-psi.T @ np.subtract(*ends) / (2 * h))
+
+        slopes = np.stack([curved(v).ravel() for v in V.T], axis=1)
+        c = np.linalg.lstsq(slopes, -(g + curved(dz)).ravel(), 1e-8)[0]
+        dz = dz + V @ c
+        size = length(family, dz)
+        gone += size
+        if not (np.isfinite(size) and gone <= FAR):
+            break
+        point = family.moved(point, dz)
+        jacobian = family.jacobian(point)
+        if size <= TIGHT or (size <= NOISE and size >= 0.5 * last):
+            if np.abs(beta).max(initial=0.0) > UNFOLDED:
+                break
+            return _orthonormal(family, point, k)
+        last = size
+        B = np.linalg.qr(psi)[0]
+        rows = V.T / np.linalg.norm(V, axis=0)[:, None]
+    raise SolveError("no singular point next to the start")
+
+
+def _orthonormal(family: Family, point: Point, k: int) -> SingularPoint:
+    """The point with its null spaces.
+
+    Raises:
+        SolveError: J has not lost so much of its rank.
+    """
+    jacobian = family.jacobian(point)
+    values, B, V = jacobian.weakest(k)
+    if values.max() > SINGULAR:
+        raise SolveError("no singular point next to the start")
+    gram = V.T @ (family.weights[:, None] * V)
+    V = np.linalg.solve(np.linalg.cholesky(gram), V.T).T
+    return SingularPoint(family, point, V, B, jacobian.bordered((family.weights[:, None] * V).T, B))
+
+
+@dataclass(frozen=True, eq=False)
+class HalfBranch:
+    """A curve that leaves a singular point in one direction.
+
+    Attributes:
+        tangent: Its direction at the point, of length 1 (N,).
+        curvature: Change of the direction by length (N,); 0 where it could not be told.
+        point: A point of it next to the singular point.
+        direction: From the one to the other, of length 1 (N,).
+    """
+
+    tangent: Array
+    curvature: Array
+    point: Point
+    direction: Array
+
+
+def half_branches(at: SingularPoint, radius: float = RADIUS) -> list[HalfBranch]:
+    """All curves that leave a singular point, each direction once.
+
+    Raises:
+        SolveError: they could not be told apart.
+    """
+    for _ in range(6):
+        try:
+            directions = [list(_directions(at, radius))]
+            for _ in range(LEVELS - 1):
+                radius *= 0.5
+                directions.append([_near(at, radius, d) for d in directions[-1]])
+        except SolveError:
+            radius *= 0.5
+            continue
+        return [_half_branch(at, directions, i) for i in range(len(directions[0]))]
+    raise SolveError("the curves that meet at a singular point could not be told apart")
+
+
+def _half_branch(at: SingularPoint, levels: list[list[Array]], i: int) -> HalfBranch:
+    """The half-branch of directions at halved radii, with the opposite one where there is one."""
+    last = levels[-1]
+    dots = np.array([d @ last[i] for d in last])
+    opposite = int(dots.argmin())
+    radii = np.array([float(np.linalg.norm(level[i])) for level in levels])
+    mine = [at.surface(level[i])[0] / r for level, r in zip(levels, radii, strict=True)]
+    if dots[opposite] < -0.9 * (last[i] @ last[i]):
+        other = [at.surface(level[opposite])[0] / r for level, r in zip(levels, radii, strict=True)]
+        tangent = _limit([0.5 * (a - b) for a, b in zip(mine, other, strict=True)], 4)
+        sums = zip(mine, other, radii, strict=True)
+        curvature = _limit([(a + b) / r for a, b, r in sums], 4)
+    else:
+        tangent, curvature = _limit(mine, 2), np.zeros_like(mine[0])
+    family, dz = at.family, at.surface(levels[0][i])[0]
+    return HalfBranch(
+        tangent / length(family, tangent),
+        curvature,
+        family.moved(at.point, dz),
+        dz / length(family, dz),
+    )
+
+
+def _limit(values: list[Array], ratio: float) -> Array:
+    """The limit of values at halved radii, whose errors fall by powers of a ratio."""
+    power = ratio
+    while len(values) > 1:
+        values = [b + (b - a) / (power - 1) for a, b in pairwise(values)]
+        power *= ratio
+    return values[0]
+
+
+def _directions(at: SingularPoint, radius: float) -> Iterator[Array]:
+    """Places of the null space (k + 1,) at a radius over which curves pass."""
+    if at.k == 1:
+        yield from _on_circle(at, radius)
+        return
+    directions = list[Array]()
+    for start in np.random.default_rng(0).normal(size=(STARTS, at.k + 1)):
+        try:
+            a = _near(at, radius, radius * start / np.linalg.norm(start))
+        except SolveError:
+            continue
+        if all(np.linalg.norm(a - b) > SAME * radius for b in directions):
+            directions.append(a)
+    yield from directions
+
+
+def _on_circle(at: SingularPoint, radius: float) -> Iterator[Array]:
+    """The same on a circle: where the one unfolding parameter passes 0."""
+
+    def over(angle: float) -> float:
+        return float(at.surface(radius * np.array([np.cos(angle), np.sin(angle)]))[1][0])
+
+    angles = np.linspace(0, 2 * np.pi, SAMPLES, endpoint=False) + 0.01
+    values = [over(angle) for angle in angles]
+    for k in range(SAMPLES):
+        low, high = angles[k], angles[k] + 2 * np.pi / SAMPLES
+        if values[k] * values[(k + 1) % SAMPLES] < 0:
+            angle = brentq(over, low, high, xtol=1e-15)
+            yield radius * np.array([np.cos(angle), np.sin(angle)])
+
+
+def _near(at: SingularPoint, radius: float, start: Array) -> Array:
+    """The place on a sphere over which a curve passes, next to one; on another sphere or this one.
+
+    Raises:
+        SolveError: Newton's method does not find it.
+    """
+    a: Array = radius * start / np.linalg.norm(start)
+    last = np.inf
+    for _ in range(NEWTON):
+        # directions along the sphere
+        across = np.linalg.svd(a[None, :])[2][1:].T
+        beta, h = at.surface(a)[1], DIFFERENCE * radius
+        slopes = [(at.surface(a + h * d)[1] - at.surface(a - h * d)[1]) / (2 * h) for d in across.T]
+        change = np.linalg.lstsq(np.stack(slopes, axis=1), -beta, 1e-6)[0]
+        size = float(np.linalg.norm(change))
+        if not size <= radius:
+            break
+        a = a + across @ change
+        a = radius * a / np.linalg.norm(a)
+        if size <= 1e-13 * radius or (size <= 1e-7 * radius and size >= 0.5 * last):
+            return a
+        last = size
+    raise SolveError("no curve passes next to the start")
