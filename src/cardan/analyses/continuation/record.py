@@ -68,7 +68,8 @@ class SpecialPointRecord:
         return quantity(branch.model, branch.family, name)(self.special.place.point)
 
     def __repr__(self) -> str:
-        return f"{self.name}: {self.description}"
+        same = self.name == self.description
+        return self.name if same else f"{self.name}: {self.description}"
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -312,7 +313,7 @@ class ContinuationRecord:
 
     def __repr__(self) -> str:
         ends = ", ".join(f"{n} = {v[0]:.6g} ... {v[-1]:.6g}" for n, v in self.main.values.items())
-        lines = [f"continuation of '{self.model.name}', {ends}: {self.message}"]
+        lines = [f"continuation of '{self.model.name}', {ends}: {self.main.curve.ended}"]
         for branch in self.branches.values():
             lines.append(
                 f"  '{branch.name}': {counted(len(branch), 'point')}, "
