@@ -92,6 +92,36 @@ def chain(n: int) -> cd.CompiledModel:
     return cd.compile(scene)
 
 
+def shallow_arch(height: float) -> cd.CompiledModel:
+    """Two sines of an arch with rho = 1 in units EI (pi / L)^4, as forces of two slides."""
+    scene = cd.Scene("arch", gravity=(0, 0, 0))
+    load = scene.parameter("load", 0.0)
+    for name, start in (("a1", height), ("a2", 0.0)):
+        body = scene.body(f"body_{name}", **POINT)
+        scene.joint(name, cd.Prismatic("x"), scene.ground, body, q0=start)
+    a1, a2 = scene.q("a1"), scene.q("a2")
+    stretch = height**2 - a1**2 - 4 * a2**2
+    scene.force("first", cd.JointForce("a1", height - a1 + stretch * a1 / 4 - load))
+    scene.force("second", cd.JointForce("a2", a2 * (stretch - 16)))
+    return cd.compile(scene)
+
+
+def column(damping: float) -> cd.CompiledModel:
+    """H. Ziegler's column (1952): two links, masses 2 and 1, springs of 1, P along the second."""
+    scene = cd.Scene("column", gravity=(0, 0, 0))
+    load = scene.parameter("P", 0.0)
+    lower = scene.body("lower", mass=2.0, com=(0, 0, 1), inertia=(0, 0, 0))
+    upper = scene.body("upper", mass=1.0, com=(0, 0, 1), inertia=(0, 0, 0))
+    scene.joint("one", cd.Revolute("y"), scene.ground, lower)
+    scene.joint("two", cd.Revolute("y"), lower.at(0, 0, 1), upper)
+    for name in ("one", "two"):
+        scene.force(f"spring_{name}", cd.JointSpring(name, stiffness=1.0))
+        if damping:
+            scene.force(f"damper_{name}", cd.JointDamper(name, damping=damping))
+    scene.force("load", cd.Force(upper.at(0, 0, 1), (0, 0, -1 * load), in_=upper))
+    return cd.compile(scene)
+
+
 def kinds(path: Any) -> list[str]:
     return [point.kind for point in path.points]
 
@@ -177,6 +207,36 @@ def test_all_branches_of_a_double_point() -> None:
         a, b, load = branch["one"], branch["two"], branch["P"]
         np.testing.assert_allclose(load * np.sin(a) * np.cos(b), a, atol=1e-9)
         np.testing.assert_allclose(load * np.cos(a) * np.sin(b), b, atol=1e-9)
+
+
+def test_branches_that_meet_again_are_followed_once() -> None:
+    """Y. C. Fung, A. Kaplan (1952): a1^2 + 4 a2^2 = h^2 - 16, load = h + 3 a1 on the ellipse."""
+    path = shallow_arch(8.0).continuation(load=(0, 80), branches=True)
+    assert kinds(path) == ["branch point", "fold", "fold", "branch point", "event"]
+    limit, sway = (60 / 3) ** 0.5, 48**0.5
+    for name, a1 in (("fold 1", limit), ("branch point 1", sway)):
+        wanted = 8 - a1 + (64 - a1**2) * a1 / 4
+        assert path.point(name).values["load"] == pytest.approx(wanted, rel=EXACT)
+    assert [*path.branches] == ["main", "1a"]
+    ellipse = path.branches["1a"]
+    assert ellipse.status == "closed"
+    np.testing.assert_allclose(ellipse["a1"] ** 2 + 4 * ellipse["a2"] ** 2, 48, rtol=EXACT)
+    np.testing.assert_allclose(ellipse["load"], 8 + 3 * ellipse["a1"], atol=1e-9)
+    met = [point for point in ellipse.points if point.kind == "branch point"]
+    assert "it is branch point 2 of 'main'" in str(met[0])
+
+
+@pytest.mark.parametrize(
+    ("damping", "load", "frequency"),
+    [(0.1, 41 / 28 + 0.1**2 / 2, 0.5345224838248488), (0.0, 7 / 2 - 2**0.5, 0.5**0.25)],
+)
+def test_flutter(damping: float, load: float, frequency: float) -> None:
+    """G. Herrmann, I.-C. Jong (1965): 41 k / 28 l + b^2 / 2 m l^3; (7/2 - sqrt 2) k / l without."""
+    (point, _) = column(damping).continuation(P=(0, 3)).points
+    assert point.kind == "Hopf point"
+    assert point.values["P"] == pytest.approx(load, abs=EXACT)
+    # undamped the frequency is a double root
+    assert point.frequency == pytest.approx(frequency, rel=1e-9 if damping else 1e-6)
 
 
 def test_near_points_are_told_apart() -> None:

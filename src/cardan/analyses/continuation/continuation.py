@@ -7,7 +7,7 @@ is an unknown like the position, and turns back.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,16 +23,18 @@ from ..statics.static_problem import Point, Problem
 from ..statics.statics import sweepable
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import DynamicSystem
-from .curve import BRANCH, Curve, Test, Watch, trace
+from .curve import BRANCH, Curve, Special, Test, Watch, trace
 from .equilibria import EquilibriumFamily
+from .family import length
 from .follow import Place, Reach, place
 from .quantities import Quantity, quantity
 from .record import BranchRecord, ContinuationRecord
-from .singular_point import HalfBranch
 from .stability_cache import StabilityCache
 
 POINTS = 300
 MAIN = "main"
+SAME = 1e-6  # lengths of increments between points that are one
+PARALLEL = 0.999  # cosine of directions that are one
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 
 
@@ -130,6 +132,32 @@ def _start(system: DynamicSystem, way: Loading, q: object) -> Point:
 
 
 @dataclass(eq=False)
+class _Junction:
+    """A branch point, and which of the branches that leave it were followed.
+
+    Attributes:
+        name: ``"branch point 1 of 'main'"``.
+        special: The point.
+        followed: Numbers of the branches.
+    """
+
+    name: str
+    special: Special
+    followed: set[int] = field(default_factory=set)
+
+    def is_at(self, family: EquilibriumFamily, special: Special) -> bool:
+        """True when a point of a curve is this one."""
+        return length(family, family.step(self.special.place.point, special.place.point)) < SAME
+
+    def passed(self, family: EquilibriumFamily, special: Special) -> None:
+        """Note that a curve passes here: what it comes and leaves along is followed."""
+        for k, half in enumerate(self.special.halves):
+            along = float(half.tangent @ (family.weights * special.place.tangent))
+            if abs(along) > PARALLEL:
+                self.followed.add(k)
+
+
+@dataclass(eq=False)
 class _Run:
     """Branches as they are followed.
 
@@ -140,6 +168,7 @@ class _Run:
         points: Of a branch at most.
         reach: Controls of steps.
         branches: Branches by name.
+        junctions: Branch points that they pass.
     """
 
     model: LoadedModel
@@ -149,23 +178,31 @@ class _Run:
     points: int
     reach: Reach
     branches: dict[str, BranchRecord] = field(default_factory=dict)
+    junctions: list[_Junction] = field(default_factory=list)
 
     def all_of(self, begin: Place, depth: int, show: Show) -> ContinuationRecord:
-        """The curve through a place, and the branches that leave it."""
-        waiting: list[tuple[str, Place, int]] = [(MAIN, begin, depth)]
+        """The curve through a place, and the branches that leave it, each once."""
+        waiting = list[tuple[str, _Junction, int, int]]()
         try:
+            curve = self._traced(MAIN, begin, show)
+            waiting += [(*one, depth) for one in self._leaving(MAIN, curve)]
             while waiting:
-                name, first, left = waiting.pop(0)
-                curve = Curve(self.family, [first])
-                self._traced(name, curve, show)
-                if left > 0:
-                    waiting += [(*one, left - 1) for one in self._leaving(name, curve)]
+                name, junction, k, generations = waiting.pop(0)
+                if generations < 1 or k in junction.followed:
+                    continue
+                junction.followed.add(k)
+                half = junction.special.halves[k]
+                first = place(self.family, half.point, half.direction)
+                curve = self._traced(name, first, show)
+                waiting += [(*one, generations - 1) for one in self._leaving(name, curve)]
         except KeyboardInterrupt:
             if not self.branches:
                 raise
         return ContinuationRecord(self.model, self.family, dict(self.branches))
 
-    def _traced(self, name: str, curve: Curve, show: Show) -> None:
+    def _traced(self, name: str, first: Place, show: Show) -> Curve:
+        """The curve through a place."""
+        curve = Curve(self.family, [first])
         watch = Watch(self.stabilities.count, self.stabilities.growth, self.tests, self.points)
 
         def on_step(curve: Curve) -> None:
@@ -178,19 +215,26 @@ class _Run:
             raise
         finally:
             self.branches[name] = BranchRecord.of(name, self.model, curve, self.stabilities)
+        return curve
 
-    def _leaving(self, name: str, curve: Curve) -> list[tuple[str, Place]]:
-        """Names and first places of branches that leave a curve."""
-        leaving = list[tuple[str, Place]]()
-        prefix = "" if name == MAIN else f"{name}."
-        crossings = (special for special in curve.special if special.kind == BRANCH)
-        for number, special in enumerate(crossings, 1):
-            for letter, half in zip(LETTERS, special.halves, strict=False):
-                leaving.append((f"{prefix}{number}{letter}", self._first(half)))
+    def _leaving(self, name: str, curve: Curve) -> list[tuple[str, _Junction, int]]:
+        """Names of branches that leave a curve, and where; points passed before lead to no more."""
+        leaving = list[tuple[str, _Junction, int]]()
+        prefix, number = "" if name == MAIN else f"{name}.", 0
+        for k, special in enumerate(curve.special):
+            if special.kind != BRANCH:
+                continue
+            number += 1
+            there = (one for one in self.junctions if one.is_at(self.family, special))
+            if (junction := next(there, None)) is not None:
+                junction.passed(self.family, special)
+                curve.special[k] = replace(special, halves=(), label=junction.name)
+                continue
+            junction = _Junction(f"branch point {number} of '{name}'", special)
+            self.junctions.append(junction)
+            letters = LETTERS[: len(special.halves)]
+            leaving += [(f"{prefix}{number}{x}", junction, i) for i, x in enumerate(letters)]
         return leaving
-
-    def _first(self, half: HalfBranch) -> Place:
-        return place(self.family, half.point, half.direction)
 
 
 def _tests(

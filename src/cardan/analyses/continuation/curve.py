@@ -326,8 +326,9 @@ def _crossing(
         # J may have lost more of its rank than was asked for
         if _loses_more(family, singular):
             continue
-        place = _at_crossing(family, step, singular)
-        halves = _leaving(family, singular, place.tangent) if watch.switches else ()
+        halves, tangent = _meeting(family, singular, step, watch.switches)
+        rate, jacobian = float(tangent[-1]), family.jacobian(singular.point)
+        place = Place(singular.point, tangent, rate, 0.0, jacobian)
         return Special(BRANCH, "", place, number, part, singular, halves)
     return None
 
@@ -337,24 +338,23 @@ def _loses_more(family: Family, singular: SingularPoint) -> bool:
     return len(values) > singular.k and bool(values.max() <= 1e-7)
 
 
-def _at_crossing(family: Family, step: Step, singular: SingularPoint) -> Place:
-    """The singular point as a place of the curve: the tangent lies in the null space."""
-    t = singular.V @ (singular.V.T @ (family.weights * step.before.tangent))
-    t = t / length(family, t)
-    return Place(singular.point, t, float(t[-1]), 0.0, family.jacobian(singular.point))
-
-
-def _leaving(family: Family, singular: SingularPoint, tangent: Array) -> Sequence[HalfBranch]:
-    """Curves that leave a singular point other than the one on which it was singular."""
+def _meeting(
+    family: Family, singular: SingularPoint, step: Step, switches: bool
+) -> tuple[Sequence[HalfBranch], Array]:
+    """Curves that leave a singular point other than the one of a step, and the tangent of that."""
+    before = step.before.tangent
+    tangent = singular.V @ (singular.V.T @ (family.weights * before))
+    tangent = tangent / length(family, tangent)
     try:
-        halves = half_branches(singular)
+        halves = half_branches(singular) if switches else []
     except SolveError:
-        return ()
-    along = [float(tangent @ (family.weights * half.tangent)) for half in halves]
-    if not halves:
-        return ()
+        halves = []
+    if len(halves) < 2:
+        return (), tangent
+    along = [float(before @ (family.weights * half.tangent)) for half in halves]
     forward, backward = int(np.argmax(along)), int(np.argmin(along))
-    return tuple(half for i, half in enumerate(halves) if i not in (forward, backward))
+    others = [half for i, half in enumerate(halves) if i not in (forward, backward)]
+    return tuple(others), halves[forward].tangent
 
 
 def _hopf(family: Family, watch: Watch, step: Step, interval: _Interval, number: int) -> Special:

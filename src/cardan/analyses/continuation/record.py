@@ -225,6 +225,8 @@ class BranchRecord:
             return f"{near}{where}, where an oscillation of {special.frequency:.6g} rad/s begins"
         if special.kind == EVENT:
             return f"{near}{where}"
+        if special.label:
+            return f"{where}; it is {special.label}"
         if special.singular is None:
             return f"{near}{where}; what leaves it was not found. Take shorter steps: step="
         if not names:

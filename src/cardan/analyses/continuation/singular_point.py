@@ -90,6 +90,8 @@ def singular_point(family: Family, start: Point, k: int) -> SingularPoint:
     Raises:
         SolveError: there is none.
     """
+    if k >= len(family.weights):
+        raise SolveError("J has not so much rank to lose")
     point, jacobian = start, family.jacobian(start)
     _, B, C = jacobian.weakest(k)
     rows, gone, last = C.T, 0.0, np.inf
