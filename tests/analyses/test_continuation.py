@@ -289,6 +289,20 @@ def test_prescribed_displacements_pass_limit_loads() -> None:
     assert all(path.main.stable_held)
 
 
+def test_what_nothing_resists_stays_where_it_is() -> None:
+    """A pendulum that also turns about the vertical: m g l sin a = k (pi / 2 - a), any turn."""
+    scene = cd.Scene("turning", gravity=(0, 0, -9.81))
+    post, rod = scene.body("post", **POINT), scene.body("rod", com=(0, 0, -1), **POINT)
+    scene.joint("turn", cd.Revolute("z"), scene.ground, post)
+    scene.joint("tilt", cd.Revolute("y"), post, rod)
+    scene.force("spring", cd.JointForce("tilt", 5.0 * (np.pi / 2 - scene.q("tilt"))))
+    path = cd.compile(scene).continuation({"gravity.z": (-1.0, -9.81)}, q={"turn": 0.7})
+    assert path.success
+    tilt, weight = path["tilt"], -path["gravity.z"]
+    np.testing.assert_allclose(weight * np.sin(tilt), 5 * (np.pi / 2 - tilt), rtol=1e-9)
+    np.testing.assert_allclose(path["turn"], 0.7, rtol=1e-12)
+
+
 def test_interrupted_paths_are_kept(monkeypatch: pytest.MonkeyPatch) -> None:
     shown = list[float]()
 

@@ -28,6 +28,7 @@ WORKING = {
     "simulate": (ARM, "--time", "0.1"),
     "equilibrium": (ARM,),
     "statics": (ARM, "--sweep", "gravity.z=-1,-9.81"),
+    "continuation": (ARM, "--vary", "gravity.z=-1:-9.81"),
     "modes": (ARM,),
     "linearize": (ARM,),
     "identify": (ARM,),

@@ -82,6 +82,22 @@ def test_statics(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert "no parameter or input 'Q'" in capsys.readouterr().err
 
 
+def test_continuation(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("matplotlib")
+    follow = ("continuation", scene, "--vary", "P=0:3", "--bound", "foot=-1.4:1.4")
+    assert status(*follow, "--branches", "1", "--plot", "path.png", "--axes", "P,foot") == 0
+    assert "branch point 1: P = 2; 2 branches (1a, 1b)" in capsys.readouterr().out
+    assert (tmp_path / "path.png").is_file()
+    assert status(*follow, "--branches", "1", "--json") == 0
+    branch = json.loads(capsys.readouterr().out)["branches"]["1a"]
+    foot = np.array(branch["q"]["foot"])
+    np.testing.assert_allclose(branch["values"]["P"], 2 * foot / np.sin(foot))
+    assert status("continuation", scene, "--vary", "P=0,3") == 2
+    assert "NAME=FROM:TO" in capsys.readouterr().err
+    assert status(*follow, "--points", "3") == 1
+    assert "after 3 points" in capsys.readouterr().out
+
+
 def test_modes(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert status("modes", scene, "--set", "P=1", "--view", "mode.html") == 0
     said = capsys.readouterr().out

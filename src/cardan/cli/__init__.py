@@ -52,6 +52,7 @@ COMMANDS = {
     "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
     "equilibrium": (".equilibrium", "where a mechanism rests, and whether stably"),
     "statics": (".statics", "equilibria under loads that change, and where stability ends"),
+    "continuation": (".continuation", "every equilibrium a load leads to, with branches"),
     "modes": (".modes", "frequencies and shapes of vibration, at rest or whirling"),
     "linearize": (".linearize", "the linear model, root loci, Campbell diagrams"),
     "trim": (".trim", "what a wanted steady motion takes, and whether it is stable"),

@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 from typing import final
 
 import numpy as np
-from scipy.sparse import csr_array, issparse
+from scipy.linalg import qr
+from scipy.sparse import csr_array, diags_array, issparse
 
 from ...arrays import Array
 from ...errors import SolveError
@@ -19,6 +20,7 @@ from .family import DenseJacobian, Jacobian
 
 # of the range of the load: steps of differences of order 4, where those leave the domain of order 1
 LOAD_STEP, SHORT_STEP = 1e-3, 1e-7
+FREE = 1e-11  # of the largest stiffness: what is free still
 NODE = 6  # speeds of a node: lengths of increments count nodes, and do not grow with the mesh
 
 
@@ -50,23 +52,26 @@ class EquilibriumFamily:
         way: The loads.
         unit: Of forces, without units: the largest stiffness at the start.
         weights: See :class:`.Family`: forces follow from the rest and do not count.
+        free: Directions (nu, k) that nothing resists at the start, such as a turn about the load.
     """
 
     problem: Problem
     way: Loading
     unit: float
     weights: Array
+    free: Array
 
     @classmethod
     def of(cls, problem: Problem, way: Loading, point: Point, s: float = 0.0) -> EquilibriumFamily:
         """The family through an equilibrium at a place of the loads."""
         load, system = way.at(s), problem.system
-        unit = float(abs(problem.tangent(point, load)[0]).max()) or 1.0
+        K, G = problem.tangent(point, load)
+        unit = float(abs(K).max()) or 1.0
         nu, nz, m = len(system.columns), len(system.internals), len(system.rows)
+        free = system.saddle.lowest(K[:nu, :nu], G[:, :nu]).free_directions
         position = np.full(nu + nz, 1.0 / max(1.0, nu / NODE))
-        return cls(
-            problem, way, unit, np.concatenate([position, np.zeros(m + len(load.locked)), [1]])
-        )
+        weights = np.concatenate([position, np.zeros(m + len(load.locked)), [1.0]])
+        return cls(problem, way, unit, weights, free)
 
     @property
     def along_parameter(self) -> Array:
@@ -104,11 +109,22 @@ class EquilibriumFamily:
     def jacobian(self, at: Loaded) -> Jacobian:
         """Same as :meth:`.Family.jacobian`."""
         K, G = self.problem.tangent(at.point, at.load)
+        K = self._anchored(K)
         by_load = self._by_load(at)
         core = self._core
         if core is None or sum(G.shape) <= FULL:
             return DenseJacobian(_dense(_array(K) / self.unit, _array(G), by_load))
         return SaddleJacobian(csr_array(K / self.unit), G, by_load, core)
+
+    def _anchored(self, K: Matrix) -> Matrix:
+        """A stiffness with springs on directions that are free still: nothing pushes along them."""
+        nu, count = self.free.shape
+        if not count:
+            return K
+        loose = np.abs(K[:nu, :nu] @ self.free).max(axis=0) <= FREE * self.unit
+        springs = np.zeros(K.shape[0])
+        springs[qr(self.free[:, loose].T, pivoting=True)[2][: int(loose.sum())]] = self.unit
+        return csr_array(K + diags_array(springs)) if issparse(K) else K + np.diag(springs)
 
     @property
     def _core(self) -> SparseSaddle | None:
