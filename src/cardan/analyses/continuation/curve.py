@@ -28,7 +28,6 @@ NEAR = 2.0  # widths of a bracket within which a point must lie
 MOST_LOST = 3  # of the rank
 CLOSED = 1e-7  # of a step: a curve that comes back to its start
 Count = Callable[[Place], int | None]
-Growth = Callable[[Place], float]
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +74,7 @@ class Special:
 
 @dataclass(eq=False)
 class Curve:
-    """What was singular of a curve so far.
+    """What was found of a curve so far.
 
     Attributes:
         family: Of what.
@@ -117,7 +116,7 @@ class Watch:
 def trace(
     curve: Curve, watch: Watch, reach: Reach, on_step: Callable[[Curve], None] = lambda _: None
 ) -> None:
-    """Follow a curve from its last place to an end; what was singular stays, whatever happens."""
+    """Follow a curve from its last place to an end; what was found stays, whatever happens."""
     family, start = curve.family, curve.places[-1]
     values = [test.value(start) for test in watch.tests]
     try:
@@ -310,7 +309,7 @@ def _part(family: Family, step: Step, point: Point) -> float:
 def _crossing(
     curve: Curve, watch: Watch, step: Step, interval: _Interval, lost: int, number: int
 ) -> Special | None:
-    """The point within a part of a step where curves cross; None where none is singular."""
+    """The point within a part of a step where curves cross; None where none is found."""
     family = curve.family
     inside = family.step(interval.before.point, interval.after.point)
     start = family.moved(interval.before.point, 0.5 * inside)
