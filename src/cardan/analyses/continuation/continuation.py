@@ -81,7 +81,7 @@ def continuation(
 
     Returns:
         The path and its branches, with folds, branch points, Hopf points and events in ``points``;
-        what was branches before Ctrl-C too.
+        what was found before Ctrl-C too.
 
     Raises:
         ModelError: unknown names, nothing swept. ArgumentError: values of a wrong shape.

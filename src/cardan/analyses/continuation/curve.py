@@ -326,8 +326,7 @@ def _crossing(
         if _loses_more(family, singular):
             continue
         halves, tangent = _meeting(family, singular, step, watch.switches)
-        rate, jacobian = float(tangent[-1]), family.jacobian(singular.point)
-        place = Place(singular.point, tangent, rate, 0.0, jacobian)
+        place = Place(singular.point, tangent, float(tangent[-1]), 0.0)
         return Special(BRANCH, "", place, number, part, singular, halves)
     return None
 

@@ -18,7 +18,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
-from .family import Bordered, Family, Jacobian, Point, length, row
+from .family import Bordered, Family, Point, length, row
 
 NEWTON = 8
 # residuals that are rounding; corrections, as a part of the reach, whose square would be
@@ -54,14 +54,12 @@ class Place:
         parameter_rate: Derivative of the parameter by the length of the curve: 0 at a fold.
         orientation: Sign of the determinant of J with the tangent as a row; it changes where an odd
             number of curves cross. 0 where it is not known.
-        jacobian: J there.
     """
 
     point: Point
     tangent: Array
     parameter_rate: float
     orientation: float
-    jacobian: Jacobian
 
 
 def place(family: Family, point: Point, toward: Array) -> Place:
@@ -71,7 +69,7 @@ def place(family: Family, point: Point, toward: Array) -> Place:
     tangent = by.solve(np.zeros(len(toward) - 1), np.ones(1))[0]
     tangent = tangent / length(family, tangent)
     # the row of the tangent itself gives the same sign: both have a positive product with it
-    return Place(point, tangent, float(tangent[-1]), by.sign, jacobian)
+    return Place(point, tangent, float(tangent[-1]), by.sign)
 
 
 def corrected(
