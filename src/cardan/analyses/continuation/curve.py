@@ -325,7 +325,7 @@ def _crossing(
         # J may have lost more of its rank than was asked for
         if _loses_more(family, singular):
             continue
-        halves, tangent = _meeting(family, singular, step, watch.switches)
+        halves, tangent = _other_curves(family, singular, step, watch.switches)
         place = Place(singular.point, tangent, float(tangent[-1]), 0.0)
         return Special(BRANCH, "", place, number, part, singular, halves)
     return None
@@ -336,7 +336,7 @@ def _loses_more(family: Family, singular: SingularPoint) -> bool:
     return len(values) > singular.k and bool(values.max() <= 1e-7)
 
 
-def _meeting(
+def _other_curves(
     family: Family, singular: SingularPoint, step: Step, switches: bool
 ) -> tuple[Sequence[HalfBranch], Array]:
     """Curves that leave a singular point other than the one of a step, and the tangent of that."""
@@ -351,8 +351,8 @@ def _meeting(
         return (), tangent
     along = [float(before @ (family.weights * half.tangent)) for half in halves]
     forward, backward = int(np.argmax(along)), int(np.argmin(along))
-    others = [half for i, half in enumerate(halves) if i not in (forward, backward)]
-    return tuple(others), halves[forward].tangent
+    remaining = [half for i, half in enumerate(halves) if i not in (forward, backward)]
+    return tuple(remaining), halves[forward].tangent
 
 
 def _hopf(family: Family, watch: Watch, step: Step, interval: _Interval, number: int) -> Special:

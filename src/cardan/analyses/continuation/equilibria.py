@@ -121,9 +121,11 @@ class EquilibriumFamily:
         nu, count = self.free.shape
         if not count:
             return K
-        loose = np.abs(K[:nu, :nu] @ self.free).max(axis=0) <= FREE * self.unit
+        unresisted = np.abs(K[:nu, :nu] @ self.free).max(axis=0) <= FREE * self.unit
         springs = np.zeros(K.shape[0])
-        springs[qr(self.free[:, loose].T, pivoting=True)[2][: int(loose.sum())]] = self.unit
+        springs[qr(self.free[:, unresisted].T, pivoting=True)[2][: int(unresisted.sum())]] = (
+            self.unit
+        )
         return csr_array(K + diags_array(springs)) if issparse(K) else K + np.diag(springs)
 
     @property
