@@ -160,6 +160,19 @@ def test_step_loads_are_exact(name: str, coordinates: str) -> None:
     assert 2 * stepper.state[model.nq] == pytest.approx(20, abs=1e-10)
 
 
+@each("written", ["<", "<=", ">", ">="])
+@each("time", [0.7, 0.1 * 7, 0.1 * 3])
+def test_a_jump_is_seen_from_its_own_side(written: str, time: float) -> None:
+    """A step ended a rounding beside a time of many digits, and its derivative had both sides."""
+    condition = sympy.Rel(cd.t, time, written)
+    force = sympy.Piecewise((20.0, condition), (-10.0, True))
+    motion = pushed(force).simulate(2.0, method="DOP853")
+    sides = (20.0, -10.0) if "<" in written else (-10.0, 20.0)
+    momentum = sides[0] * time + sides[1] * (2.0 - time)
+    assert motion.solver_info.statistics["rejections"] == 0
+    assert 2 * motion["x.u"][-1] == pytest.approx(momentum, abs=1e-13)
+
+
 def test_step_loads_at_parameters_are_exact_in_every_run_of_an_ensemble() -> None:
     """The times of jumps are those of the run's own parameters."""
     model = pushed("parameter")

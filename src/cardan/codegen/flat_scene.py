@@ -23,6 +23,8 @@ from ..schema.tree import CloserRow, SampleRow
 from ..spatial.axis import complement, unit
 from ..topology.system import Cut, Joint, System, joint_lengths
 
+TIME_JUMPS = "time_jumps"
+
 
 def force_element_rows(system: System) -> list[ForceElementRow]:
     """Force elements with the names of their frames, for pictures."""
@@ -102,7 +104,7 @@ def time_jumps(system: System) -> Function | None:
     outputs = (_output("jumps", (len(conditions),), [(node,) for node in conditions]),)
     if not conditions:
         return None
-    return _function("time_jumps", system, graph, outputs, "what jumps at times passes zero there")
+    return _function(TIME_JUMPS, system, graph, outputs, "what jumps at times passes zero there")
 
 
 def _sizes(joints: Sequence[Joint | Cut], name: str = "sizes") -> list[Output]:

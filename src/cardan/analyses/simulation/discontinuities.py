@@ -8,7 +8,6 @@ comparison says of the time itself.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...runtime.models.loaded_model import LoadedModel
@@ -43,25 +42,26 @@ def time_jumps(model: LoadedModel, start: float, end: float, looks: int = LOOKS)
     if not jumps(model) or start == end:
         return []
 
-    def signs(t: Array) -> NDArray[np.bool_]:
+    def compared(t: Array) -> Array:
         p = model.parameters.vector
         jumps = model._evaluate_saved(FUNCTION, p=p, t=t[:, None])["jumps"]
-        return np.broadcast_to(np.asarray(jumps) < 0, (len(t), np.shape(jumps)[-1]))
+        return np.broadcast_to(np.asarray(jumps), (len(t), np.shape(jumps)[-1]))
 
     times = np.linspace(start, end, looks)
-    sampled = signs(times)
+    holds = compared(times) < 0
     instants = set[float]()
-    for k, which in zip(*np.nonzero(sampled[1:] != sampled[:-1]), strict=True):
+    for k, which in zip(*np.nonzero(holds[1:] != holds[:-1]), strict=True):
         low, high = float(times[k]), float(times[k + 1])
         for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
             if middle in (low, high):
                 break
-            if signs(np.array([middle]))[0, which] == sampled[k, which]:
+            if (compared(np.array([middle]))[0, which] < 0) == holds[k, which]:
                 low = middle
             else:
                 high = middle
-        # the neighbor that has fewer digits is the one that was meant
-        instants.add(min(low, high, key=lambda t: len(repr(t))))
+        # where both sides are equal neither neighbor is on the wrong one, whether < or <= is asked
+        equal = compared(np.array([low, high]))[:, which] == 0
+        instants.add(low if equal[0] else high)
     low, high = min(start, end), max(start, end)
     return sorted((t for t in instants if low < t < high), reverse=end < start)

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from pathlib import Path
 
 from ...schema import kernel_files
 from ...schema.integrators import KERNELS
+from ...topology.system import System
+from .. import flat_scene, layout
+from ..writing import generate
 from . import linkage
 
 # integrators by their files
@@ -28,6 +32,15 @@ def needed(integrators: Iterable[str], states: bool) -> dict[str, None]:
     """
     called = (INTEGRATORS[one].called(elements=False, states=states) for one in integrators)
     return dict.fromkeys(name for names in called for name in names)
+
+
+def add_time_jumps(folder: Path, system: System) -> tuple[str, ...]:
+    """Add what runs ask for the times at which a scene jumps; returns its name, if it has any."""
+    jumps = flat_scene.time_jumps(system)
+    if jumps is None:
+        return ()
+    layout.add_functions(folder, [(generate(jumps, system.name), jumps)])
+    return (jumps.name,)
 
 
 def kernels(integrators: tuple[str, ...], elements: bool) -> dict[str, str]:

@@ -15,7 +15,7 @@ from ...errors import CodegenError, DerivationError, brief, near
 from ...schema.c_functions import FunctionRow
 from ...schema.functions import FUNCTIONS
 from ...schema.manifest import Manifest
-from .. import header, layout, manifest
+from .. import flat_scene, header, layout, manifest
 from ..header import Exported
 from ..languages import LANGUAGES, cython
 from ..sources import source
@@ -158,6 +158,8 @@ def export(
 
     def fill(folder: Path) -> Content:
         _write(folder, equations, requested, loops)
+        if request.integrators:
+            companions.add_time_jumps(folder, equations.system)
         entries = layout.manifest_of(folder).functions
         return Content(_ordered(entries), _closed(folder, equations, requested, start))
 
@@ -233,7 +235,7 @@ def _requested(
 
 def _ordered(entries: Mapping[str, FunctionRow]) -> dict[str, Exported]:
     """Functions of the manifest; first one that no run calls beside rhs, if there is one."""
-    called = {*companions.CLOSING, *companions.EVENT_FUNCTIONS}
+    called = {*companions.CLOSING, *companions.EVENT_FUNCTIONS, flat_scene.TIME_JUMPS}
     called |= {*companions.needed(companions.INTEGRATORS, states=True)}
     ordered = sorted(entries, key=called.__contains__)
     return {name: Exported.of(entries[name]) for name in ordered}

@@ -13,6 +13,7 @@ from ...errors import CodegenError, DerivationError, near
 from ...schema.planned import Planned
 from .. import layout
 from ..finite_elements import functions_header, model_folder, tables_header
+from ..header import Exported
 from ..sources import source
 from ..writing import generate
 from . import companions
@@ -80,11 +81,13 @@ def export(
         if commons:
             model = absolute.system.name
             layout.add_functions(folder, [(generate(f, model=model), f) for f in commons])
+        jumps = companions.add_time_jumps(folder, absolute.system) if request.integrators else ()
         entries, planned = layout.manifest_of(folder).functions, plan(folder)
         q, u, z = np.split(planned.start, np.cumsum([absolute.places.nq, absolute.places.nu]))
         calls = Name("&cardan_calls_of_elements")
         return Content(
-            functions_header.exported(names, EXAMPLE_FUNCTION),
+            functions_header.exported(names, EXAMPLE_FUNCTION)
+            | {name: Exported.of(entries[name]) for name in jumps},
             {"q": q.tolist(), "u": u.tolist(), "z": z.tolist()},
             {
                 "mesh": Name("&mesh"),

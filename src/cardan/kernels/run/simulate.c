@@ -3,6 +3,7 @@
  * Part of cardan. Caller owns all memory; see simulate.h.
  */
 #include "simulate.h"
+#include "jumps.h"
 #include <math.h>
 
 /* rows of the log of events, and more per event; steps between two looks at it */
@@ -12,7 +13,7 @@ static const real USUAL_RHO_INF = 0.8; /* RHO_INF alone is what example.c lets c
 /* What a run works on, in the memory of the caller. */
 typedef struct block {
     void *prepared;
-    real *memory, *settings, *log, *options;
+    real *memory, *settings, *log, *options, *stops, *jumps_work;
     cardan_tick *ticks;
 } block;
 
@@ -85,7 +86,6 @@ static void choose(const cardan_exported_method *method, const cardan_simulation
     run->rtol = step > 0 ? 0 : settings->rtol > 0 ? settings->rtol : method->rtol;
     run->atol = step > 0 ? 1 : settings->atol > 0 ? settings->atol : method->atol;
     run->max_step = INFINITY, run->budget = BUDGET, run->culprit = -1;
-    run->stops = &settings->end, run->stop_count = 1;
     run->t = settings->start;
 }
 
@@ -113,6 +113,8 @@ static size_t lay(const cardan_export *model, char *memory, cardan_run *run, blo
     at->options = reserve(memory, &used, OPTIONS * sizeof(real));
     at->log = reserve(memory, &used, (size_t)(run->log_capacity * width) * sizeof(real));
     at->ticks = reserve(memory, &used, (size_t)run->tick_count * sizeof(cardan_tick));
+    at->stops = reserve(memory, &used, (cardan_jumps_capacity(model) + 1) * sizeof(real));
+    at->jumps_work = reserve(memory, &used, cardan_jumps_work_length(model) * sizeof(real));
     at->memory = reserve(memory, &used, cardan_run_length(run, settings, work) * sizeof(real));
     return used;
 }
@@ -128,6 +130,20 @@ size_t cardan_simulation_size(const cardan_export *model, const cardan_simulatio
     describe(model, &run);
     choose(method, settings, &run);
     return lay(model, NULL, &run, &at);
+}
+
+/* Prepare the model at the parameters, and find where its steps must end. */
+static int prepare(const cardan_export *model, const cardan_simulation *settings, const block *at,
+                   cardan_run *run)
+{
+    int status = cardan_prepare(model, settings->p ? settings->p : model->p, at->prepared);
+
+    if (status == 0)
+        status = cardan_time_jumps(model, at->prepared, settings->start, settings->end, at->stops,
+                                   &run->stop_count, at->jumps_work);
+    run->jumps = run->stop_count > 0;
+    at->stops[run->stop_count++] = settings->end;
+    return status;
 }
 
 /* Put the state in its place, where the run starts. */
@@ -196,6 +212,7 @@ int cardan_simulate(const cardan_export *model, cardan_simulation *settings, voi
     for (ptrdiff_t k = 0; k < run.tick_count; k++)
         at.ticks[k] = (cardan_tick){.event = model->ticks[k].event, .period = model->ticks[k].period,
                                     .phase = model->ticks[k].phase};
+    run.stops = at.stops;
     run.options = at.options, run.ticks = at.ticks, run.log = at.log;
     cardan_run_lay(&run, at.memory, (size_t)model->zeros, cardan_work_length(model));
     run.rows = settings->rows, run.capacity = settings->time_count;
@@ -203,7 +220,7 @@ int cardan_simulate(const cardan_export *model, cardan_simulation *settings, voi
         run.times = settings->times, run.time_count = settings->time_count;
     if (model->mesh)
         run.mesh = at.prepared;
-    status = cardan_prepare(model, settings->p ? settings->p : model->p, at.prepared);
+    status = prepare(model, settings, &at, &run);
     if (status == 0)
         status = enter(model, settings, at.prepared, &run);
     if (status == 0)
