@@ -116,11 +116,12 @@ def refuse_singular(m: Mechanism, q: Array) -> None:
     Raises:
         ModelError: the rank of the constraints is lower here than beside the position.
     """
-    U, s, Vt = np.linalg.svd(m.jacobian(q))
+    U, s = m.decomposition(q)
     rank = int(np.sum(s > SINGULAR * s.max(initial=0.0)))
-    W, V = U[:, rank:], Vt[rank:].T
-    if not W.size or not V.size:
+    W = U[:, rank:]
+    if not W.size or rank == m.nu:
         return
+    V = np.linalg.svd(m.jacobian(q))[2][rank:].T
     steps = ASIDE * V.T
     slopes = [m.jacobian(m.advance(q, v)) - m.jacobian(m.advance(q, -v)) for v in steps]
     curvature = np.stack([W.T @ slope @ V for slope in slopes], axis=1) / (2 * ASIDE)

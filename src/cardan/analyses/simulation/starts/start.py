@@ -112,8 +112,8 @@ def named_of(letter: str, model: LoadedModel, values: object) -> Mapping[str, An
     """The named values; None where every entry is given."""
     if values is not None and not isinstance(values, Mapping):
         return None
-    places = model.manifest.slots(letter)
     rows = model.coordinates if letter == "q" else model.speeds
+    places = model.manifest.slots(letter) if values else {}
     named_entries = {k for name in values or {} for k in range(*places[name].indices(len(rows)))}
     return None if len(named_entries) == len(rows) else values or {}
 
