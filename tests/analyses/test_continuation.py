@@ -275,7 +275,7 @@ def test_targets_and_events() -> None:
     # halfway through nothing pulls up
     assert event.values["P"] == pytest.approx(0.0, abs=EXACT)
     assert path["up"][-1] == pytest.approx(-0.8, abs=EXACT)
-    assert event.equilibrium.converged
+    assert event.solution.converged
 
 
 def test_prescribed_displacements_pass_limit_loads() -> None:

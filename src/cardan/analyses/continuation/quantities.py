@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TypeAlias
 
 from ...arrays import Array
 from ...errors import ModelError, near
 from ...runtime.models.loaded_model import LoadedModel
 from .equilibria import EquilibriumFamily, Loaded
+from .solutions import Quantity
 
-Quantity: TypeAlias = Callable[[Loaded], float]
 SUFFIX = ".holding_force"
 
 

@@ -1,4 +1,4 @@
-"""Paths of equilibria with their special points, as records."""
+"""Paths of solutions with their special points, as records."""
 
 from __future__ import annotations
 
@@ -13,14 +13,8 @@ from ...arguments import checked
 from ...arrays import Array, Integers
 from ...errors import ModelError, counted, near
 from ...runtime.models.loaded_model import LoadedModel
-from ..statics.equilibrium import EquilibriumRecord
-from ..statics.equilibrium import record as equilibrium_record
-from ..statics.newton import Search
-from ..statics.stability_at_equilibrium import largest_motions
 from .curve import BRANCH, EVENT, FOLD, HOPF, Curve, Special
-from .equilibria import EquilibriumFamily, Loaded
-from .quantities import quantity
-from .stability_cache import StabilityCache
+from .solutions import Solution, Solutions
 
 MAX_PRINTED = 24
 
@@ -58,14 +52,13 @@ class SpecialPointRecord:
     branch: BranchRecord = field(repr=False)
 
     @property
-    def equilibrium(self) -> EquilibriumRecord:
-        """The equilibrium there."""
-        return self.branch.equilibrium_at(self.special.place.point)
+    def solution(self) -> Solution:
+        """The equilibrium, position or cycle there, as ``path[k]`` is one."""
+        return self.branch.solutions.record(self.special.place.point)
 
     def __getitem__(self, name: str) -> float:
         """A coordinate, output, swept value or holding force there."""
-        branch = self.branch
-        return quantity(branch.model, branch.family, name)(self.special.place.point)
+        return self.branch.solutions.quantity(name)(self.special.place.point)
 
     def __repr__(self) -> str:
         same = self.name == self.description
@@ -80,104 +73,81 @@ class BranchRecord:
 
     Attributes:
         name: ``"main"``, or that of the branch: ``"2a"`` leaves branch point 2 of the main one.
-        model: The model.
         status: ``"finished"``, ``"closed"`` of a path that leads back to its start, ``"budget"``,
             ``"singular"`` or ``"interrupted"``.
         message: The same as a sentence.
         iterations, refused: Linear systems solved, steps that were halved.
-        curve, stabilities: For analyses that go on from here.
+        curve, solutions: For analyses that go on from here.
     """
 
     name: str
-    model: LoadedModel
     status: str
     message: str
     iterations: int
     refused: int
     curve: Curve = field(repr=False)
-    stabilities: StabilityCache = field(repr=False)
+    solutions: Solutions = field(repr=False)
 
     @classmethod
-    def of(
-        cls, name: str, model: LoadedModel, curve: Curve, stabilities: StabilityCache
-    ) -> BranchRecord:
+    def of(cls, name: str, curve: Curve, solutions: Solutions) -> BranchRecord:
         """The record of a curve."""
-        message = f"branch '{name}' of '{model.name}' {curve.ended or 'is not finished'}"
-        return cls(
-            name, model, curve.status, message, curve.corrections, curve.refused, curve, stabilities
-        )
+        message = f"branch '{name}' of '{solutions.model.name}' {curve.ended or 'is not finished'}"
+        return cls(name, curve.status, message, curve.corrections, curve.refused, curve, solutions)
 
     @property
-    def family(self) -> EquilibriumFamily:
-        """What is solved."""
-        family = self.curve.family
-        assert isinstance(family, EquilibriumFamily)
-        return family
+    def model(self) -> LoadedModel:
+        """The model."""
+        return self.solutions.model
 
     def __len__(self) -> int:
         return len(self.curve.places)
 
-    @cached_property
-    def s(self) -> Array:
-        """Place of every row on the path of loads: 0 and 1 are its ends (n,)."""
-        return np.array([place.point.s for place in self.curve.places])
-
     @property
     def values(self) -> Mapping[str, Array]:
         """What was swept, by name (n,)."""
-        rows = [self.family.way.values(s) for s in self.s]
-        return {name: np.array([row[name] for row in rows]) for name in self.family.way.swept}
+        rows = [self.solutions.values(place.point) for place in self.curve.places]
+        return {name: np.array([row[name] for row in rows]) for name in rows[0]}
 
     @property
     def q(self) -> Array:
         """Coordinates (n, nq)."""
-        return np.array([place.point.point.at.q for place in self.curve.places])
+        return np.array([self.solutions.coordinates(place.point) for place in self.curve.places])
 
     @property
     def lam(self) -> Array:
         """Multipliers (n, m)."""
-        return np.array([place.point.point.at.lam for place in self.curve.places])
+        return np.array([self.solutions.multipliers(place.point) for place in self.curve.places])
 
     @cached_property
     def n_negative(self) -> Integers:
         """Unstable directions with what is prescribed held (n,); -1 where it is not known."""
-        counts = (self.stabilities.count(place) for place in self.curve.places)
+        counts = (self.solutions.count(place) for place in self.curve.places)
         return np.array([-1 if n is None else n for n in counts], dtype=np.intp)
 
     @property
     def stable_held(self) -> list[bool | None]:
         """Stability of every row with displacements prescribed; None where it is not known."""
-        return [self._stable(place.point, False) for place in self.curve.places]
+        return [self.solutions.stable(place.point, True) for place in self.curve.places]
 
     @property
     def stable(self) -> list[bool | None]:
         """The same under dead loads in place of what prescribes displacements."""
-        return [self._stable(place.point, True) for place in self.curve.places]
-
-    def _stable(self, at: Loaded, dead: bool) -> bool | None:
-        stability = self.stabilities.stability(at)
-        return (stability.under_dead_load if dead else stability).stable
+        return [self.solutions.stable(place.point, False) for place in self.curve.places]
 
     @overload
     def __getitem__(self, name: str) -> Array: ...
     @overload
-    def __getitem__(self, name: int) -> EquilibriumRecord: ...
-    def __getitem__(self, name: str | int) -> Array | EquilibriumRecord:
+    def __getitem__(self, name: int) -> Solution: ...
+    def __getitem__(self, name: str | int) -> Solution:
         """The equilibrium of a row, or a history (n,).
 
         Raises:
             ModelError: no such history.
         """
         if isinstance(name, int | np.integer):
-            return self.equilibrium_at(self.curve.places[name].point)
-        of = quantity(self.model, self.family, name)
+            return self.solutions.record(self.curve.places[name].point)
+        of = self.solutions.quantity(name)
         return np.array([of(place.point) for place in self.curve.places])
-
-    def equilibrium_at(self, at: Loaded) -> EquilibriumRecord:
-        """A place as an equilibrium."""
-        search = Search(at.point, 0, True, np.zeros(0))
-        stability = self.stabilities.stability(at)
-        return equilibrium_record(self.model, self.family.problem, search, at.load, stability)
 
     @cached_property
     def points(self) -> tuple[SpecialPointRecord, ...]:
@@ -190,19 +160,19 @@ class BranchRecord:
         return tuple(records)
 
     def _point(self, special: Special, number: int) -> SpecialPointRecord:
-        n = self.family.positions
-        at = special.place.point
-        singular = special.singular
-        kernel = special.place.tangent[:n, None] if singular is None else singular.V[:n]
-        tangents = [np.append(half.tangent[:n], half.tangent[-1]) for half in special.halves]
+        of, singular = self.solutions, special.singular
+        kernel = of.motion(special.place.tangent[:, None] if singular is None else singular.V)
+        tangents = np.array(
+            [np.append(of.motion(half.tangent), half.tangent[-1]) for half in special.halves]
+        )
         prefix = f"{number}" if self.name == "main" else f"{self.name}.{number}"
         names = tuple(f"{prefix}{chr(ord('a') + k)}" for k in range(len(tangents)))
-        values = self.family.way.values(at.s)
+        values = of.values(special.place.point)
         name = special.label if special.kind == EVENT else f"{special.kind} {number}"
-        pairs = tuple((names[i], names[j]) for i, j in mirrored(self.family, special))
+        pairs = tuple((names[i], names[j]) for i, j in mirrored(of, special))
         return SpecialPointRecord(
             name, special.kind, values, kernel,
-            np.array(tangents).reshape(len(tangents), n + 1), names, pairs,
+            tangents.reshape(len(names), len(kernel) + 1), names, pairs,
             special.frequency, special.accurate,
             self._description(special, values, names, pairs), special, self,
         )  # fmt: skip
@@ -216,15 +186,11 @@ class BranchRecord:
     ) -> str:
         """What a special point is."""
         where = ", ".join(f"{name} = {value:.10g}" for name, value in values.items())
-        system, n = self.family.problem.system, self.family.positions
         near = "" if special.accurate else "near "
-        if special.kind == FOLD:
-            moving = largest_motions(system, special.place.tangent[:n])
-            return f"{near}{where}, where the load turns back as {moving} moves on"
-        if special.kind == HOPF:
-            return f"{near}{where}, where an oscillation of {special.frequency:.6g} rad/s begins"
         if special.kind == EVENT:
             return f"{near}{where}"
+        if special.kind != BRANCH:
+            return f"{near}{where}, {self.solutions.description(special)}"
         if special.label:
             return f"{where}; it is {special.label}"
         if special.singular is None:
@@ -232,7 +198,7 @@ class BranchRecord:
         if not names:
             return f"{where}; no branch was told apart that leaves it"
         moving = " or ".join(
-            dict.fromkeys(largest_motions(system, half.tangent[:n]) for half in special.halves)
+            dict.fromkeys(self.solutions.moving(half.tangent) for half in special.halves)
         )
         mirror = "; mirror images: " + ", ".join(f"{a} and {b}" for a, b in pairs) if pairs else ""
         listed = ", ".join(names)
@@ -240,14 +206,15 @@ class BranchRecord:
         return f"{where}; {many} ({listed}) along {moving}{mirror}"
 
 
-def mirrored(family: EquilibriumFamily, special: Special) -> Iterator[tuple[int, int]]:
+def mirrored(solutions: Solutions, special: Special) -> Iterator[tuple[int, int]]:
     """Pairs of branches that leave a point in opposite directions under the same loads."""
-    halves = special.halves
+    family, halves = solutions.family, special.halves
     for i, one in enumerate(halves):
         for j in range(i + 1, len(halves)):
             other = halves[j]
             opposite = float(one.tangent @ (family.weights * other.tangent)) < -1 + 1e-6
-            same = abs(one.point.s - other.point.s) <= 1e-9 and abs(one.tangent[-1]) <= 1e-9
+            difference = family.parameter(one.point) - family.parameter(other.point)
+            same = abs(difference) <= 1e-9 and abs(one.tangent[-1]) <= 1e-9
             if opposite and same:
                 yield i, j
 
@@ -261,12 +228,10 @@ class ContinuationRecord:
 
     Attributes:
         model: The model.
-        family: What was solved.
         branches: By name, ``"main"`` first.
     """
 
     model: LoadedModel
-    family: EquilibriumFamily = field(repr=False)
     branches: Mapping[str, BranchRecord]
 
     @property
@@ -295,8 +260,8 @@ class ContinuationRecord:
     @overload
     def __getitem__(self, name: str) -> Array: ...
     @overload
-    def __getitem__(self, name: int) -> EquilibriumRecord: ...
-    def __getitem__(self, name: str | int) -> Array | EquilibriumRecord:
+    def __getitem__(self, name: int) -> Solution: ...
+    def __getitem__(self, name: str | int) -> Solution:
         """The equilibrium of a row of the main branch, or a history (n,)."""
         return self.main[name]
 

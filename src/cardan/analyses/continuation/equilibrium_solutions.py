@@ -1,0 +1,125 @@
+"""Equilibria under loads, as the solutions that a path consists of."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import final
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ModelError, SolveError
+from ...runtime.models.loaded_model import LoadedModel
+from ..statics.equilibrium import WAYS, EquilibriumRecord, missed, read
+from ..statics.equilibrium import record as equilibrium_record
+from ..statics.load_path import loading
+from ..statics.newton import Search
+from ..statics.settling import settled
+from ..statics.stability_at_equilibrium import largest_motions
+from ..statics.static_problem import Problem
+from ..statics.statics import sweepable
+from ..systems import dynamic_system_of
+from .curve import FOLD, Special, Test
+from .equilibria import EquilibriumFamily, Loaded
+from .follow import Place, place
+from .path_request import PathRequest, PathStart
+from .quantities import quantity
+from .solutions import Quantity
+from .stability_cache import StabilityCache
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class EquilibriumSolutions:
+    """Equilibria of a model under loads.
+
+    Attributes:
+        model: The model.
+        family: Its equilibria.
+        stabilities: Their stability.
+    """
+
+    model: LoadedModel
+    family: EquilibriumFamily
+    stabilities: StabilityCache
+
+    @classmethod
+    def of(cls, model: LoadedModel, family: EquilibriumFamily) -> EquilibriumSolutions:
+        """The equilibria of a family."""
+        return cls(model, family, StabilityCache(family.problem))
+
+    def values(self, point: Loaded) -> Mapping[str, float]:
+        """Same as :meth:`.Solutions.values`."""
+        return self.family.way.values(point.s)
+
+    def quantity(self, name: str) -> Quantity:
+        """Same as :meth:`.Solutions.quantity`."""
+        return quantity(self.model, self.family, name)
+
+    def record(self, point: Loaded) -> EquilibriumRecord:
+        """Same as :meth:`.Solutions.record`."""
+        search = Search(point.point, 0, True, np.zeros(0))
+        stability = self.stabilities.stability(point)
+        return equilibrium_record(self.model, self.family.problem, search, point.load, stability)
+
+    def coordinates(self, point: Loaded) -> Array:
+        """Same as :meth:`.Solutions.coordinates`."""
+        return point.point.at.q
+
+    def multipliers(self, point: Loaded) -> Array:
+        """Same as :meth:`.Solutions.multipliers`."""
+        return point.point.at.lam
+
+    def stable(self, point: Loaded, prescribed: bool) -> bool | None:
+        """Same as :meth:`.Solutions.stable`."""
+        stability = self.stabilities.stability(point)
+        return (stability if prescribed else stability.under_dead_load).stable
+
+    def count(self, place: Place) -> int | None:
+        """Same as :meth:`.Solutions.count`."""
+        return self.stabilities.count(place)
+
+    def growth(self, place: Place) -> tuple[float, float]:
+        """Same as :meth:`.Solutions.growth`."""
+        return self.stabilities.growth(place)
+
+    def motion(self, dz: Array) -> Array:
+        """Same as :meth:`.Solutions.motion`."""
+        return dz[: self.family.positions]
+
+    def moving(self, dz: Array) -> str:
+        """Same as :meth:`.Solutions.moving`."""
+        return largest_motions(self.family.problem.system, self.motion(dz))
+
+    def description(self, special: Special) -> str:
+        """Same as :meth:`.Solutions.description`."""
+        if special.kind == FOLD:
+            return f"where the load turns back as {self.moving(special.place.tangent)} moves on"
+        return f"where an oscillation of {special.frequency:.6g} rad/s begins"
+
+
+def start(model: LoadedModel, request: PathRequest) -> PathStart:
+    """The first equilibrium of a path.
+
+    Raises:
+        ModelError: unknown names, more than the ends of a range. SolveError: no equilibrium.
+    """
+    moved = {n: v for n, v in request.locked.items() if np.ndim(v) > 0}
+    still = {n: v for n, v in request.locked.items() if n not in moved}
+    system = dynamic_system_of(model)
+    base = read(system, still, request.inputs, request.parameters, request.t)
+    way = loading(system, sweepable(model), base, request.swept, moved, "continuation")
+    if way.stations is not None:
+        raise ModelError("continuation: give (start, end) of what is swept, and no values within")
+    problem, load = Problem(system), way.at(0.0)
+    first = settled(problem, problem.begin(load, request.q), load, WAYS)
+    if not first.converged:
+        raise SolveError(f"continuation, at the start: {missed(system, first, load)}")
+    family = EquilibriumFamily.of(problem, way, first.point)
+    named = ", ".join(f"{name} = {value:.10g}" for name, value in way.values(1.0).items())
+    return PathStart(
+        EquilibriumSolutions.of(model, family),
+        place(family, family.start(first.point), family.along_parameter),
+        Test(named, lambda at: at.point.s - 1.0, ends=True),
+    )

@@ -1,0 +1,48 @@
+"""The arguments that say where a path starts, and the start that they lead to."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from numpy.typing import ArrayLike
+
+from ...arguments import LockedValues
+from .curve import Test
+from .follow import Place
+from .solutions import Solutions
+
+
+@dataclass(frozen=True)
+class PathRequest:
+    """Arguments of ``model.continuation`` that concern its solutions.
+
+    Attributes:
+        swept: Name -> (start, end).
+        q: Coordinates to start from, by name or (nq,).
+        locked: Coordinate -> value it keeps, or (start, end).
+        inputs, parameters: Values by name that stay, else those of the model.
+        t: Time [s].
+    """
+
+    swept: Mapping[str, object]
+    q: Mapping[str, ArrayLike] | ArrayLike | None
+    locked: LockedValues
+    inputs: Mapping[str, float] | None
+    parameters: Mapping[str, float] | None
+    t: float
+
+
+@dataclass(frozen=True)
+class PathStart:
+    """Where a path starts.
+
+    Attributes:
+        solutions: What it consists of.
+        place: Its first place.
+        end: Where it ends.
+    """
+
+    solutions: Solutions
+    place: Place
+    end: Test

@@ -1,0 +1,68 @@
+"""What a path consists of: equilibria, positions of a mechanism, cycles."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Protocol, TypeAlias
+
+from ...arrays import Array
+from ...runtime.models.loaded_model import LoadedModel
+from .curve import Special
+from .family import Family, Point
+from .follow import Place
+
+Quantity: TypeAlias = Callable[[Point], float]
+Solution: TypeAlias = object  # as users take it: an equilibrium, a position, a cycle
+
+
+class Solutions(Protocol):
+    """Solutions of a model as something changes, and what is said of them."""
+
+    @property
+    def model(self) -> LoadedModel:
+        """The model."""
+
+    @property
+    def family(self) -> Family:
+        """The equations, and how their unknowns change."""
+
+    def values(self, point: Point) -> Mapping[str, float]:
+        """What is swept, by name."""
+
+    def quantity(self, name: str) -> Quantity:
+        """A number of a solution by its name.
+
+        Raises:
+            ModelError: there is no such number.
+        """
+
+    def record(self, point: Point) -> Solution:
+        """A solution as users take it."""
+
+    def coordinates(self, point: Point) -> Array:
+        """Coordinates (nq,) of a solution."""
+
+    def multipliers(self, point: Point) -> Array:
+        """Multipliers (m,) of a solution."""
+
+    def stable(self, point: Point, prescribed: bool) -> bool | None:
+        """Stability with what is prescribed held, or under its forces; None where not known."""
+
+    def count(self, place: Place) -> int | None:
+        """Unstable directions with the parameter kept; None where they are not known."""
+
+    def growth(self, place: Place) -> tuple[float, float]:
+        """Real part and frequency [rad/s] of the oscillation that grows or decays least.
+
+        Raises:
+            SolveError: nothing oscillates, or it is not known.
+        """
+
+    def motion(self, dz: Array) -> Array:
+        """The part of increments (N, ...) that moves the system (n, ...)."""
+
+    def moving(self, dz: Array) -> str:
+        """What moves most in an increment (N,), in words."""
+
+    def description(self, special: Special) -> str:
+        """What happens at a fold or where a stability changes, behind where that is."""
