@@ -82,14 +82,15 @@ def corrected(
         guess: An increment to begin with, the tangent by default.
 
     Returns:
-        The point, the contraction of the first corrections, and their number.
+        The point, the contraction of the corrections as that of the first two in quadratic
+        convergence, and their number.
 
     Raises:
         SolveError: there is none next to it.
     """
     across = row(family, start.tangent)
     dz = ds * start.tangent if guess is None else guess
-    point, last, theta = family.moved(start.point, dz), math.inf, 0.0
+    point, theta, sizes = family.moved(start.point, dz), 0.0, list[float]()
     none, moved, off = np.zeros((len(across[0]) - 1, 0)), 0.0, ds - float(across[0] @ dz)
     for k in range(NEWTON):
         left = family.residual(point)
@@ -105,14 +106,17 @@ def corrected(
             if not off and np.abs(left).max(initial=0.0) <= ROUNDING:
                 return point, theta, k + 1
             raise
-        if k == 1:
-            theta = size / last if last > TIGHT else 0.0
-        if k and size > TIGHT and size > DIVERGED * last:
+        if k:
+            rate = (size / sizes[-1]) ** 0.5 ** (k - 1) if sizes[-1] > TIGHT else 0.0
+            theta = rate if k == 1 else min(theta, rate)
+        # in slender beams every other correction is one of their stretch, and may be larger
+        if k > 1 and size > TIGHT and size > DIVERGED * sizes[-2]:
             raise SolveError("the corrections do not converge")
         point = family.moved(point, correction)
-        if size <= TIGHT or (size <= NOISE and size >= 0.5 * last):
+        if size <= TIGHT or (sizes and size <= NOISE and size >= 0.5 * sizes[-1]):
             return point, theta, k + 1
-        last, off = size, 0.0
+        sizes.append(size)
+        off = 0.0
     raise SolveError("the corrections do not converge")
 
 
