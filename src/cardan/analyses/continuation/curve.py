@@ -322,18 +322,10 @@ def _crossing(
         width = interval.high - interval.low
         if not interval.low - NEAR * width <= part <= interval.high + NEAR * width:
             continue
-        # J may have lost more of its rank than was asked for
-        if _loses_more(family, singular):
-            continue
         halves, tangent = _other_curves(family, singular, step, watch.switches)
         place = Place(singular.point, tangent, float(tangent[-1]), 0.0)
         return Special(BRANCH, "", place, number, part, singular, halves)
     return None
-
-
-def _loses_more(family: Family, singular: SingularPoint) -> bool:
-    values = family.jacobian(singular.point).weakest(singular.k + 1)[0]
-    return len(values) > singular.k and bool(values.max() <= 1e-7)
 
 
 def _other_curves(
