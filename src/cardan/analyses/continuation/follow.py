@@ -22,7 +22,7 @@ from .family import Bordered, Family, Point, length, row
 
 NEWTON = 8
 # residuals that are rounding; corrections, as a part of the reach, whose square would be
-ROUNDING, TIGHT, NOISE = 1e-13, 1e-9, 1e-7
+ROUNDING, TIGHT, NOISE, NEARLY = 1e-13, 1e-9, 1e-7, 1e-4
 # contraction and turn [rad] that steps aim at, the turn that is refused, and growth of a step
 CONTRACTION, TURN, SHARP, GROWTH = 0.05, 0.3, 0.6, 2.0
 FIRST, LONGEST, SHORTEST = 0.02, 0.25, 1e-9
@@ -95,7 +95,7 @@ def corrected(
     for k in range(NEWTON):
         left = family.residual(point)
         try:
-            by: Bordered = family.jacobian(point).bordered(across, none)
+            by: Bordered = family.jacobian(point, rough=True).bordered(across, none)
             correction = by.solve(-left, np.array([off]))[0]
             size = length(family, correction)
             moved += size
@@ -106,9 +106,8 @@ def corrected(
             if not off and np.abs(left).max(initial=0.0) <= ROUNDING:
                 return point, theta, k + 1
             raise
-        if k:
-            rate = (size / sizes[-1]) ** 0.5 ** (k - 1) if sizes[-1] > TIGHT else 0.0
-            theta = rate if k == 1 else min(theta, rate)
+        if sizes:
+            theta = _rate(theta, sizes, size)
         # in slender beams every other correction is one of their stretch, and may be larger
         if k > 1 and size > TIGHT and size > DIVERGED * sizes[-2]:
             raise SolveError("the corrections do not converge")
@@ -117,7 +116,18 @@ def corrected(
             return point, theta, k + 1
         sizes.append(size)
         off = 0.0
+        if size <= NEARLY:
+            # what is left may be rounding: the same factors tell
+            more = by.solve(-family.residual(point), np.zeros(1))[0]
+            if (last := length(family, more)) <= TIGHT:
+                return family.moved(point, more), _rate(theta, sizes, last), k + 1
     raise SolveError("the corrections do not converge")
+
+
+def _rate(theta: float, sizes: list[float], size: float) -> float:
+    """The contraction of the first corrections that the latest one speaks of, or a smaller one."""
+    rate = (size / sizes[-1]) ** 0.5 ** (len(sizes) - 1) if sizes[-1] > TIGHT else 0.0
+    return rate if len(sizes) == 1 else min(theta, rate)
 
 
 @dataclass(frozen=True, eq=False)

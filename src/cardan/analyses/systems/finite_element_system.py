@@ -30,7 +30,7 @@ from .central_differences import by_differences
 from .compiled_system import CompiledSystem
 from .dynamic_system import Internal, Moment, OutputJacobians, Parameters, Rates, Tangents
 from .rotating_frame import CorotatingMotion
-from .saddle_point import Dense, Saddle, Sparse, split
+from .saddle_point import Dense, Matrix, Saddle, Sparse, split
 from .sparse_saddle_point import SparseSaddle
 from .strained_elements import load_forces, load_tangent, refuse_mixed_forces, strain_energy
 
@@ -207,11 +207,20 @@ class FiniteElementSystem(CompiledSystem):
 
     def tangents(self, at: Moment) -> Tangents:
         """Same as :meth:`DynamicSystem.tangents`."""
+        return Tangents(*self._matrices(at, "KCMRG"))
+
+    def stiffness(self, at: Moment) -> tuple[Matrix, Matrix]:
+        """Same as :meth:`DynamicSystem.stiffness`."""
+        K, G = self._matrices(at, "KG")
+        return K, G
+
+    def _matrices(self, at: Moment, names: str) -> list[csr_array]:
+        """Some of the tangents by name."""
         mesh, state = self._elements_and_state(at)
-        blocks = mesh.mixed_tangent(state) if len(at.inner) else mesh.tangent(state)
+        blocks = (mesh.mixed_tangent if len(at.inner) else mesh.tangent)(state, tuple(names))
         if self.strain:
             blocks = {**blocks, "K": blocks["K"] - load_tangent(mesh, state)}
-        return Tangents(*(csr_array(blocks[name]) for name in "KCMRG"))
+        return [csr_array(blocks[name]) for name in names]
 
     def loads(self, at: Moment) -> Array:
         """Same as :meth:`DynamicSystem.loads`: not of joints, beams and springs."""

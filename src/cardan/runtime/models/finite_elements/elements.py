@@ -148,9 +148,11 @@ class Elements(ABC):
             np.add.at(force, self.tables.columns(group), mixed[:, :nu] - plain[:, :nu])
         return force, gaps, rates
 
-    def mixed_tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
+    def mixed_tangent(
+        self, at: State, parts: Sequence[str] = PARTS
+    ) -> dict[str, scipy.sparse.csr_matrix]:
         """Same as :meth:`tangent`, likewise."""
-        matrices, changes = self.tangent(at), list[Array]()
+        matrices, changes = self.tangent(at, parts), list[Array]()
         for group, (plain, mixed) in self._mixed("balance_tangent", at):
             nu, start = group.kind.nu, group.kind.parts["K"]
             changes.append(mixed[:, nu : nu + nu * nu] - plain[:, start : start + nu * nu])
