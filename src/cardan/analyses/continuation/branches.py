@@ -87,7 +87,7 @@ class Tracer:
         """The curve through a place."""
         of = self.solutions
         curve = Curve(of.family, [first])
-        watch = Watch(of.count, of.growth, self.tests, self.points)
+        watch = Watch(of.count, of.growth, self.tests, self.points, corner=of.corner)
 
         def on_step(curve: Curve) -> None:
             show(len(curve.places) / self.points)

@@ -10,7 +10,7 @@ Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), sections
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.optimize import brentq
@@ -72,6 +72,20 @@ class Special:
     accurate: bool = True
 
 
+@dataclass(frozen=True, eq=False)
+class Corner:
+    """A point of a curve behind which the equations are others.
+
+    Attributes:
+        special: The point.
+        onward: The same point with the other equations, in the direction in which the curve goes
+            on; None where none is possible.
+    """
+
+    special: Special
+    onward: Place | None
+
+
 @dataclass(eq=False)
 class Curve:
     """What was found of a curve so far.
@@ -104,6 +118,7 @@ class Watch:
         tests: Events and ends.
         most: Places at most.
         switches: Whether curves that leave branch points are looked for.
+        corner: The first corner within a step from the place with a number; None without any.
     """
 
     count: Count
@@ -111,39 +126,65 @@ class Watch:
     tests: Sequence[Test] = ()
     most: int = 300
     switches: bool = True
+    corner: Callable[[Step, int], Corner | None] = lambda *_: None
 
 
 def trace(
     curve: Curve, watch: Watch, reach: Reach, on_step: Callable[[Curve], None] = lambda _: None
 ) -> None:
     """Follow a curve from its last place to an end; what was found stays, whatever happens."""
-    family, start = curve.family, curve.places[-1]
-    values = [test.value(start) for test in watch.tests]
+    begin: Place | None = curve.places[-1]
     try:
-        for step in steps(family, start, reach):
-            curve.corrections += step.corrections
-            curve.refused += step.refused
-            after = [test.value(step.after) for test in watch.tests]
-            end = _tested(curve, watch.tests, step, values, after)
-            special = [*_within(curve, watch, step)]
-            curve.special += [s for s in special if end is None or s.part <= end.part]
-            if end is not None:
-                curve.special.append(end)
-                curve.places.append(end.place)
-                curve.status, curve.ended = "finished", f"reached {end.label}"
-                break
-            curve.places.append(step.after)
-            values = after
-            on_step(curve)
-            if _comes_back(family, start, step):
-                curve.status, curve.ended = "closed", "closed: it leads back to its start"
-                break
-            if len(curve.places) >= watch.most:
-                curve.ended = f"after {watch.most} points, the most that points= allows"
-                break
+        while begin is not None:
+            begin = _traced(curve, watch, reach, begin, on_step)
     except End as end_of_steps:
         curve.status, curve.ended = "singular", str(end_of_steps)
     curve.special.sort(key=lambda s: (s.after, s.part))
+
+
+def _traced(
+    curve: Curve, watch: Watch, reach: Reach, begin: Place, on_step: Callable[[Curve], None]
+) -> Place | None:
+    """Follow a curve to its end, or to a corner; the place behind that.
+
+    Raises:
+        End: the curve is not followed any further.
+    """
+    family = curve.family
+    values = [test.value(begin) for test in watch.tests]
+    for step in steps(family, begin, reach):
+        curve.corrections += step.corrections
+        curve.refused += step.refused
+        corner = watch.corner(step, len(curve.places) - 1)
+        if corner is not None:
+            step = step.shortened(corner.special.place, corner.special.part)
+        after = [test.value(step.after) for test in watch.tests]
+        end = _tested(curve, watch.tests, step, values, after)
+        special = [*_within(curve, watch, step)]
+        curve.special += [s for s in special if end is None or s.part <= end.part]
+        if end is not None:
+            curve.special.append(end)
+            curve.places.append(end.place)
+            curve.status, curve.ended = "finished", f"reached {end.label}"
+            return None
+        if corner is not None:
+            curve.special.append(replace(corner.special, part=1.0))
+            if corner.onward is None:
+                curve.places.append(step.after)
+                raise End(f"nothing balances behind {corner.special.label}", step.after)
+            curve.places.append(corner.onward)
+            on_step(curve)
+            return corner.onward
+        curve.places.append(step.after)
+        values = after
+        on_step(curve)
+        if _comes_back(family, curve.places[0], step):
+            curve.status, curve.ended = "closed", "closed: it leads back to its start"
+            return None
+        if len(curve.places) >= watch.most:
+            curve.ended = f"after {watch.most} points, the most that points= allows"
+            return None
+    return None
 
 
 def _tested(

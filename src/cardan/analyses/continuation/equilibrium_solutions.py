@@ -20,9 +20,10 @@ from ..statics.stability_at_equilibrium import largest_motions
 from ..statics.static_problem import Problem
 from ..statics.statics import sweepable
 from ..systems import dynamic_system_of
-from .curve import FOLD, Special, Test
+from .curve import FOLD, Corner, Special, Test
 from .equilibria import EquilibriumFamily, Loaded
-from .follow import Place, place
+from .follow import Place, Step, place
+from .mode_changes import corner_within
 from .path_request import PathRequest, PathStart
 from .quantities import quantity
 from .solutions import Quantity
@@ -83,6 +84,11 @@ class EquilibriumSolutions:
     def growth(self, place: Place) -> tuple[float, float]:
         """Same as :meth:`.Solutions.growth`."""
         return self.stabilities.growth(place)
+
+    def corner(self, step: Step, number: int) -> Corner | None:
+        """Same as :meth:`.Solutions.corner`: where stops, latches and friction change."""
+        names = [row.name for row in self.model.manifest.events]
+        return corner_within(self.family, names, step, number)
 
     def motion(self, dz: Array) -> Array:
         """Same as :meth:`.Solutions.motion`."""

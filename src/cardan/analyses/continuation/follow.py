@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -146,6 +146,10 @@ class Step:
     ds: float
     corrections: int
     refused: int
+
+    def shortened(self, after: Place, part: float) -> Step:
+        """The step up to a place at a part of it."""
+        return replace(self, after=after, ds=part * self.ds)
 
     def at(self, family: Family, part: float) -> Place:
         """The place at a part of the step, 0 to 1.
