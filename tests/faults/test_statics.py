@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.analyses.statics.settling import forbidden
 from cardan.analyses.statics.static_problem import Point, Problem
 from cardan.analyses.systems import dynamic_system_of
 from mechanisms.loaded import arch, follower_column, shaft

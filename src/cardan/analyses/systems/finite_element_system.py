@@ -83,8 +83,6 @@ class FiniteElementSystem(CompiledSystem):
             state = replace(state, inner=at.inner, du=np.zeros(len(at.u)))
         return self._mesh(at.parameters), state
 
-    # where to begin
-
     def start(
         self, t: float, q: object, r: Array, locked: Mapping[str, object], p: Parameters
     ) -> Moment:
@@ -108,8 +106,6 @@ class FiniteElementSystem(CompiledSystem):
         place, speed, internal = model.parts_of(x)
         lam = np.zeros(len(self.multipliers))
         return Moment(t, place, speed, 0 * speed, lam, r, internal, self.modes, p)
-
-    # steady motions
 
     @cached_property
     def leading(self) -> NDArray[np.bool_]:
@@ -194,8 +190,6 @@ class FiniteElementSystem(CompiledSystem):
     def observer(self, at: Moment) -> tuple[Any, Any]:
         """Same as :meth:`DynamicSystem.observer`: he turns along with the beams."""
         return self._corotating_motion.observer(at.q, at.u)
-
-    # equations
 
     def balance(self, at: Moment) -> Array:
         """Same as :meth:`DynamicSystem.balance`."""
