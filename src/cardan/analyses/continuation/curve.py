@@ -10,7 +10,7 @@ Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), sections
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.optimize import brentq
@@ -26,6 +26,8 @@ EXACT = 1e-13  # of a step: places of test functions
 NARROW, THIN = 0.05, 2.0**-30  # of a step: where points are looked for, and given up
 NEAR = 2.0  # widths of a bracket within which a point must lie
 MOST_LOST = 3  # of the rank
+# length of increments that rounding leaves of a singular point; halvings that tell it better
+UNCERTAIN, BISECTED = 1e-10, 40
 Count = Callable[[Place], int | None]
 
 
@@ -263,8 +265,31 @@ def _crossing(
             continue
         halves, tangent = _other_curves(family, singular, step, watch.switches)
         place = Place(singular.point, tangent, float(tangent[-1]), 0.0)
+        if singular.uncertainty > UNCERTAIN:
+            part, place = _bisected(family, watch, step, interval, place)
         return Special(BRANCH, "", place, number, part, singular, halves)
     return None
+
+
+def _bisected(
+    family: Family, watch: Watch, step: Step, interval: _Interval, place: Place
+) -> tuple[float, Place]:
+    """The place at which signs of pivots change: in slender beams they tell more than J does."""
+    low, high = interval.low, interval.high
+    for _ in range(BISECTED):
+        middle = 0.5 * (low + high)
+        try:
+            there = step.at(family, middle)
+        except SolveError:
+            break
+        count = watch.count(there)
+        if interval.change and count is not None:
+            behind = count != interval.counts[0]
+        else:
+            behind = there.orientation * interval.before.orientation < 0
+        low, high = (low, middle) if behind else (middle, high)
+        place = replace(there, tangent=place.tangent, parameter_rate=place.parameter_rate)
+    return high, place
 
 
 def _other_curves(

@@ -25,7 +25,7 @@ from ...arrays import Array
 from ...errors import SolveError
 from .family import Bordered, Family, Point, length
 
-NEWTON, TIGHT, NOISE = 14, 1e-11, 1e-8
+NEWTON, TIGHT, NOISE = 14, 1e-11, 1e-5
 FAR = 0.5  # increments that lead away from where the search began
 DIFFERENCE = 1e-4  # increments over which J is differentiated: it only steers Newton's method
 # of the smallest singular value that is not 0: those that are, and unfolding parameters above which
@@ -49,6 +49,7 @@ class SingularPoint:
         V: Its null space (N, k + 1), orthonormal in lengths of increments.
         B: The left null space (n, k).
         by: The bordered system with these.
+        uncertainty: Length of an increment within which rounding leaves the point.
     """
 
     family: Family
@@ -56,6 +57,7 @@ class SingularPoint:
     V: Array
     B: Array
     by: Bordered = field(repr=False)
+    uncertainty: float
 
     @property
     def k(self) -> int:
@@ -129,14 +131,16 @@ def singular_point(family: Family, start: Point, k: int) -> SingularPoint:
         point = family.moved(point, dz)
         jacobian = family.jacobian(point)
         if size <= TIGHT or (size <= NOISE and size >= 0.5 * last):
-            return _orthonormal(family, point, k, float(np.abs(beta).max(initial=0.0)))
+            return _orthonormal(family, point, k, float(np.abs(beta).max(initial=0.0)), size)
         last = size
         B = np.linalg.qr(psi)[0]
         rows = V.T / np.linalg.norm(V, axis=0)[:, None]
     raise SolveError("no singular point next to the start")
 
 
-def _orthonormal(family: Family, point: Point, k: int, unfolded: float) -> SingularPoint:
+def _orthonormal(
+    family: Family, point: Point, k: int, unfolded: float, uncertainty: float
+) -> SingularPoint:
     """The point with its null spaces.
 
     Raises:
@@ -154,7 +158,8 @@ def _orthonormal(family: Family, point: Point, k: int, unfolded: float) -> Singu
         raise SolveError("no singular point next to the start")
     gram = V.T @ (family.weights[:, None] * V)
     V = np.linalg.solve(np.linalg.cholesky(gram), V.T).T
-    return SingularPoint(family, point, V, B, jacobian.bordered((family.weights[:, None] * V).T, B))
+    by = jacobian.bordered((family.weights[:, None] * V).T, B)
+    return SingularPoint(family, point, V, B, by, uncertainty)
 
 
 @dataclass(frozen=True, eq=False)
