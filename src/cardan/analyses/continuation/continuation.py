@@ -14,7 +14,7 @@ from ...arguments import Count, LockedValues, checked
 from ...errors import ModelError, SolveError, SolveWarning, near, warn
 from ...runtime.models.loaded_model import LoadedModel
 from ..simulation.progress import showing
-from . import equilibrium_solutions
+from . import equilibrium_solutions, position_solutions
 from .branches import MAIN, Tracer
 from .curve import Test
 from .follow import Reach
@@ -25,7 +25,8 @@ from .solutions import Solutions
 POINTS = 300
 # where paths of a kind of solutions start
 STARTS: Mapping[str, Callable[[LoadedModel, PathRequest], PathStart]] = {
-    "equilibria": equilibrium_solutions.start
+    "equilibria": equilibrium_solutions.start,
+    "positions": position_solutions.start,
 }
 
 

@@ -18,7 +18,7 @@ from scipy.optimize import brentq
 from ...arrays import Array
 from ...errors import SolveError
 from .family import Family, Point, length
-from .follow import End, Place, Reach, Step, steps
+from .follow import End, Place, Reach, Step, reversals, steps
 from .singular_point import HalfBranch, SingularPoint, half_branches, singular_point
 
 FOLD, BRANCH, HOPF, EVENT = "fold", "branch point", "Hopf point", "event"
@@ -26,7 +26,7 @@ EXACT = 1e-13  # of a step: places of test functions
 NARROW, THIN = 0.05, 2.0**-30  # of a step: where points are looked for, and given up
 NEAR = 2.0  # widths of a bracket within which a point must lie
 MOST_LOST = 3  # of the rank
-CLOSED = 1e-7  # of a step: a curve that comes back to its start
+FLAT = 1e-10  # rates of a parameter that stays where it is
 Count = Callable[[Place], int | None]
 
 
@@ -104,6 +104,7 @@ class Watch:
         tests: Events and ends.
         most: Places at most.
         switches: Whether curves that leave branch points are looked for.
+        ends: Ends of other curves, by what they are; the curve ends there too.
     """
 
     count: Count
@@ -111,6 +112,7 @@ class Watch:
     tests: Sequence[Test] = ()
     most: int = 300
     switches: bool = True
+    ends: Sequence[tuple[str, Place]] = ()
 
 
 def trace(
@@ -125,7 +127,9 @@ def trace(
             curve.refused += step.refused
             after = [test.value(step.after) for test in watch.tests]
             end = _tested(curve, watch.tests, step, values, after)
-            special = [*_within(curve, watch, step)]
+            counts = watch.count(step.before), watch.count(step.after)
+            whole = _Interval.of(family, (0.0, 1.0), step.before, step.after, counts)
+            special = [*_searched(curve, watch, step, whole)]
             curve.special += [s for s in special if end is None or s.part <= end.part]
             if end is not None:
                 curve.special.append(end)
@@ -135,8 +139,10 @@ def trace(
             curve.places.append(step.after)
             values = after
             on_step(curve)
-            if _comes_back(family, start, step):
+            if start is not step.before and step.passes(family, start)[1] > 0:
                 curve.status, curve.ended = "closed", "closed: it leads back to its start"
+                break
+            if _joins(curve, watch, step):
                 break
             if len(curve.places) >= watch.most:
                 curve.ended = f"after {watch.most} points, the most that points= allows"
@@ -144,6 +150,20 @@ def trace(
     except End as end_of_steps:
         curve.status, curve.ended = "singular", str(end_of_steps)
     curve.special.sort(key=lambda s: (s.after, s.part))
+
+
+def _joins(curve: Curve, watch: Watch, step: Step) -> bool:
+    """True when a step comes to an end of another curve; the curve then ends there."""
+    for name, end in watch.ends:
+        part, along = step.passes(curve.family, end)
+        if not along:
+            continue
+        number = len(curve.places) - 2
+        curve.places[-1] = step.at(curve.family, part)
+        curve.special = [s for s in curve.special if s.after < number or s.part <= part]
+        curve.status, curve.ended = "finished", f"reached {name}"
+        return True
+    return False
 
 
 def _tested(
@@ -172,23 +192,6 @@ def _tested(
     return last
 
 
-def _comes_back(family: Family, start: Place, step: Step) -> bool:
-    """True when a step passes the start in the direction in which the curve left it."""
-    if start is step.before:
-        return False
-    to = family.step(step.before.point, start.point)
-    along = float(step.before.tangent @ (family.weights * to))
-    if not 0 < along <= step.ds * (1 + 1e-9) or length(family, to) > 2 * step.ds:
-        return False
-    try:
-        there = step.at(family, along / step.ds)
-    except SolveError:
-        return False
-    off = length(family, family.step(there.point, start.point))
-    same = float(there.tangent @ (family.weights * start.tangent)) > 0
-    return bool(off <= CLOSED * max(1.0, step.ds) and same)
-
-
 # folds, crossings and changes of stability
 
 
@@ -200,6 +203,7 @@ class _Interval:
         low, high: Its ends, 0 to 1.
         before, after: The places there.
         counts: Unstable directions there.
+        reversed: Directions in which J changes its sign in between, where these are not known.
     """
 
     low: float
@@ -207,11 +211,22 @@ class _Interval:
     before: Place
     after: Place
     counts: tuple[int | None, int | None]
+    reversed: int
+
+    @classmethod
+    def of(
+        cls, family: Family, ends: tuple[float, float], before: Place, after: Place,
+        counts: tuple[int | None, int | None],
+    ) -> _Interval:  # fmt: skip
+        """The part between two places."""
+        signs = reversals(family, before, after) if None in counts else 0
+        return cls(*ends, before, after, counts, signs)
 
     @property
     def folds(self) -> bool:
         """True when the parameter turns back an odd number of times."""
-        return self.before.parameter_rate * self.after.parameter_rate < 0
+        rates = self.before.parameter_rate, self.after.parameter_rate
+        return rates[0] * rates[1] < 0 and max(map(abs, rates)) > FLAT
 
     @property
     def crosses(self) -> bool:
@@ -222,27 +237,22 @@ class _Interval:
     def change(self) -> int:
         """Change of the number of unstable directions; 0 where it is not known."""
         before, after = self.counts
-        return 0 if before is None or after is None else after - before
+        return self.reversed if before is None or after is None else after - before
 
     @property
     def unexplained(self) -> int:
         """The part of it that folds and simple crossings do not explain."""
-        counted = None not in self.counts
+        if None in self.counts:
+            return max(self.reversed - int(self.crosses), 0)
         explained = int(self.folds) + int(self.crosses)
         surplus = abs(self.change) - explained
         # a fold and a crossing may also undo one another
-        return 0 if not counted or (surplus == -2 and self.change == 0) else max(surplus, 0)
+        return 0 if surplus == -2 and self.change == 0 else max(surplus, 0)
 
     @property
     def quiet(self) -> bool:
         """True when nothing lies within, as far as the ends tell."""
         return not (self.folds or self.crosses or self.unexplained)
-
-
-def _within(curve: Curve, watch: Watch, step: Step) -> Iterator[Special]:
-    """Special points within a step."""
-    counts = watch.count(step.before), watch.count(step.after)
-    yield from _searched(curve, watch, step, _Interval(0.0, 1.0, step.before, step.after, counts))
 
 
 def _searched(curve: Curve, watch: Watch, step: Step, interval: _Interval) -> Iterator[Special]:
@@ -258,7 +268,8 @@ def _searched(curve: Curve, watch: Watch, step: Step, interval: _Interval) -> It
         if (crossing := _crossing(curve, watch, step, interval, lost, number)) is not None:
             yield crossing
             return
-        if watch.growth is not None and not interval.crosses and interval.unexplained % 2 == 0:
+        counted = watch.growth is not None and None not in interval.counts
+        if counted and not interval.crosses and interval.unexplained % 2 == 0:
             yield _hopf(curve.family, watch, step, interval, number)
             return
     middle = 0.5 * (interval.low + interval.high)
@@ -270,11 +281,12 @@ def _searched(curve: Curve, watch: Watch, step: Step, interval: _Interval) -> It
         kind = BRANCH if interval.crosses or not interval.folds else FOLD
         yield Special(kind, "", interval.after, number, interval.high, accurate=False)
         return
-    count = watch.count(middle_place)
-    for half in (
-        _Interval(interval.low, middle, interval.before, middle_place, (interval.counts[0], count)),
-        _Interval(middle, interval.high, middle_place, interval.after, (count, interval.counts[1])),
+    (first, last), count = interval.counts, watch.count(middle_place)
+    for ends, before, after, counts in (
+        ((interval.low, middle), interval.before, middle_place, (first, count)),
+        ((middle, interval.high), middle_place, interval.after, (count, last)),
     ):
+        half = _Interval.of(curve.family, ends, before, after, counts)
         yield from _searched(curve, watch, step, half)
 
 
