@@ -18,7 +18,7 @@ from ..mechanisms.assemble import assemble_by_constraints
 from ..mechanisms.assembly import AssemblyRecord
 from ..mechanisms.consistent_rates import speeds
 from ..mechanisms.mechanism import Mechanism, refuse_nodes
-from ..mechanisms.redundancy import rank_of
+from ..mechanisms.redundancy import position, rank_of
 from ..statics.load_path import column
 from ..statics.stability_at_equilibrium import largest_of
 from ..statics.statics import sweepable
@@ -132,9 +132,9 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
     drivers = _drivers(model, request)
     m, first = drivers.m, drivers.values(0.0)
     targets = {name: first[name] for name in drivers.named(COORDINATE)}
-    begin = assemble_by_constraints(
-        m.model, {**drivers.locked, **targets}, start=request.q, t=m.t, r=m.inputs
-    )
+    targets = {**drivers.locked, **targets}
+    guess = _guess(m, request.q, targets)
+    begin = assemble_by_constraints(m.model, targets, start=guess, t=m.t, r=m.inputs)
     family = ConfigurationFamily.of(drivers)
     _check(drivers, begin.q)
     point = family.start(begin.q)
@@ -171,6 +171,15 @@ def _drivers(model: LoadedModel, request: PathRequest) -> Drivers:
             raise ArgumentError(f"continuation: {name}: give (start, end), two different numbers")
     m = Mechanism(model.with_parameters(dict(request.parameters or {})), request.t, request.inputs)
     return Drivers(Drivers(m, ranges, kinds, locked).mechanism(0.0), ranges, kinds, locked)
+
+
+def _guess(m: Mechanism, q: object, targets: Mapping[str, object]) -> Array:
+    """Coordinates (nq,) to start from; those that are driven or locked have their values."""
+    guess, places = position(m.model, q).copy(), m.model.manifest.slots("q")
+    for name, value in targets.items():
+        if name in places and np.size(value) == places[name].stop - places[name].start:
+            guess[places[name]] = value
+    return guess
 
 
 def _check(drivers: Drivers, q: Array) -> None:
