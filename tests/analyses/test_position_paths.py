@@ -1,9 +1,9 @@
-"""Paths of positions of mechanisms against closed forms: dead points, and branches that meet."""
+"""Paths of positions of mechanisms against closed forms: dead points and what drives."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -13,198 +13,11 @@ import sympy as sp
 
 import cardan as cd
 from cardan.errors import ArgumentError, ModelError
+from mechanisms.change_points import POINT, TURN, kinds, linkage, turns, two_arms
 from mechanisms.closed_planar import FOUR_BAR, four_bar, slider_crank, slider_crank_coordinates
 from mechanisms.overconstrained import bennett, bennett_angles
 
-POINT = {"mass": 1.0, "inertia": (1.0, 1.0, 1.0)}
-TURN = 2 * math.pi
 EXACT = 1e-9
-
-
-def linkage(
-    crank: float, coupler: float, rocker: float, ground: float, unit: float = 1.0
-) -> cd.CompiledModel:
-    """Four bars with the length of the rocker as a parameter L."""
-    scene = cd.Scene("linkage", gravity=(0, 0, 0))
-    length = scene.parameter("L", rocker * unit)
-    a, b, c = (scene.body(name, **POINT) for name in ("crank", "coupler", "rocker"))
-    turn = cd.Revolute("z")
-    scene.joint("A", turn, scene.ground, a)
-    scene.joint("B", turn, a.at(crank * unit, 0, 0), b)
-    scene.joint("D", turn, scene.ground.at(ground * unit, 0, 0), c)
-    scene.joint("C", turn, b.at(coupler * unit, 0, 0), c.at(length, 0, 0))
-    return cd.compile(scene)
-
-
-def windows(count: int, crank: float, ground: float) -> cd.CompiledModel:
-    """Parallelograms in a row, each with the next crank as its follower."""
-    scene = cd.Scene("windows", gravity=(0, 0, 0))
-    turn, cranks = cd.Revolute("z"), list[Any]()
-    for k in range(count + 1):
-        cranks.append(scene.body(f"crank{k}", **POINT))
-        scene.joint(f"A{k}", turn, scene.ground.at(k * ground, 0, 0), cranks[k])
-    for k in range(count):
-        coupler = scene.body(f"coupler{k}", **POINT)
-        scene.joint(f"B{k}", turn, cranks[k].at(crank, 0, 0), coupler)
-        scene.joint(f"C{k}", turn, coupler.at(ground, 0, 0), cranks[k + 1].at(crank, 0, 0))
-    return cd.compile(scene)
-
-
-def two_arms(arm: float) -> cd.CompiledModel:
-    """Two equal arms whose tip slides on a line through their base."""
-    scene = cd.Scene("two_arms", gravity=(0, 0, 0))
-    one, two, tip = (scene.body(name, **POINT) for name in ("one", "two", "tip"))
-    scene.joint("theta", cd.Revolute("z"), scene.ground, one)
-    scene.joint("elbow", cd.Revolute("z"), one.at(arm, 0, 0), two)
-    scene.joint("s", cd.Prismatic("x"), scene.ground, tip)
-    scene.joint("pin", cd.Revolute("z"), two.at(arm, 0, 0), tip)
-    return cd.compile(scene)
-
-
-def turns(angle: Any) -> Any:
-    """An angle up to full turns, between -pi and pi."""
-    return np.remainder(np.asarray(angle) + math.pi, TURN) - math.pi
-
-
-def kinds(path: Any) -> list[str]:
-    return [point.kind for point in path.points]
-
-
-def travelled(branches: Iterable[Any], name: str) -> float:
-    """How far a coordinate that does not turn back goes on branches."""
-    return sum(abs(float(branch[name][-1] - branch[name][0])) for branch in branches)
-
-
-# of parallelograms with a crank and a ground: directions (coupler, follower) of the other branch
-# where all links lie on one line, by the angle of the crank
-PARALLELOGRAMS = {
-    (1.0, 2.0): {0.0: (-2.0, -3.0), math.pi: (0.6666666666666666, -0.3333333333333333)},
-    (0.6, 1.1): {
-        0.0: (-2.3999999999999995, -3.3999999999999995),
-        math.pi: (0.7058823529411764, -0.29411764705882354),
-    },
-}
-# angles of the follower on it by the angle of the crank
-FOLLOWERS = {
-    (1.0, 2.0): {
-        0.2: -0.5847553111661907,
-        0.5: -1.3073579033710965,
-        1.0: -2.0458756723586644,
-        2.0: -2.71989332079659,
-    },
-    (0.6, 1.1): {
-        0.2: -0.6575162574189898,
-        0.5: -1.4298886087008178,
-        1.0: -2.1538382931787834,
-        2.0: -2.7682876050421563,
-    },
-}
-
-
-@pytest.mark.parametrize("sizes", PARALLELOGRAMS)
-def test_both_branches_of_a_parallelogram(sizes: tuple[float, float]) -> None:
-    """tan(phi / 2) = -(d + a) / (d - a) tan(theta / 2) of the crossed one, a crank, d ground."""
-    crank, ground = sizes
-    model = linkage(crank, ground, crank, ground)
-    path = model.continuation(
-        A=(0.4, 0.4 + TURN), of="positions", branches=True, q={"A": 0.4, "B": -0.4, "D": 0.4}
-    )
-    assert path.success
-    np.testing.assert_allclose(turns(path["D"] - path["A"]), 0, atol=EXACT)
-    assert kinds(path) == ["branch point", "branch point", "event"]
-    for point in path.points[:2]:
-        flat = abs(turns(point["A"]))
-        (angle,) = (angle for angle in (0.0, math.pi) if abs(angle - flat) < 1e-3)
-        np.testing.assert_allclose(turns(point["A"] - angle), 0, atol=EXACT)
-        np.testing.assert_allclose(turns(point["D"] - angle), 0, atol=EXACT)
-        coupler, follower = PARALLELOGRAMS[sizes][angle]
-        for a, b, d, part in point.tangents:
-            np.testing.assert_allclose([(a + b) / a, d / a], [coupler, follower], atol=1e-8)
-            assert part * TURN == pytest.approx(a, abs=1e-9)
-        straight_on = point.special.place.tangent[:3]
-        np.testing.assert_allclose(straight_on / straight_on[0], [1, -1, 1], atol=1e-8)
-    # the crossed one is followed once round, in one part or from both sides
-    _, *crossed = path.branches.values()
-    for branch in crossed:
-        theta, phi = branch["A"], branch["D"]
-        left = np.sin(phi / 2) * np.cos(theta / 2) * (ground - crank)
-        right = np.cos(phi / 2) * np.sin(theta / 2) * (ground + crank)
-        np.testing.assert_allclose(left, -right, atol=1e-12)
-    assert travelled(crossed, "A") == pytest.approx(TURN, abs=0.2)
-    met = [point for branch in crossed for point in branch.points if point.kind == "branch point"]
-    assert "it is branch point 2 of 'main'" in str(met[0])
-
-
-@pytest.mark.parametrize("sizes", FOLLOWERS)
-def test_angles_of_the_crossed_parallelogram(sizes: tuple[float, float]) -> None:
-    """Closed form and bracketing agree to 7e-16."""
-    crank, ground = sizes
-    first = FOLLOWERS[sizes]
-    path = linkage(crank, ground, crank, ground).continuation(
-        A=(2.5, 0.1), of="positions", events={"A": 1.0}, q={"A": 2.5, "B": -5.0, "D": -2.87}
-    )
-    (event, _) = path.points
-    assert event["D"] == pytest.approx(first[1.0], abs=EXACT)
-    for angle, follower in first.items():
-        to = linkage(crank, ground, crank, ground).continuation(
-            A=(2.5, angle), of="positions", q={"A": 2.5, "B": -5.0, "D": -2.87}
-        )
-        assert to["D"][-1] == pytest.approx(follower, abs=EXACT)
-
-
-def test_parallelograms_in_a_row_have_four_assemblies() -> None:
-    """Where all links lie on one line the constraints lose two of their rank."""
-    crank, ground, count = 0.6, 1.1, 2
-    begin = {f"A{k}": 0.5 for k in range(count + 1)} | {f"B{k}": -0.5 for k in range(count)}
-    path = windows(count, crank, ground).continuation(
-        A0=(0.5, 0.5 + TURN), of="positions", branches=True, q=begin
-    )
-    assert [point.kernel.shape[1] for point in path.points[:2]] == [3, 3]
-    assert [len(point.branches) for point in path.points[:2]] == [6, 6]
-    assemblies = dict[tuple[bool, ...], list[Any]]()
-    for branch in path.branches.values():
-        at = branch.q[len(branch) // 2]
-        angles = dict(zip(path.model.coordinates, at, strict=True))
-        pairs = [(angles[f"A{k}"], angles[f"A{k + 1}"]) for k in range(count)]
-        parallel = tuple(bool(abs(turns(b - a)) < 1e-6) for a, b in pairs)
-        assemblies.setdefault(parallel, []).append(branch)
-    assert len(assemblies) == 4
-    for branches in assemblies.values():
-        assert travelled(branches, "A0") == pytest.approx(TURN, abs=0.2)
-
-
-@pytest.mark.parametrize("arm", [1.0, 0.7])
-def test_arms_stretched_and_folded(arm: float) -> None:
-    """s = 2 a cos(theta): it turns back at 2 a; folded arms turn freely about the base."""
-    path = two_arms(arm).continuation(
-        s=(0.4, -2 * arm), of="positions", branches=True, q={"theta": 1.3, "elbow": -2.6}
-    )
-    assert path.main.status == "closed"
-    assert kinds(path) == ["branch point", "fold", "branch point", "fold"]
-    for name, s in (("fold 1", -2 * arm), ("fold 2", 2 * arm)):
-        fold = path.point(name)
-        assert fold.values["s"] == pytest.approx(s, abs=EXACT)
-        assert turns(fold["theta"] - (math.pi if s < 0 else 0.0)) == pytest.approx(0, abs=EXACT)
-        assert turns(fold["elbow"]) == pytest.approx(0, abs=EXACT)
-        assert "a dead point: 's' turns back" in str(fold)
-    point = path.point("branch point 1")
-    assert point.values["s"] == pytest.approx(0, abs=EXACT)
-    assert point["theta"] == pytest.approx(math.pi / 2, abs=EXACT)
-    assert turns(point["elbow"]) == pytest.approx(-math.pi, abs=EXACT)
-    # directions (theta, beta, s), beta that of the second arm
-    theta, elbow, s = point.special.place.tangent[:3]
-    size = path.main.solutions.family.drivers.m.size
-    np.testing.assert_allclose(
-        [(theta + elbow) / theta, s * size / theta], [-1, -2 * arm], atol=1e-8
-    )
-    for theta, elbow, s, part in point.tangents:
-        np.testing.assert_allclose([elbow / theta, s / theta, part], 0, atol=1e-8)
-    # the folded arms are followed once, and nothing turns back on the way
-    assert [*path.branches] == ["main", "1a"]
-    folded = path.branches["1a"]
-    assert folded.status == "closed"
-    np.testing.assert_allclose(folded["s"], 0, atol=1e-12)
-    assert [point.kind for point in folded.points] == ["branch point"] * 2
 
 
 # of rigid longerons of length b on a radius r, and elastic diagonals of stiffness k
@@ -307,59 +120,6 @@ def test_an_overconstrained_loop() -> None:
         for name in model.coordinates:
             assert turns(path[name][k] - angles[name]) == pytest.approx(0, abs=EXACT)
     assert path["j0"][-1] == pytest.approx(0.5 + TURN)
-
-
-@pytest.mark.parametrize("unit", [1.0, 1000.0])
-def test_a_length_at_which_branches_meet(unit: float) -> None:
-    """F. Grashof (1883): a + d = b + c; there the path of the crank crosses itself."""
-    model = linkage(1.0, 2.0, 2.0, 2.5, unit)
-    by_length = model.continuation(
-        L=(2 * unit, 0.5 * unit), of="positions", locked={"A": math.pi}, q={"D": 2.0}
-    )
-    (shortest, longest) = by_length.points
-    # a triangle with the sides a + d, b and L is flat
-    assert shortest.values["L"] == pytest.approx(1.5 * unit, rel=EXACT)
-    assert longest.values["L"] == pytest.approx(5.5 * unit, rel=EXACT)
-    assert shortest.solution.model.parameters["L"] == pytest.approx(1.5 * unit)
-
-    def crank(length: float) -> Any:
-        return model.continuation(
-            A=(1.0, 1.0 + TURN),
-            of="positions",
-            parameters={"L": length * unit},
-            branches=True,
-            q={"A": 1.0, "D": 2.0},
-        )
-
-    meeting = crank(1.5)
-    assert kinds(meeting) == ["branch point", "event"]
-    point = meeting.point("branch point 1")
-    np.testing.assert_allclose(turns([point["A"], point["D"], point["B"]]), -math.pi, atol=1e-8)
-    assert len(point.tangents) == 2
-    # both assemblies, each once round: that which began is cut in two
-    assert [*meeting.branches] == ["main", "1a", "1b"]
-    main, *others = meeting.branches.values()
-    assert travelled([main], "A") == pytest.approx(TURN)
-    assert travelled(others, "A") == pytest.approx(TURN, abs=0.2)
-    for branch in meeting.branches.values():
-        a, d = branch["A"], branch["D"]
-        gap = (2.5 + 1.5 * np.cos(d) - np.cos(a)) ** 2 + (1.5 * np.sin(d) - np.sin(a)) ** 2
-        np.testing.assert_allclose(gap, 4, atol=EXACT)
-    # a longer rocker lets the crank turn, a shorter one does not
-    assert kinds(crank(1.51)) == ["event"]
-    assert kinds(crank(1.49)) == ["fold", "fold"]
-
-
-def test_a_range_of_less_than_a_turn() -> None:
-    """Branches go on beyond the range, and end where they come to what was followed."""
-    model = linkage(1.0, 2.0, 1.0, 2.0)
-    begin = {"A": 2.5, "B": -2.5, "D": 2.5}
-    path = model.continuation(A=(2.5, 4.0), of="positions", branches=True, q=begin)
-    assert kinds(path) == ["branch point", "event"]
-    main, *others = path.branches.values()
-    assert travelled([main], "A") == pytest.approx(1.5)
-    # what is left of the first one leaves the second branch point
-    assert travelled(others, "A") == pytest.approx(2 * TURN - 1.5, abs=0.3)
 
 
 def test_an_input_drives() -> None:

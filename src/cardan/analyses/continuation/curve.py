@@ -128,8 +128,8 @@ def trace(
             after = [test.value(step.after) for test in watch.tests]
             end = _tested(curve, watch.tests, step, values, after)
             counts = watch.count(step.before), watch.count(step.after)
-            whole = _Interval.of(family, (0.0, 1.0), step.before, step.after, counts)
-            special = [*_searched(curve, watch, step, whole)]
+            interval = _Interval.of(family, (0.0, 1.0), step.before, step.after, counts)
+            special = [*_searched(curve, watch, step, interval)]
             curve.special += [s for s in special if end is None or s.part <= end.part]
             if end is not None:
                 curve.special.append(end)

@@ -19,6 +19,7 @@ from ..mechanisms.assembly import AssemblyRecord
 from ..mechanisms.consistent_rates import speeds
 from ..mechanisms.mechanism import Mechanism, refuse_nodes
 from ..mechanisms.redundancy import position, rank_of
+from ..mechanisms.targets import read
 from ..statics.load_path import column
 from ..statics.stability_at_equilibrium import largest_of
 from ..statics.statics import sweepable
@@ -131,8 +132,8 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
         )
     drivers = _drivers(model, request)
     m, first = drivers.m, drivers.values(0.0)
-    targets = {name: first[name] for name in drivers.named(COORDINATE)}
-    targets = {**drivers.locked, **targets}
+    driven = {name: first[name] for name in drivers.named(COORDINATE)}
+    targets = {**drivers.locked, **driven}
     guess = _guess(m, request.q, targets)
     begin = assemble_by_constraints(m.model, targets, start=guess, t=m.t, r=m.inputs)
     family = ConfigurationFamily.of(drivers)
@@ -175,10 +176,10 @@ def _drivers(model: LoadedModel, request: PathRequest) -> Drivers:
 
 def _guess(m: Mechanism, q: object, targets: Mapping[str, object]) -> Array:
     """Coordinates (nq,) to start from; those that are driven or locked have their values."""
-    guess, places = position(m.model, q).copy(), m.model.manifest.slots("q")
-    for name, value in targets.items():
-        if name in places and np.size(value) == places[name].stop - places[name].start:
-            guess[places[name]] = value
+    guess = position(m.model, q).copy()
+    for target in read(m, targets):
+        if target.kind == "coordinate":
+            guess[target.place] = target.value
     return guess
 
 
@@ -199,8 +200,8 @@ def _check(drivers: Drivers, q: Array) -> None:
         return
     aside = m.advance(q, np.random.default_rng(0).uniform(-1e-2, 1e-2, nu))
     closure = slice(0, drivers.solver(0.0).record.hard_count)
-    beside = rank_of(np.linalg.svd(drivers.jacobian(0.0, aside)[closure, :nu], compute_uv=False))
-    if rank_of(np.linalg.svd(J[closure, :nu], compute_uv=False)) < beside:
+    nearby = rank_of(np.linalg.svd(drivers.jacobian(0.0, aside)[closure, :nu], compute_uv=False))
+    if rank_of(np.linalg.svd(J[closure, :nu], compute_uv=False)) < nearby:
         raise ModelError(
             "continuation: the start is a singular position, where branches meet. Start beside it"
         )

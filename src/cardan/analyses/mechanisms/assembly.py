@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
+from numpy.typing import DTypeLike
 
 from ...arrays import Array
 from ...errors import ModelError, counted, near
@@ -68,7 +68,7 @@ class AssemblyRecord:
         """State [q, u] (nx,), as ``simulate(x0=...)`` takes it."""
         return np.concatenate([self.q, self.u])
 
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Array:
         return np.array(self.x, dtype=dtype)
 
     def __getitem__(self, name: str) -> float:
