@@ -111,6 +111,31 @@ def test_parallelograms_in_a_row_have_four_assemblies() -> None:
         assert travelled(branches, "A0") == pytest.approx(TURN, abs=0.2)
 
 
+def test_three_modes_of_a_rhombus() -> None:
+    """Four equal bars: the cranks are parallel, or one of them stands while the other turns."""
+    path = linkage(1.0, 1.0, 1.0, 1.0).continuation(
+        A=(0.5, 0.5 + TURN), of="positions", branches=True, q={"A": 0.5, "B": -0.5, "D": 0.5}
+    )
+    modes = dict[str, list[Any]]()
+    for branch in path.branches.values():
+        a, d = branch["A"], branch["D"]
+        apart = {"parallel": d - a, "crank": d - math.pi, "follower": a}
+        (mode,) = (name for name, off in apart.items() if np.abs(turns(off)).max() < EXACT)
+        modes.setdefault(mode, []).append(branch)
+    assert set(modes) == {"parallel", "crank", "follower"}
+    assert travelled(modes["parallel"], "A") == pytest.approx(TURN)
+    assert travelled(modes["crank"], "A") == pytest.approx(TURN, abs=0.2)
+    assert travelled(modes["follower"], "D") == pytest.approx(TURN, abs=0.2)
+    # any two of them meet at one position
+    meeting = {
+        tuple(np.rint(turns([point["A"], point["D"]]) / math.pi).astype(int) % 2)
+        for branch in path.branches.values()
+        for point in branch.points
+        if point.kind == "branch point"
+    }
+    assert meeting == {(0, 0), (1, 1), (0, 1)}
+
+
 @pytest.mark.parametrize("arm", [1.0, 0.7])
 def test_arms_stretched_and_folded(arm: float) -> None:
     """s = 2 a cos(theta): it turns back at 2 a; folded arms turn freely about the base."""

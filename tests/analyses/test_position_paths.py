@@ -14,7 +14,14 @@ import sympy as sp
 import cardan as cd
 from cardan.errors import ArgumentError, ModelError
 from mechanisms.change_points import POINT, TURN, kinds, linkage, turns, two_arms
-from mechanisms.closed_planar import FOUR_BAR, four_bar, slider_crank, slider_crank_coordinates
+from mechanisms.closed_planar import (
+    FOUR_BAR,
+    four_bar,
+    four_bar_angles,
+    slider_crank,
+    slider_crank_coordinates,
+)
+from mechanisms.closed_spatial import bricard, bricard_angles
 from mechanisms.overconstrained import bennett, bennett_angles
 
 EXACT = 1e-9
@@ -122,19 +129,35 @@ def test_an_overconstrained_loop() -> None:
     assert path["j0"][-1] == pytest.approx(0.5 + TURN)
 
 
-def test_an_input_drives() -> None:
+def test_a_bricard_linkage_turns_back() -> None:
+    """Six revolutes at right angles (R. Bricard, 1927): one condition is redundant."""
+    model = cd.compile(bricard())
+    begin = {name: bricard_angles(0.3)[name] for name in model.coordinates}
+    path = model.continuation(J0=(begin["J0"], 7.0), of="positions", q=begin)
+    assert path.main.status == "closed"
+    # sin(J1) = -sin(J0) / (1 + sin(J0)) ends at sin(J0) = -1/2
+    ends = [point["J0"] for point in path.points]
+    np.testing.assert_allclose(ends, [7 * math.pi / 6, -math.pi / 6], atol=EXACT)
+    assert kinds(path) == ["fold", "fold"]
+
+
+@pytest.mark.parametrize("driver", ["input", "time"])
+def test_an_input_or_the_time_drives(driver: str) -> None:
     scene = cd.Scene("prescribed", gravity=(0, 0, 0))
     a, b, c = (scene.body(name, **POINT) for name in ("crank", "coupler", "rocker"))
     turn, ground = cd.Revolute("z"), scene.ground
-    scene.joint("A", turn, ground, a, prescribed=scene.input("angle"))
+    angle = scene.input("angle") if driver == "input" else 2 * cd.t
+    scene.joint("A", turn, ground, a, prescribed=angle)
     scene.joint("B", turn, a.at(FOUR_BAR["crank"], 0, 0), b)
     scene.joint("D", turn, ground.at(FOUR_BAR["ground"], 0, 0), c)
     scene.joint("C", turn, b.at(FOUR_BAR["coupler"], 0, 0), c.at(FOUR_BAR["rocker"], 0, 0))
     model = cd.compile(scene)
     begin = {"B": 0.0, "D": 1.6}
-    path = model.continuation(angle=(0.5, 3.0), of="positions", q=begin)
-    swept = model.sweep("angle", path["angle"], start=begin)
-    np.testing.assert_allclose(path["D"], swept["D"], atol=EXACT)
+    swept = {"angle": (0.5, 3.0)} if driver == "input" else {"t": (0.25, 1.5)}
+    path = model.continuation(swept, of="positions", q=begin)
+    angles = path["angle"] if driver == "input" else 2 * path["t"]
+    for angle, follower in zip(angles, path["D"], strict=True):
+        assert turns(four_bar_angles(angle)["D"] - follower) == pytest.approx(0, abs=EXACT)
 
 
 def test_a_position_starts_a_run() -> None:

@@ -5,8 +5,7 @@ more of them are written than are independent, as in overconstrained loops, comb
 as there are speeds are solved. These combinations are taken from the start along the path: each is
 the projection of the last one, so that signs of determinants can be compared.
 
-Source: P. Rabier, W. Rheinboldt, Theoretical and Numerical Analysis of Differential-Algebraic
-Equations (2002), section 19 (moving frames of the normal spaces of a manifold).
+Source: W. C. Rheinboldt, Numer. Math. 53 (1988), 165-181 (frames moved along a manifold).
 """
 
 from __future__ import annotations
