@@ -219,5 +219,8 @@ def test_a_range_of_less_than_a_turn() -> None:
     assert kinds(path) == ["branch point", "event"]
     main, *others = path.branches.values()
     assert travelled([main], "A") == pytest.approx(1.5)
+    joined = [branch.message for branch in others if branch.status == "joined"]
+    ends = ("the start of 'main'", "the end of 'main'")
+    assert [any(end in message for message in joined) for end in ends] == [True, True]
     # what is left of the first one leaves the second branch point
     assert travelled(others, "A") == pytest.approx(2 * TURN - 1.5, abs=0.3)

@@ -108,7 +108,7 @@ class Tracer:
             places = branch.curve.places
             if name == MAIN:
                 yield f"the start of '{name}'", places[0]
-            if branch.status != "closed":
+            if branch.status not in ("closed", "joined"):
                 yield f"the end of '{name}'", places[-1]
 
     def _leaving(self, name: str, curve: Curve) -> list[tuple[str, _Junction, int]]:

@@ -81,7 +81,8 @@ class Curve:
         places: In their order.
         special: Its special points.
         ended: Why it ended.
-        status: ``"finished"``, ``"closed"``, ``"budget"``, ``"singular"`` or ``"interrupted"``.
+        status: ``"finished"``, ``"closed"``, ``"joined"``, ``"budget"``, ``"singular"`` or
+            ``"interrupted"``.
         corrections, refused: Linear systems solved, steps that were halved.
     """
 
@@ -161,7 +162,7 @@ def _joins(curve: Curve, watch: Watch, step: Step) -> bool:
         number = len(curve.places) - 2
         curve.places[-1] = step.at(curve.family, part)
         curve.special = [s for s in curve.special if s.after < number or s.part <= part]
-        curve.status, curve.ended = "finished", f"reached {name}"
+        curve.status, curve.ended = "joined", f"reached {name}"
         return True
     return False
 

@@ -73,8 +73,8 @@ class BranchRecord:
 
     Attributes:
         name: ``"main"``, or that of the branch: ``"2a"`` leaves branch point 2 of the main one.
-        status: ``"finished"``, ``"closed"`` of a path that leads back to its start, ``"budget"``,
-            ``"singular"`` or ``"interrupted"``.
+        status: ``"finished"``, ``"closed"`` of a path that leads back to its start, ``"joined"`` of
+            one that leads to the end of another, ``"budget"``, ``"singular"`` or ``"interrupted"``.
         message: The same as a sentence.
         iterations, refused: Linear systems solved, steps that were halved.
         curve, solutions: For analyses that go on from here.
