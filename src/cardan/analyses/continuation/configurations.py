@@ -18,9 +18,11 @@ from typing import final
 import numpy as np
 
 from ...arrays import Array
-from ...errors import SolveError
+from ...errors import ModelError, SolveError
+from ..mechanisms.branches import lost_conditions
 from ..mechanisms.mechanism import Mechanism
 from ..mechanisms.position_solver import PositionSolver
+from ..mechanisms.redundancy import rank_of
 from ..mechanisms.targets import read
 from .family import DenseJacobian
 
@@ -29,6 +31,7 @@ COORDINATE, PARAMETER, INPUT, TIME = "coordinate", "parameter", "input", "t"
 RANGE_STEP, SHORT_STEP = 1e-3, 1e-7
 DEPENDENT = 1e-6  # of the largest singular value: conditions that follow from others
 ALIGNED = 0.9  # cosine between dependent conditions here and those of the last combinations
+MOVES = 1e-6  # parts of a direction above this move
 MOST_SOLVERS = 8  # places of a range whose solvers stay in memory
 
 
@@ -126,6 +129,33 @@ class Drivers:
         except SolveError:
             pass
         return (off(SHORT_STEP) - off(0.0)) / SHORT_STEP
+
+    def check(self, q: Array) -> None:
+        """Refuse a start from which the drivers do not say where to go.
+
+        Raises:
+            ModelError: freedoms are left, or conditions contradict one another, or branches meet.
+        """
+        J, m = self.jacobian(0.0, q), self.m
+        nu, rank = m.nu, rank_of(np.linalg.svd(J, compute_uv=False))
+        who = " and ".join(f"'{name}'" for name in self.ranges)
+        if rank == nu + 1:
+            raise ModelError(
+                f"{who} cannot move: the loops and locked= determine the whole position"
+            )
+        if rank == nu:
+            return
+        if lost_conditions(m, q).size:
+            raise ModelError(
+                "the start is a singular position, where branches meet. Start beside it"
+            )
+        free = np.abs(np.linalg.svd(J)[2][rank:, :nu]).max(axis=0)
+        rows = np.array([str(row.joint or row.name) for row in m.model.manifest.speeds])
+        names = ", ".join(dict.fromkeys(rows[free > MOVES].tolist()))
+        raise ModelError(
+            f"the mechanism has {nu + 1 - rank} freedoms where {who} moves, and a path "
+            f"has one: keep others where they are by locked={{'name': value}}, among {names}"
+        )
 
 
 @dataclass(frozen=True, eq=False)

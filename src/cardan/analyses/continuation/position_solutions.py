@@ -18,8 +18,6 @@ from ..mechanisms.assemble import assemble_by_constraints
 from ..mechanisms.assembly import AssemblyRecord
 from ..mechanisms.consistent_rates import speeds
 from ..mechanisms.mechanism import Mechanism, refuse_nodes
-from ..mechanisms.redundancy import position, rank_of
-from ..mechanisms.targets import read
 from ..statics.load_path import column
 from ..statics.stability_at_equilibrium import largest_of
 from ..statics.statics import sweepable
@@ -134,10 +132,9 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
     m, first = drivers.m, drivers.values(0.0)
     driven = {name: first[name] for name in drivers.named(COORDINATE)}
     targets = {**drivers.locked, **driven}
-    guess = _guess(m, request.q, targets)
-    begin = assemble_by_constraints(m.model, targets, start=guess, t=m.t, r=m.inputs)
+    begin = assemble_by_constraints(m.model, targets, start=request.q, t=m.t, r=m.inputs)
+    drivers.check(begin.q)
     family = ConfigurationFamily.of(drivers)
-    _check(drivers, begin.q)
     point = family.start(begin.q)
     named = ", ".join(f"{name} = {value:.10g}" for name, value in drivers.values(1.0).items())
     return PathStart(
@@ -172,48 +169,3 @@ def _drivers(model: LoadedModel, request: PathRequest) -> Drivers:
             raise ArgumentError(f"continuation: {name}: give (start, end), two different numbers")
     m = Mechanism(model.with_parameters(dict(request.parameters or {})), request.t, request.inputs)
     return Drivers(Drivers(m, ranges, kinds, locked).mechanism(0.0), ranges, kinds, locked)
-
-
-def _guess(m: Mechanism, q: object, targets: Mapping[str, object]) -> Array:
-    """Coordinates (nq,) to start from; those that are driven or locked have their values."""
-    guess = position(m.model, q).copy()
-    for target in read(m, targets):
-        if target.kind == "coordinate":
-            guess[target.place] = target.value
-    return guess
-
-
-def _check(drivers: Drivers, q: Array) -> None:
-    """Refuse a start from which the drivers do not say where to go.
-
-    Raises:
-        ModelError: freedoms are left, or conditions contradict one another, or branches meet.
-    """
-    J, m = drivers.jacobian(0.0, q), drivers.m
-    nu, rank = m.nu, rank_of(np.linalg.svd(J, compute_uv=False))
-    who = " and ".join(f"'{name}'" for name in drivers.ranges)
-    if rank == nu + 1:
-        raise ModelError(
-            f"continuation: {who} cannot move: the loops and locked= determine the whole position"
-        )
-    if rank == nu:
-        return
-    aside = m.advance(q, np.random.default_rng(0).uniform(-1e-2, 1e-2, nu))
-    closure = slice(0, drivers.solver(0.0).record.hard_count)
-    nearby = rank_of(np.linalg.svd(drivers.jacobian(0.0, aside)[closure, :nu], compute_uv=False))
-    if rank_of(np.linalg.svd(J[closure, :nu], compute_uv=False)) < nearby:
-        raise ModelError(
-            "continuation: the start is a singular position, where branches meet. Start beside it"
-        )
-    free = np.linalg.svd(J)[2][rank:]
-    names = ", ".join(
-        dict.fromkeys(
-            str(row.joint or row.name)
-            for row, share in zip(m.model.manifest.speeds, np.abs(free).max(axis=0), strict=False)
-            if share > 1e-6
-        )
-    )
-    raise ModelError(
-        f"continuation: the mechanism has {nu + 1 - rank} freedoms where {who} moves, and a path "
-        f"has one: keep others where they are by locked={{'name': value}}, among {names}"
-    )
