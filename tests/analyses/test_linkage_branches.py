@@ -224,3 +224,21 @@ def test_a_range_of_less_than_a_turn() -> None:
     assert [any(end in message for message in joined) for end in ends] == [True, True]
     # what is left of the first one leaves the second branch point
     assert travelled(others, "A") == pytest.approx(2 * TURN - 1.5, abs=0.3)
+
+
+@pytest.mark.parametrize("off", [1e-2, 1e-4, 1e-6, 1e-8])
+def test_branches_that_nearly_meet_are_not_mixed_up(off: float) -> None:
+    """A rocker a little longer than where they meet lets the crank turn; a shorter one does not."""
+    model = linkage(1.0, 2.0, 2.0, 2.5)
+    for length in (1.5 + off, 1.5 - off):
+        path = model.continuation(
+            A=(1.0, 1.0 + TURN), of="positions", parameters={"L": length}, q={"A": 1.0, "D": 2.0}
+        )
+        if length > 1.5:
+            assert kinds(path) == ["event"]
+            assert path["D"].max() < math.pi
+            continue
+        # coupler and rocker in line: |a exp(i A) - d| = b + L
+        dead = math.acos((7.25 - (2 + length) ** 2) / 5)
+        np.testing.assert_allclose([p["A"] for p in path.points], [dead, -dead], atol=1e-7)
+        assert path.main.status == "closed"

@@ -18,7 +18,8 @@ from scipy.optimize import brentq
 from ...arrays import Array
 from ...errors import SolveError
 from .family import Family, Point, length
-from .follow import End, Place, Reach, Step, reversals, steps
+from .follow import End, Place, Reach, Step, steps
+from .interval import Interval
 from .singular_point import HalfBranch, SingularPoint, half_branches, singular_point
 
 FOLD, BRANCH, HOPF, EVENT = "fold", "branch point", "Hopf point", "event"
@@ -26,7 +27,7 @@ EXACT = 1e-13  # of a step: places of test functions
 NARROW, THIN = 0.05, 2.0**-30  # of a step: where points are looked for, and given up
 NEAR = 2.0  # widths of a bracket within which a point must lie
 MOST_LOST = 3  # of the rank
-FLAT = 1e-10  # rates of a parameter that stays where it is
+SURE = 1e-5  # steps that are not shortened where they seem to lead to another curve
 Count = Callable[[Place], int | None]
 
 
@@ -122,15 +123,19 @@ def trace(
     """Follow a curve from its last place to an end; what was found stays, whatever happens."""
     family, start = curve.family, curve.places[-1]
     values = [test.value(start) for test in watch.tests]
+    special = list[Special]()
+
+    def stays(step: Step) -> bool:
+        """True unless signs change where nothing crosses: the step leads to another curve."""
+        special[:] = _within(curve, watch, step)
+        return step.ds < SURE or all(s.kind != BRANCH or s.singular for s in special)
+
     try:
-        for step in steps(family, start, reach):
+        for step in steps(family, start, reach, stays):
             curve.corrections += step.corrections
             curve.refused += step.refused
             after = [test.value(step.after) for test in watch.tests]
             end = _tested(curve, watch.tests, step, values, after)
-            counts = watch.count(step.before), watch.count(step.after)
-            interval = _Interval.of(family, (0.0, 1.0), step.before, step.after, counts)
-            special = [*_searched(curve, watch, step, interval)]
             curve.special += [s for s in special if end is None or s.part <= end.part]
             if end is not None:
                 curve.special.append(end)
@@ -196,67 +201,14 @@ def _tested(
 # folds, crossings and changes of stability
 
 
-@dataclass(frozen=True, eq=False)
-class _Interval:
-    """A part of a step.
-
-    Attributes:
-        low, high: Its ends, 0 to 1.
-        before, after: The places there.
-        counts: Unstable directions there.
-        reversed: Directions in which J changes its sign in between, where these are not known.
-    """
-
-    low: float
-    high: float
-    before: Place
-    after: Place
-    counts: tuple[int | None, int | None]
-    reversed: int
-
-    @classmethod
-    def of(
-        cls, family: Family, ends: tuple[float, float], before: Place, after: Place,
-        counts: tuple[int | None, int | None],
-    ) -> _Interval:  # fmt: skip
-        """The part between two places."""
-        signs = reversals(family, before, after) if None in counts else 0
-        return cls(*ends, before, after, counts, signs)
-
-    @property
-    def folds(self) -> bool:
-        """True when the parameter turns back an odd number of times."""
-        rates = self.before.parameter_rate, self.after.parameter_rate
-        return rates[0] * rates[1] < 0 and max(map(abs, rates)) > FLAT
-
-    @property
-    def crosses(self) -> bool:
-        """True when an odd number of curves crosses."""
-        return self.before.orientation * self.after.orientation < 0
-
-    @property
-    def change(self) -> int:
-        """Change of the number of unstable directions; 0 where it is not known."""
-        before, after = self.counts
-        return self.reversed if before is None or after is None else after - before
-
-    @property
-    def unexplained(self) -> int:
-        """The part of it that folds and simple crossings do not explain."""
-        if None in self.counts:
-            return max(self.reversed - int(self.crosses), 0)
-        explained = int(self.folds) + int(self.crosses)
-        surplus = abs(self.change) - explained
-        # a fold and a crossing may also undo one another
-        return 0 if surplus == -2 and self.change == 0 else max(surplus, 0)
-
-    @property
-    def quiet(self) -> bool:
-        """True when nothing lies within, as far as the ends tell."""
-        return not (self.folds or self.crosses or self.unexplained)
+def _within(curve: Curve, watch: Watch, step: Step) -> Iterator[Special]:
+    """Special points within a step."""
+    counts = watch.count(step.before), watch.count(step.after)
+    interval = Interval.of(curve.family, (0.0, 1.0), step.before, step.after, counts)
+    yield from _searched(curve, watch, step, interval)
 
 
-def _searched(curve: Curve, watch: Watch, step: Step, interval: _Interval) -> Iterator[Special]:
+def _searched(curve: Curve, watch: Watch, step: Step, interval: Interval) -> Iterator[Special]:
     """Special points within a part of a step."""
     if interval.quiet:
         return
@@ -287,11 +239,11 @@ def _searched(curve: Curve, watch: Watch, step: Step, interval: _Interval) -> It
         ((interval.low, middle), interval.before, middle_place, (first, count)),
         ((middle, interval.high), middle_place, interval.after, (count, last)),
     ):
-        half = _Interval.of(curve.family, ends, before, after, counts)
+        half = Interval.of(curve.family, ends, before, after, counts)
         yield from _searched(curve, watch, step, half)
 
 
-def _fold(family: Family, step: Step, interval: _Interval, number: int) -> Special:
+def _fold(family: Family, step: Step, interval: Interval, number: int) -> Special:
     """The place where the parameter turns back."""
     try:
         place = fold_within(family, step, interval.low, interval.high)
@@ -320,7 +272,7 @@ def _part(family: Family, step: Step, point: Point) -> float:
 
 
 def _crossing(
-    curve: Curve, watch: Watch, step: Step, interval: _Interval, lost: int, number: int
+    curve: Curve, watch: Watch, step: Step, interval: Interval, lost: int, number: int
 ) -> Special | None:
     """The point within a part of a step where curves cross; None where none is found."""
     family = curve.family
@@ -360,7 +312,7 @@ def _other_curves(
     return tuple(remaining), halves[forward].tangent
 
 
-def _hopf(family: Family, watch: Watch, step: Step, interval: _Interval, number: int) -> Special:
+def _hopf(family: Family, watch: Watch, step: Step, interval: Interval, number: int) -> Special:
     """The place where an oscillation begins to grow."""
     growth = watch.growth
     assert growth is not None

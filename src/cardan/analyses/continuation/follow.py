@@ -11,7 +11,7 @@ P. Deuflhard, B. Fiedler, P. Kunkel, SIAM J. Numer. Anal. 24 (1987), 912-927 (co
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -214,8 +214,14 @@ class End(SolveError):
         self.place = last
 
 
-def steps(family: Family, start: Place, reach: Reach) -> Iterator[Step]:
+def steps(
+    family: Family, start: Place, reach: Reach, accept: Callable[[Step], bool] = lambda _: True
+) -> Iterator[Step]:
     """Steps along a curve, without end.
+
+    Args:
+        family, start, reach: Of what, from where, how far.
+        accept: What a step must fulfill not to be halved.
 
     Raises:
         End: steps become too short.
@@ -232,13 +238,13 @@ def steps(family: Family, start: Place, reach: Reach) -> Iterator[Step]:
             except SolveError:
                 spent += 1
                 turn = math.inf
-            if turn <= SHARP:
+            if turn <= SHARP and accept(step := Step(here, there, ds, spent, refused)):
                 break
             refused += 1
             ds *= 0.5
             if ds < reach.shortest:
                 raise End("steps become too short", here)
-        yield Step(here, there, ds, spent, refused)
+        yield step
         quick = math.sqrt(CONTRACTION / theta) if theta > 0 else GROWTH
         calm = TURN / turn if turn > 0 else GROWTH
         ds = min(reach.longest, ds * float(np.clip(min(quick, calm), 1 / GROWTH, GROWTH)))

@@ -20,8 +20,9 @@ from ...errors import ArgumentError, ModelError, near
 from ...runtime.calls.evaluation import State
 from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.configurations import COORDINATE, ConfigurationFamily, Drivers
-from ..continuation.curve import BRANCH, FLAT, FOLD, Curve, Test, Watch, trace
+from ..continuation.curve import BRANCH, FOLD, Curve, Test, Watch, trace
 from ..continuation.follow import Place, Reach, place
+from ..continuation.interval import FLAT
 from .assemble import assemble_by_constraints
 from .mechanism import Mechanism, refuse_nodes
 from .position_solver import PositionSolver
