@@ -221,7 +221,7 @@ class ConfigurationFamily:
         """Same as :meth:`.Family.residual`."""
         return at.combinations.T @ self.drivers.residual(at.s, at.q)
 
-    def jacobian(self, at: Configuration) -> DenseJacobian:
+    def jacobian(self, at: Configuration, rough: bool = False) -> DenseJacobian:
         """Same as :meth:`.Family.jacobian`."""
         return DenseJacobian(at.combinations.T @ self.drivers.jacobian(at.s, at.q))
 
