@@ -27,6 +27,7 @@ EXACT = 1e-13  # of a step: places of test functions
 NARROW, THIN = 0.05, 2.0**-30  # of a step: where points are looked for, and given up
 NEAR = 2.0  # widths of a bracket within which a point must lie
 MOST_LOST = 3  # of the rank
+JUMP = 2.0  # distance of the ends of a part of a step, over its length
 SURE = 1e-5  # steps that are not shortened where they seem to lead to another curve
 Count = Callable[[Place], int | None]
 
@@ -60,6 +61,7 @@ class Special:
         halves: The curves that leave it other than this one.
         frequency: Of the oscillation that begins there [rad/s]; NaN of others.
         accurate: False where it is only known to lie within a short step.
+        jump: True where the step leads to another curve.
     """
 
     kind: str
@@ -71,6 +73,7 @@ class Special:
     halves: Sequence[HalfBranch] = ()
     frequency: float = np.nan
     accurate: bool = True
+    jump: bool = False
 
 
 @dataclass(eq=False)
@@ -128,7 +131,7 @@ def trace(
     def stays(step: Step) -> bool:
         """True unless signs change where nothing crosses: the step leads to another curve."""
         special[:] = _within(curve, watch, step)
-        return step.ds < SURE or all(s.kind != BRANCH or s.singular for s in special)
+        return step.ds < SURE or not any(s.jump for s in special)
 
     try:
         for step in steps(family, start, reach, stays):
@@ -213,6 +216,11 @@ def _searched(curve: Curve, watch: Watch, step: Step, interval: Interval) -> Ite
     if interval.quiet:
         return
     number, width = len(curve.places) - 1, interval.high - interval.low
+    family = curve.family
+    if length(family, interval.chord(family)) > JUMP * width * step.ds:
+        place, part = interval.after, interval.high
+        yield Special(BRANCH, "", place, number, part, accurate=False, jump=True)
+        return
     if interval.folds and not interval.crosses and not interval.unexplained:
         yield _fold(curve.family, step, interval, number)
         return
@@ -232,7 +240,9 @@ def _searched(curve: Curve, watch: Watch, step: Step, interval: Interval) -> Ite
         middle_place = None
     if middle_place is None:
         kind = BRANCH if interval.crosses or not interval.folds else FOLD
-        yield Special(kind, "", interval.after, number, interval.high, accurate=False)
+        # no point in between: the curve that is left ends there, or is singular
+        place, part, jump = interval.after, interval.high, width > THIN
+        yield Special(kind, "", place, number, part, accurate=False, jump=jump)
         return
     (first, last), count = interval.counts, watch.count(middle_place)
     for ends, before, after, counts in (
@@ -276,8 +286,7 @@ def _crossing(
 ) -> Special | None:
     """The point within a part of a step where curves cross; None where none is found."""
     family = curve.family
-    inside = family.step(interval.before.point, interval.after.point)
-    start = family.moved(interval.before.point, 0.5 * inside)
+    start = family.moved(interval.before.point, 0.5 * interval.chord(family))
     for k in range(lost, MOST_LOST + 1):
         try:
             singular = singular_point(family, start, k)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ...arrays import Array
 from .family import Family
 from .follow import Place, reversals
 
@@ -36,6 +37,10 @@ class Interval:
         """The part between two places."""
         signs = reversals(family, before, after) if None in counts else 0
         return cls(*ends, before, after, counts, signs)
+
+    def chord(self, family: Family) -> Array:
+        """The increment between its ends (N,)."""
+        return family.step(self.before.point, self.after.point)
 
     @property
     def folds(self) -> bool:
