@@ -249,3 +249,25 @@ def test_picture(tmp_path: Path) -> None:
     (axis,) = figure.axes
     lines = [line for line in axis.lines if len(line.get_xdata()) > 1]
     assert {line.get_linestyle() for line in lines} == {"-"}
+
+
+def test_a_robot_whose_hand_stays_where_it_is() -> None:
+    """Three links of 1 m: the first turns back where the others are in line, 2 m long."""
+    scene = cd.Scene("arm", gravity=(0, 0, 0))
+    last: Any = scene.ground
+    for k in range(3):
+        link = scene.body(f"link{k}", **POINT)
+        scene.joint(f"J{k}", cd.Revolute("z"), last, link)
+        last = link.at(1, 0, 0)
+    scene.joint("wrist", cd.Fixed(), last, scene.body("hand", **POINT))
+    path = cd.compile(scene).continuation(
+        J0=(0.3, 5.0),
+        locked={"hand": (1.5, 0, 0)},
+        of="positions",
+        q={"J0": 0.3, "J1": 0.5, "J2": -1.5},
+    )
+    assert path.main.status == "closed"
+    limit = math.acos((1 + 1.5**2 - 4) / 3)
+    np.testing.assert_allclose([p["J0"] for p in path.points], [limit, -limit], atol=EXACT)
+    hands = path.model.pose("hand", path.main.q)[:, :3, 3]
+    np.testing.assert_allclose(hands, np.tile([1.5, 0, 0], (len(path), 1)), atol=EXACT)
