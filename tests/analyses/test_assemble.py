@@ -228,3 +228,8 @@ def driven_four_bar() -> cd.Scene:
     scene.joint("D", turn, ground.at(FOUR_BAR["ground"], 0, 0), c)
     scene.joint("C", turn, b.at(FOUR_BAR["coupler"], 0, 0), c.at(FOUR_BAR["rocker"], 0, 0))
     return scene
+
+
+def test_named_angles_stay_beyond_half_a_turn(bars: cd.CompiledModel) -> None:
+    for angle in (3.5, -4.0, 7.0):
+        assert bars.assemble({"A": angle}, branch={"D": "+"})["A"] == angle

@@ -352,3 +352,26 @@ def test_picture(tmp_path: Path) -> None:
     assert {"-", "--"} <= styles
     assert "branch point 1" in {text.get_text() for text in axis.texts}
     assert "branch point 1: P = 0.5" in str(path)
+
+
+@pytest.mark.parametrize("error", [1e-2, 1e-4, 1e-6, 1e-8])
+def test_imperfections_bend_the_path_to_one_side(error: float) -> None:
+    """P sin(theta) = 2 theta + e with a spring that is bent by e; no step leads across."""
+    scene = cd.Scene("bent", gravity=(0, 0, 0))
+    load, bend = scene.parameter("P", 0.0), scene.parameter("e", 0.0)
+    one, two, end = (scene.body(name, **POINT) for name in ("one", "two", "end"))
+    scene.joint("theta", cd.Revolute("z"), scene.ground, one)
+    scene.joint("middle", cd.Revolute("z"), one.at(1, 0, 0), two)
+    scene.joint("pin", cd.Revolute("z"), two.at(1, 0, 0), end)
+    scene.joint("slide", cd.Prismatic("x"), scene.ground, end)
+    scene.force("spring", cd.JointForce("middle", bend - scene.q("middle")))
+    scene.force("load", cd.Force(end, (-1 * load, 0, 0)))
+    model = cd.compile(scene)
+    for sign in (1, -1):
+        path = model.continuation(
+            P=(0, 4), parameters={"e": sign * error}, bounds={"theta": (-1.4, 1.4)}
+        )
+        assert kinds(path) == ["event"]
+        theta = path["theta"]
+        assert theta[-1] == pytest.approx(-1.4 * sign)
+        np.testing.assert_allclose(path["P"] * np.sin(theta), 2 * theta + sign * error, atol=1e-12)

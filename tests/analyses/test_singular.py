@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from mechanisms.change_points import windows
 from mechanisms.closed_planar import FOUR_BAR, four_bar, slider_crank, slider_crank_coordinates
 from mechanisms.closed_spatial import bricard, bricard_angles, stewart, stewart_coordinates
 
@@ -122,3 +123,12 @@ def test_loops_in_closed_form_are_refused() -> None:
     model = cd.compile(four_bar(), constraints="closed_form")
     with pytest.raises(cd.ModelError, match="solves them in closed form"):
         model.singular_positions("A", (0.0, 1.0))
+
+
+def test_two_loops_lose_rank_together() -> None:
+    """Parallelograms in a row, where all links lie on one line: determinants keep their sign."""
+    model, count = windows(2, 0.6, 1.1), 2
+    begin = {f"A{k}": 0.5 for k in range(count + 1)} | {f"B{k}": -0.5 for k in range(count)}
+    found = model.singular_positions("A0", (0.5, 6.5), start=begin)
+    assert [p.kind for p in found.positions] == ["branch point"] * 2
+    np.testing.assert_allclose(found.values("branch point"), [math.pi, 2 * math.pi], atol=1e-9)

@@ -94,6 +94,8 @@ def test_continuation(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[
     np.testing.assert_allclose(branch["values"]["P"], 2 * foot / np.sin(foot))
     assert status("continuation", scene, "--vary", "P=0,3") == 2
     assert "NAME=FROM:TO" in capsys.readouterr().err
+    assert status("continuation", "four_bar", "--of", "positions", "--vary", "D=2:3") == 0
+    assert "a dead point: 'D' turns back" in capsys.readouterr().out
     assert status(*follow, "--points", "3") == 1
     assert "after 3 points" in capsys.readouterr().out
 

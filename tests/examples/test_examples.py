@@ -42,6 +42,7 @@ LEAVES = {
     "30_flexible_link": ("link.html", "link.png"),
     "31_deployable_antenna": ("antenna.html",),
     "32_truss_retraction": ("folding.html", "snap.html", "retraction.png"),
+    "33_change_points": ("branches.png", "crossed.html"),
 }
 
 

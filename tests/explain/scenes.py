@@ -39,6 +39,7 @@ LONG = {
     "30_flexible_link",
     "31_deployable_antenna",
     "32_truss_retraction",
+    "33_change_points",
     "bicycle",
 }
 TWICE = {"02_robot_arm", "04_scene_file", "14_bend"}

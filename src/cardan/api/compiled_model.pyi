@@ -705,7 +705,9 @@ class CompiledModel(LoadedModel):
         Args:
             swept, named: Parameter, input or ``t`` -> (start, end). The path ends at the end, and may
                 turn back and leave the range before. Several go together.
-            of: What the path consists of: ``"equilibria"``.
+            of: What the path consists of: ``"equilibria"``; or ``"positions"`` of a mechanism without
+                forces, of which coordinates are swept too: ``crank=(0, 6.28)``. Then folds are dead
+                points, branches meet where loops lose rank, and full turns are the same position.
             q: Coordinates to start from, by name or (nq,).
             locked: Coordinate -> value it keeps, or (start, end): displacements are prescribed.
             inputs, parameters: Values by name that stay, else those of the model.

@@ -1,4 +1,4 @@
-"""``cardan continuation``: every equilibrium that a load leads to.
+"""``cardan continuation``: every equilibrium or position that a change leads to.
 
 Follows equilibria through limit loads and snaps, tells folds, branch points and points where an
 oscillation begins, and follows the branches that leave them.
@@ -13,6 +13,8 @@ examples:
         a coordinate that is moved, for another program
   cardan continuation truss.yaml --vary P=0:1 --until apex=-2
         to a value of a coordinate or an output
+  cardan continuation four_bar --of positions --vary D=2:3
+        of a mechanism without forces, through dead points of what drives
 
 exit status 1: the path ended before; what was found of it is printed
 """
@@ -37,6 +39,9 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     group = equilibrium_options.arguments(parser)
     group.add_argument("--vary", metavar="NAME=FROM:TO", type=interval, action="append",
                        required=True, help="parameter, input or coordinate; repeat")  # fmt: skip
+    group.add_argument("--of", choices=("equilibria", "positions"), default="equilibria",
+                       help="what the path consists of; positions of a mechanism need no forces"
+                       )  # fmt: skip
     group.add_argument("--until", metavar="NAME=VALUE", type=run_options.named, action="append",
                        default=[], help="end where this has the value")  # fmt: skip
     group.add_argument("--bound", metavar="NAME=LOW:HIGH", type=interval, action="append",
@@ -82,7 +87,7 @@ def run(options: argparse.Namespace) -> int:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         path = model.continuation(
-            loads, until=dict(options.until), bounds=dict(options.bound),
+            loads, of=options.of, until=dict(options.until), bounds=dict(options.bound),
             branches=options.branches, points=options.points, **conditions,
         )  # fmt: skip
     if options.plot is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from ..simulation.progress import Show
@@ -88,7 +89,9 @@ class Tracer:
         """The curve through a place."""
         of = self.solutions
         curve = Curve(of.family, [first])
-        watch = Watch(of.count, of.growth, self.tests, self.points, corner=of.corner)
+        watch = Watch(
+            of.count, of.growth, self.tests, self.points, corner=of.corner, ends=[*self._ends()]
+        )
 
         def on_step(curve: Curve) -> None:
             show(len(curve.places) / self.points)
@@ -101,6 +104,15 @@ class Tracer:
         finally:
             self.branches[name] = BranchRecord.of(name, curve, of)
         return curve
+
+    def _ends(self) -> Iterator[tuple[str, Place]]:
+        """Ends of the curves so far: where one leads to them the other was followed from there."""
+        for name, branch in self.branches.items():
+            places = branch.curve.places
+            if name == MAIN:
+                yield f"the start of '{name}'", places[0]
+            if branch.status not in ("closed", "joined"):
+                yield f"the end of '{name}'", places[-1]
 
     def _leaving(self, name: str, curve: Curve) -> list[tuple[str, _Junction, int]]:
         """Names of branches that leave a curve, and where; points passed before lead to no more."""

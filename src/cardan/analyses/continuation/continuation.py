@@ -1,4 +1,4 @@
-"""``model.continuation``: every equilibrium that a change of a load leads to.
+"""``model.continuation``: every equilibrium or position that a change leads to.
 
 Where :func:`cardan.analyses.statics.statics.statics` ends at a limit load, this goes on: the load
 is an unknown like the position, and turns back.
@@ -14,7 +14,7 @@ from ...arguments import Count, LockedValues, checked
 from ...errors import ModelError, SolveError, SolveWarning, near, warn
 from ...runtime.models.loaded_model import LoadedModel
 from ..simulation.progress import showing
-from . import equilibrium_solutions
+from . import equilibrium_solutions, position_solutions
 from .branches import MAIN, Tracer
 from .curve import Test
 from .follow import Reach
@@ -25,7 +25,8 @@ from .solutions import Solutions
 POINTS = 300
 # where paths of a kind of solutions start
 STARTS: Mapping[str, Callable[[LoadedModel, PathRequest], PathStart]] = {
-    "equilibria": equilibrium_solutions.start
+    "equilibria": equilibrium_solutions.start,
+    "positions": position_solutions.start,
 }
 
 
@@ -56,7 +57,9 @@ def continuation(
         model: The compiled model.
         swept, named: Parameter, input or ``t`` -> (start, end). The path ends at the end, and may
             turn back and leave the range before. Several go together.
-        of: What the path consists of: ``"equilibria"``.
+        of: What the path consists of: ``"equilibria"``; or ``"positions"`` of a mechanism without
+            forces, of which coordinates are swept too: ``crank=(0, 6.28)``. Then folds are dead
+            points, branches meet where loops lose rank, and full turns are the same position.
         q: Coordinates to start from, by name or (nq,).
         locked: Coordinate -> value it keeps, or (start, end): displacements are prescribed.
         inputs, parameters: Values by name that stay, else those of the model.

@@ -19,6 +19,7 @@ from ...arrays import Array
 from ...errors import SolveError
 from .family import Family, Point, length
 from .follow import Place, Step
+from .interval import Interval
 from .singular_point import HalfBranch, SingularPoint, half_branches, singular_point
 
 FOLD, BRANCH, HOPF, EVENT = "fold", "branch point", "Hopf point", "event"
@@ -28,6 +29,8 @@ NEAR = 2.0  # widths of a bracket within which a point must lie
 MOST_LOST = 3  # of the rank
 # length of increments that rounding leaves of a singular point; halvings that tell it better
 UNCERTAIN, BISECTED = 1e-10, 40
+JUMP = 2.0  # distance of the ends of a part of a step, over its length
+SURE = 1e-5  # steps that are not shortened where they seem to lead to another curve
 Count = Callable[[Place], int | None]
 
 
@@ -60,6 +63,7 @@ class Special:
         halves: The curves that leave it other than this one.
         frequency: Of the oscillation that begins there [rad/s]; NaN of others.
         accurate: False where it is only known to lie within a short step.
+        jump: True where the step leads to another curve.
     """
 
     kind: str
@@ -71,6 +75,7 @@ class Special:
     halves: Sequence[HalfBranch] = ()
     frequency: float = np.nan
     accurate: bool = True
+    jump: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +101,8 @@ class Curve:
         places: In their order.
         special: Its special points.
         ended: Why it ended.
-        status: ``"finished"``, ``"closed"``, ``"budget"``, ``"singular"`` or ``"interrupted"``.
+        status: ``"finished"``, ``"closed"``, ``"joined"``, ``"budget"``, ``"singular"`` or
+            ``"interrupted"``.
         corrections, refused: Linear systems solved, steps that were halved.
     """
 
@@ -120,6 +126,7 @@ class Watch:
         most: Places at most.
         switches: Whether curves that leave branch points are looked for.
         corner: The first corner within a step from the place with a number; None without any.
+        ends: Ends of other curves, by what they are; the curve ends there too.
     """
 
     count: Count
@@ -128,69 +135,29 @@ class Watch:
     most: int = 300
     switches: bool = True
     corner: Callable[[Step, int], Corner | None] = lambda *_: None
+    ends: Sequence[tuple[str, Place]] = ()
 
 
 # folds, crossings and changes of stability
 
 
-@dataclass(frozen=True, eq=False)
-class _Interval:
-    """A part of a step.
-
-    Attributes:
-        low, high: Its ends, 0 to 1.
-        before, after: The places there.
-        counts: Unstable directions there.
-    """
-
-    low: float
-    high: float
-    before: Place
-    after: Place
-    counts: tuple[int | None, int | None]
-
-    @property
-    def folds(self) -> bool:
-        """True when the parameter turns back an odd number of times."""
-        return self.before.parameter_rate * self.after.parameter_rate < 0
-
-    @property
-    def crosses(self) -> bool:
-        """True when an odd number of curves crosses."""
-        return self.before.orientation * self.after.orientation < 0
-
-    @property
-    def change(self) -> int:
-        """Change of the number of unstable directions; 0 where it is not known."""
-        before, after = self.counts
-        return 0 if before is None or after is None else after - before
-
-    @property
-    def unexplained(self) -> int:
-        """The part of it that folds and simple crossings do not explain."""
-        counted = None not in self.counts
-        explained = int(self.folds) + int(self.crosses)
-        surplus = abs(self.change) - explained
-        # a fold and a crossing may also undo one another
-        return 0 if not counted or (surplus == -2 and self.change == 0) else max(surplus, 0)
-
-    @property
-    def quiet(self) -> bool:
-        """True when nothing lies within, as far as the ends tell."""
-        return not (self.folds or self.crosses or self.unexplained)
-
-
 def points_within(curve: Curve, watch: Watch, step: Step) -> Iterator[Special]:
     """Special points within a step."""
     counts = watch.count(step.before), watch.count(step.after)
-    yield from _searched(curve, watch, step, _Interval(0.0, 1.0, step.before, step.after, counts))
+    interval = Interval.of(curve.family, (0.0, 1.0), step.before, step.after, counts)
+    yield from _searched(curve, watch, step, interval)
 
 
-def _searched(curve: Curve, watch: Watch, step: Step, interval: _Interval) -> Iterator[Special]:
+def _searched(curve: Curve, watch: Watch, step: Step, interval: Interval) -> Iterator[Special]:
     """Special points within a part of a step."""
     if interval.quiet:
         return
     number, width = len(curve.places) - 1, interval.high - interval.low
+    family = curve.family
+    if length(family, interval.chord(family)) > JUMP * width * step.ds:
+        place, part = interval.after, interval.high
+        yield Special(BRANCH, "", place, number, part, accurate=False, jump=True)
+        return
     if interval.folds and not interval.crosses and not interval.unexplained:
         yield _fold(curve.family, step, interval, number)
         return
@@ -199,7 +166,8 @@ def _searched(curve: Curve, watch: Watch, step: Step, interval: _Interval) -> It
         if (crossing := _crossing(curve, watch, step, interval, lost, number)) is not None:
             yield crossing
             return
-        if watch.growth is not None and not interval.crosses and interval.unexplained % 2 == 0:
+        counted = watch.growth is not None and None not in interval.counts
+        if counted and not interval.crosses and interval.unexplained % 2 == 0:
             yield _hopf(curve.family, watch, step, interval, number)
             return
     middle = 0.5 * (interval.low + interval.high)
@@ -209,17 +177,20 @@ def _searched(curve: Curve, watch: Watch, step: Step, interval: _Interval) -> It
         middle_place = None
     if middle_place is None:
         kind = BRANCH if interval.crosses or not interval.folds else FOLD
-        yield Special(kind, "", interval.after, number, interval.high, accurate=False)
+        # no point in between: the curve that is left ends there, or is singular
+        place, part, jump = interval.after, interval.high, width > THIN
+        yield Special(kind, "", place, number, part, accurate=False, jump=jump)
         return
-    count = watch.count(middle_place)
-    for half in (
-        _Interval(interval.low, middle, interval.before, middle_place, (interval.counts[0], count)),
-        _Interval(middle, interval.high, middle_place, interval.after, (count, interval.counts[1])),
+    (first, last), count = interval.counts, watch.count(middle_place)
+    for ends, before, after, counts in (
+        ((interval.low, middle), interval.before, middle_place, (first, count)),
+        ((middle, interval.high), middle_place, interval.after, (count, last)),
     ):
+        half = Interval.of(curve.family, ends, before, after, counts)
         yield from _searched(curve, watch, step, half)
 
 
-def _fold(family: Family, step: Step, interval: _Interval, number: int) -> Special:
+def _fold(family: Family, step: Step, interval: Interval, number: int) -> Special:
     """The place where the parameter turns back."""
     try:
         place = fold_within(family, step, interval.low, interval.high)
@@ -248,12 +219,11 @@ def _part(family: Family, step: Step, point: Point) -> float:
 
 
 def _crossing(
-    curve: Curve, watch: Watch, step: Step, interval: _Interval, lost: int, number: int
+    curve: Curve, watch: Watch, step: Step, interval: Interval, lost: int, number: int
 ) -> Special | None:
     """The point within a part of a step where curves cross; None where none is found."""
     family = curve.family
-    inside = family.step(interval.before.point, interval.after.point)
-    start = family.moved(interval.before.point, 0.5 * inside)
+    start = family.moved(interval.before.point, 0.5 * interval.chord(family))
     for k in range(lost, MOST_LOST + 1):
         try:
             singular = singular_point(family, start, k)
@@ -272,7 +242,7 @@ def _crossing(
 
 
 def _bisected(
-    family: Family, watch: Watch, step: Step, interval: _Interval, place: Place
+    family: Family, watch: Watch, step: Step, interval: Interval, place: Place
 ) -> tuple[float, Place]:
     """The place at which signs of pivots change: in slender beams they tell more than J does."""
     low, high = interval.low, interval.high
@@ -311,7 +281,7 @@ def _other_curves(
     return tuple(remaining), halves[forward].tangent
 
 
-def _hopf(family: Family, watch: Watch, step: Step, interval: _Interval, number: int) -> Special:
+def _hopf(family: Family, watch: Watch, step: Step, interval: Interval, number: int) -> Special:
     """The place where an oscillation begins to grow."""
     growth = watch.growth
     assert growth is not None

@@ -1,4 +1,4 @@
-"""Paths and their branches as a picture: stable parts as lines, others dashed."""
+"""Paths and their branches as a picture: unstable parts are dashed."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ MARKERS = {FOLD: "v", BRANCH: "D", HOPF: "o", EVENT: "|"}
 def plot(path: ContinuationRecord, along: str, up: str, file: str | Path | None = None) -> Figure:
     """Draw a path and its branches as a Matplotlib figure, written to ``file`` if given.
 
-    Stable equilibria are lines, others are dashed; special points carry their names.
+    Unstable equilibria are dashed, all else are lines; special points carry their names.
 
     Args:
         path: The path.
@@ -67,7 +67,7 @@ def _curves(branch: BranchRecord, along: str, up: str) -> list[tuple[Array, Arra
         entry[3] for entry, distinct_entry in zip(entries, distinct, strict=True) if distinct_entry
     ]
     if len(s) < 3:
-        return [(table[:, 0], table[:, 1], bool(stable[0]))]
+        return [(table[:, 0], table[:, 1], stable[0] is None or bool(stable[0]))]
     curve, curves, last = CubicSpline(s, table), list[tuple[Array, Array, bool]](), True
     for k, (low, high) in enumerate(pairwise(s)):
         flags = [one for one in stable[k : k + 2] if one is not None]

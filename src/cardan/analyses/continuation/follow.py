@@ -11,14 +11,15 @@ P. Deuflhard, B. Fiedler, P. Kunkel, SIAM J. Numer. Anal. 24 (1987), 912-927 (co
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.linalg import eigvals
 
 from ...arrays import Array
 from ...errors import SolveError
-from .family import Bordered, Family, Point, length, row
+from .family import Bordered, DenseJacobian, Family, Point, length, row
 
 NEWTON = 8
 # residuals that are rounding; corrections, as a part of the reach, whose square would be
@@ -27,6 +28,7 @@ ROUNDING, TIGHT, NOISE, NEARLY = 1e-13, 1e-9, 1e-7, 1e-4
 CONTRACTION, TURN, SHARP, GROWTH = 0.05, 0.3, 0.6, 2.0
 FIRST, LONGEST, SHORTEST = 0.02, 0.25, 1e-9
 DIVERGED = 0.9  # contraction above which corrections lead nowhere
+SAME = 1e-7  # of a step: places that are one
 ASIDE = 0.7  # corrections, as a part of a step, that lead to another curve
 
 
@@ -70,6 +72,22 @@ def place(family: Family, point: Point, toward: Array) -> Place:
     tangent = tangent / length(family, tangent)
     # the row of the tangent itself gives the same sign: both have a positive product with it
     return Place(point, tangent, float(tangent[-1]), by.sign)
+
+
+def reversals(family: Family, before: Place, after: Place) -> int:
+    """Directions in which J with the tangent as a row changes its sign between two places.
+
+    Those are eigenvalues of the one matrix by the other that are negative, and as many curves are
+    crossed on the way; 0 where there are no arrays.
+    """
+    matrices = list[Array]()
+    for place in (before, after):
+        jacobian = family.jacobian(place.point)
+        if not isinstance(jacobian, DenseJacobian):
+            return 0
+        matrices.append(np.concatenate([jacobian.matrix, row(family, place.tangent)]))
+    here, there = eigvals(matrices[1], matrices[0], homogeneous_eigvals=True)
+    return int(np.sum((here * there.conj()).real < 0))
 
 
 def corrected(
@@ -162,6 +180,21 @@ class Step:
         point = corrected(family, self.before, part * self.ds, self._guess(family, part))[0]
         return place(family, point, self.before.tangent)
 
+    def passes(self, family: Family, there: Place) -> tuple[float, int]:
+        """The part at which a place of a curve lies; 1 in its direction, -1 against it, else 0."""
+        to = family.step(self.before.point, there.point)
+        along = float(self.before.tangent @ (family.weights * to))
+        part = along / self.ds
+        if not 0 < part <= 1 + 1e-9 or length(family, to) > 2 * self.ds:
+            return part, 0
+        try:
+            here = self.at(family, part)
+        except SolveError:
+            return part, 0
+        off = length(family, family.step(here.point, there.point))
+        same = float(here.tangent @ (family.weights * there.tangent))
+        return part, int(np.sign(same)) if off <= SAME * max(1.0, self.ds) else 0
+
     def _guess(self, family: Family, part: float) -> Array:
         """The cubic with the tangents of both ends, in the chart of the start."""
         end = family.step(self.before.point, self.after.point)
@@ -185,8 +218,14 @@ class End(SolveError):
         self.place = last
 
 
-def steps(family: Family, start: Place, reach: Reach) -> Iterator[Step]:
+def steps(
+    family: Family, start: Place, reach: Reach, accept: Callable[[Step], bool] = lambda _: True
+) -> Iterator[Step]:
     """Steps along a curve, without end.
+
+    Args:
+        family, start, reach: Of what, from where, how far.
+        accept: What a step must fulfill not to be halved.
 
     Raises:
         End: steps become too short.
@@ -203,13 +242,13 @@ def steps(family: Family, start: Place, reach: Reach) -> Iterator[Step]:
             except SolveError:
                 spent += 1
                 turn = math.inf
-            if turn <= SHARP:
+            if turn <= SHARP and accept(step := Step(here, there, ds, spent, refused)):
                 break
             refused += 1
             ds *= 0.5
             if ds < reach.shortest:
                 raise End("steps become too short", here)
-        yield Step(here, there, ds, spent, refused)
+        yield step
         quick = math.sqrt(CONTRACTION / theta) if theta > 0 else GROWTH
         calm = TURN / turn if turn > 0 else GROWTH
         ds = min(reach.longest, ds * float(np.clip(min(quick, calm), 1 / GROWTH, GROWTH)))

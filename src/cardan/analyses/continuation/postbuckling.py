@@ -51,7 +51,9 @@ def postbuckling(
             coefficients.append(Postbuckling(np.nan, np.nan))
             continue
         slope = dP / dx
-        coefficients.append(Postbuckling(slope / critical, 0.5 * (ddP - slope * ddx) / dx**2 / critical))
+        coefficients.append(
+            Postbuckling(slope / critical, 0.5 * (ddP - slope * ddx) / dx**2 / critical)
+        )
     return coefficients
 
 

@@ -80,14 +80,14 @@ class SpecialPointRecord:
 
 @dataclass(frozen=True, repr=False, eq=False)
 class BranchRecord:
-    """A path of equilibria; ``branch["elbow"]`` is a history (n,) by name.
+    """A path of equilibria or positions; ``branch["elbow"]`` is a history (n,) by name.
 
-    ``branch[k]`` is the equilibrium of row k; ``model.simulate(10, x0=branch[-1])`` starts there.
+    ``branch[k]`` is that of row k; ``model.simulate(10, x0=branch[-1])`` starts there.
 
     Attributes:
         name: ``"main"``, or that of the branch: ``"2a"`` leaves branch point 2 of the main one.
-        status: ``"finished"``, ``"closed"`` of a path that leads back to its start, ``"budget"``,
-            ``"singular"`` or ``"interrupted"``.
+        status: ``"finished"``, ``"closed"`` of a path that leads back to its start, ``"joined"`` of
+            one that leads to the end of another, ``"budget"``, ``"singular"`` or ``"interrupted"``.
         message: The same as a sentence.
         iterations, refused: Linear systems solved, steps that were halved.
         curve, solutions: For analyses that go on from here.
@@ -234,10 +234,10 @@ def mirrored(solutions: Solutions, special: Special) -> Iterator[tuple[int, int]
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ContinuationRecord:
-    """Equilibria along a path of loads, and branches that leave it.
+    """Equilibria or positions along a path, and branches that leave it.
 
     ``path["elbow"]`` is a history (n,) of the main branch, ``path.branches["1a"]["elbow"]`` that of
-    another one; ``path[k]`` is an equilibrium of the main branch.
+    another one; ``path[k]`` is an equilibrium or a position of the main branch.
 
     Attributes:
         model: The model.

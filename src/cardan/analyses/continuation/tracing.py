@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 
 from scipy.optimize import brentq
 
 from ...errors import SolveError
-from .curve import EVENT, EXACT, Curve, Special, Test, Watch, points_within
-from .family import Family, length
+from .curve import EVENT, EXACT, SURE, Corner, Curve, Special, Test, Watch, points_within
 from .follow import End, Place, Reach, Step, steps
-
-CLOSED = 1e-7  # of a step: a curve that comes back to its start
 
 
 def trace(
@@ -28,6 +25,35 @@ def trace(
     curve.special.sort(key=lambda s: (s.after, s.part))
 
 
+@dataclass(eq=False)
+class _Look:
+    """What a step passes, looked at before it is accepted.
+
+    Attributes:
+        curve, watch: Of what.
+        corner: The first corner within it.
+        special: Points of the curve up to there.
+    """
+
+    curve: Curve
+    watch: Watch
+    corner: Corner | None = None
+    special: list[Special] = field(default_factory=list)
+
+    def stays(self, step: Step) -> bool:
+        """True unless signs change where nothing crosses: the step leads to another curve."""
+        self.corner = self.watch.corner(step, len(self.curve.places) - 1)
+        smooth = self.shortened(step)
+        self.special = [*points_within(self.curve, self.watch, smooth)]
+        return step.ds < SURE or not any(s.jump for s in self.special)
+
+    def shortened(self, step: Step) -> Step:
+        """The step up to its first corner."""
+        if self.corner is None:
+            return step
+        return step.shortened(self.corner.special.place, self.corner.special.part)
+
+
 def _traced(
     curve: Curve, watch: Watch, reach: Reach, begin: Place, on_step: Callable[[Curve], None]
 ) -> Place | None:
@@ -36,18 +62,14 @@ def _traced(
     Raises:
         End: the curve is not followed any further.
     """
-    family = curve.family
-    values = [test.value(begin) for test in watch.tests]
-    for step in steps(family, begin, reach):
+    values, look = [test.value(begin) for test in watch.tests], _Look(curve, watch)
+    for long_step in steps(curve.family, begin, reach, look.stays):
+        step, corner = look.shortened(long_step), look.corner
         curve.corrections += step.corrections
         curve.refused += step.refused
-        corner = watch.corner(step, len(curve.places) - 1)
-        if corner is not None:
-            step = step.shortened(corner.special.place, corner.special.part)
         after = [test.value(step.after) for test in watch.tests]
         end = _tested(curve, watch.tests, step, values, after)
-        special = [*points_within(curve, watch, step)]
-        curve.special += [s for s in special if end is None or s.part <= end.part]
+        curve.special += [s for s in look.special if end is None or s.part <= end.part]
         if end is not None:
             curve.special.append(end)
             curve.places.append(end.place)
@@ -64,13 +86,29 @@ def _traced(
         curve.places.append(step.after)
         values = after
         on_step(curve)
-        if _comes_back(family, curve.places[0], step):
-            curve.status, curve.ended = "closed", "closed: it leads back to its start"
-            return None
-        if len(curve.places) >= watch.most:
-            curve.ended = f"after {watch.most} points, the most that points= allows"
+        if _ends(curve, watch, step):
             return None
     return None
+
+
+def _ends(curve: Curve, watch: Watch, step: Step) -> bool:
+    """True when a curve is closed, comes to an end of another one, or has all its places."""
+    start = curve.places[0]
+    if start is not step.before and step.passes(curve.family, start)[1] > 0:
+        curve.status, curve.ended = "closed", "closed: it leads back to its start"
+        return True
+    for name, end in watch.ends:
+        part, along = step.passes(curve.family, end)
+        if along:
+            number = len(curve.places) - 2
+            curve.places[-1] = step.at(curve.family, part)
+            curve.special = [s for s in curve.special if s.after < number or s.part <= part]
+            curve.status, curve.ended = "joined", f"reached {name}"
+            return True
+    if len(curve.places) >= watch.most:
+        curve.ended = f"after {watch.most} points, the most that points= allows"
+        return True
+    return False
 
 
 def _tested(
@@ -97,20 +135,3 @@ def _tested(
         s for s in events if s.label not in ends and (last is None or s.part <= last.part)
     ]
     return last
-
-
-def _comes_back(family: Family, start: Place, step: Step) -> bool:
-    """True when a step passes the start in the direction in which the curve left it."""
-    if start is step.before:
-        return False
-    to = family.step(step.before.point, start.point)
-    along = float(step.before.tangent @ (family.weights * to))
-    if not 0 < along <= step.ds * (1 + 1e-9) or length(family, to) > 2 * step.ds:
-        return False
-    try:
-        there = step.at(family, along / step.ds)
-    except SolveError:
-        return False
-    off = length(family, family.step(there.point, start.point))
-    same = float(there.tangent @ (family.weights * start.tangent)) > 0
-    return bool(off <= CLOSED * max(1.0, step.ds) and same)

@@ -80,6 +80,9 @@ def assemble_by_constraints(
     if starts < 1:
         raise ModelError(f"starts={starts}: at least one search is needed")
     begin = _begin(model, start)
+    for goal in goals:
+        if goal.kind == "coordinate" and goal.weight is None:
+            begin[goal.place] = goal.value
     candidates = search(m, goals, begin, starts, seed)
     met = [one for one in candidates if one.met]
     if not met:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import DTypeLike
 
 from ...arrays import Array
 from ...errors import ModelError, counted, near
@@ -66,6 +67,9 @@ class AssemblyRecord:
     def x(self) -> Array:
         """State [q, u] (nx,), as ``simulate(x0=...)`` takes it."""
         return np.concatenate([self.q, self.u])
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Array:
+        return np.array(self.x, dtype=dtype)
 
     def __getitem__(self, name: str) -> float:
         """A coordinate, or a speed such as ``elbow.u``, by name.

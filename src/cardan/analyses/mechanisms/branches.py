@@ -106,31 +106,40 @@ def refuse(requested: Sequence[Branch], positions: Sequence[Array]) -> NoReturn:
     )
 
 
-def refuse_singular(m: Mechanism, q: Array) -> None:
-    """Refuse a start at which branches meet, unless all speeds say which one is meant.
+def lost_conditions(m: Mechanism, q: Array) -> Array:
+    """Combinations (m, n) of constraints that are dependent at a position and not along motions.
 
-    Combinations w of constraints with wᵀ G = 0 are redundant where that holds along the motion as
-    well: wᵀ dG(v) v' = 0 for all directions v, v' that G allows. Otherwise the rank is lost here
-    alone: branches meet, or nothing moves although G lets it.
-
-    Raises:
-        ModelError: the rank of the constraints is lower here than beside the position.
+    Combinations w with wᵀ G = 0 are redundant where that holds along the motion as well: wᵀ dG(v)
+    v' = 0 for all directions v, v' that G allows. Otherwise the rank is lost here alone: branches
+    meet, or nothing moves although G lets it.
     """
     U, s = m.decomposition(q)
     rank = int(np.sum(s > SINGULAR * s.max(initial=0.0)))
     W = U[:, rank:]
     if not W.size or rank == m.nu:
-        return
+        return W[:, :0]
     V = np.linalg.svd(m.jacobian(q))[2][rank:].T
     steps = ASIDE * V.T
     slopes = [m.jacobian(m.advance(q, v)) - m.jacobian(m.advance(q, -v)) for v in steps]
     curvature = np.stack([W.T @ slope @ V for slope in slopes], axis=1) / (2 * ASIDE)
     curvature = curvature.reshape(W.shape[1], -1)
     lost = int(np.sum(np.linalg.svd(curvature, compute_uv=False) > CURVED * s.max(initial=1.0)))
-    if lost == 0:
-        return
     # what is lost here, and not what is redundant everywhere
-    along = W @ np.linalg.svd(curvature)[0][:, :lost]
+    along: Array = W @ np.linalg.svd(curvature)[0][:, :lost]
+    return along
+
+
+def refuse_singular(m: Mechanism, q: Array) -> None:
+    """Refuse a start at which branches meet, unless all speeds say which one is meant.
+
+    Raises:
+        ModelError: the rank of the constraints is lower here than along the motion.
+    """
+    along = lost_conditions(m, q)
+    if not along.size:
+        return
+    s, lost = m.decomposition(q)[1], along.shape[1]
+    rank = int(np.sum(s > SINGULAR * s.max(initial=0.0)))
     weakest = int(np.abs(along).max(axis=1).argmax())
     raise ModelError(
         f"the start is a singular position: {rank} of {rank + lost} independent constraints hold "

@@ -81,10 +81,14 @@ class Mechanism:
         assert isinstance(cached, cls)
         return cached.moved_to(t, r)
 
-    def moved_to(self, t: float, r: Array | None) -> Mechanism:
-        """The same mechanism at another time, with other inputs (nr,)."""
+    def moved_to(self, t: float, r: Array | None, model: LoadedModel | None = None) -> Mechanism:
+        """The same mechanism at another time, with other inputs (nr,) or values of parameters."""
         other = copy.copy(self)
         other.t, other.r, other._cache = float(t), r, {}
+        if model is not None:
+            other.model = model
+            for name in ("connection", "_bounds"):
+                other.__dict__.pop(name, None)
         return other
 
     def _once(self, what: str, q: Array, function: Callable[[Array], Any]) -> Any:

@@ -1,11 +1,8 @@
 """Singular positions of a mechanism: dead points of a driver, and points where branches meet.
 
-The mechanism is followed along its path by the length of the path, which passes through dead
-points. A driver is dead where it stands still while the rest moves on; branches meet where the
-Jacobian of the constraints alone loses rank.
-
-Source: W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, chapter 3 (test
-functions along a path, location by bisection).
+The mechanism is followed by the length of its path, as ``model.continuation(of="positions")`` does.
+A driver is dead where it stands still while the rest moves on; branches meet where the Jacobian of
+the constraints alone loses rank.
 """
 
 from __future__ import annotations
@@ -22,17 +19,26 @@ from ...arrays import Array
 from ...errors import ArgumentError, ModelError, near
 from ...runtime.calls.evaluation import State
 from ...runtime.models.loaded_model import LoadedModel
+from ..continuation.configurations import COORDINATE, ConfigurationFamily, Drivers
+from ..continuation.curve import BRANCH, FOLD, Curve, Test, Watch
+from ..continuation.follow import Place, Reach, place
+from ..continuation.interval import FLAT
+from ..continuation.tracing import trace
 from .assemble import assemble_by_constraints
 from .mechanism import Mechanism, refuse_nodes
 from .position_solver import PositionSolver
-from .redundancy import rank_of
 from .targets import locked_values, read
 
 STEP = 0.05  # of the path, without units
 MOST = 20000
-LOCATED = 1e-12
-ZERO = 1e-6  # singular values below this at a located minimum are zero
-GOLDEN = 0.5 * (5**0.5 - 1)
+DEAD, OUTSIDE = "dead point", "range"
+INSIDE = 1e-9  # beyond a range: inside of it
+ENDED = {
+    "finished": "the coordinate left its range",
+    "closed": "the path closed",
+    "singular": "the path could not be followed further",
+    "budget": "the path is longer than was followed",
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,17 +138,24 @@ def singular_positions(
         raise ArgumentError(f"step={step:g}: the path goes forward by positive steps")
     refuse_nodes(model, "singular_positions")
     m = Mechanism(model, t, r)
-    locked_targets = locked_values(m, locked)
+    targets = locked_values(m, locked)
     if not m.closing.positions or any(joint.solved for joint in model.manifest.joints):
         raise ModelError(
             f"singular_positions: model '{model.name}' has no loop constraints, or solves them in "
             "closed form; compile a scene with loops with constraints='multipliers'"
         )
     begin = assemble_by_constraints(
-        model, {coordinate: low} | locked_targets, start=start, branch=branch, t=t, r=r
+        model, {coordinate: low} | targets, start=start, branch=branch, t=t, r=r
     )
-    path = Path(m, locked_targets, coordinate, driver or coordinate, 1.0 if high > low else -1.0)
-    return path.follow(begin.q, low, high, step)
+    ends = {coordinate: np.array([low, high])}
+    drivers = Drivers(m, ends, {coordinate: COORDINATE}, targets)
+    drivers.check(begin.q)
+    family = ConfigurationFamily.of(drivers)
+    first = family.start(begin.q)
+    curve = Curve(family, [place(family, first, family.forward(first))])
+    watch = Watch(lambda _: None, None, _tests(m, coordinate, driver), MOST, switches=False)
+    trace(curve, watch, Reach(first=step, longest=step))
+    return _record(m, targets, curve, coordinate, driver or coordinate, (low, high))
 
 
 def _range(over: object) -> tuple[float, float]:
@@ -152,149 +165,42 @@ def _range(over: object) -> tuple[float, float]:
     return float(ends[0]), float(ends[1])
 
 
-class Path:
-    """A mechanism of one freedom along its path."""
+def _tests(m: Mechanism, coordinate: str, driver: str | None) -> list[Test]:
+    """Ends of the range, and where a driver other than the coordinate turns back."""
+    tests = [
+        Test(OUTSIDE, lambda at: at.point.s - 1.0, ends=True),
+        Test(OUTSIDE, lambda at: at.point.s, ends=True),
+    ]
+    if driver in (None, coordinate):
+        return tests
+    k = m.model.coordinates.index(driver)
 
-    def __init__(
-        self,
-        m: Mechanism,
-        locked_targets: Mapping[str, object],
-        coordinate: str,
-        driver: str,
-        sign: float,
-    ) -> None:
-        """Args:
-        m, hold: The mechanism and what keeps its value.
-        coordinate, driver, sign: What is followed, what drives, which way.
-        """
-        self.m, self.sign = m, sign
-        self.solver = PositionSolver(m, read(m, locked_targets))
-        self.coordinate, self.driver = coordinate, driver
-        self.place = m.model.coordinates.index(coordinate)
-        self.drive = m.model.coordinates.index(driver)
+    def rate(at: Place) -> float:
+        value = float(m.kinematics(at.point.q)[k] @ at.tangent[:-1])
+        return value if abs(value) > FLAT else 0.0
 
-    def tangent(self, q: Array, along: Array | None) -> tuple[Array, float]:
-        """Unit tangent (nu,), next to an earlier one, and the smallest singular value.
+    return [*tests, Test(DEAD, rate)]
 
-        Raises:
-            ModelError: more than one freedom.
-        """
-        K = self.solver.hard_jacobian(q)
-        _, s, Vt = np.linalg.svd(K)
-        nu = K.shape[1]
-        if along is None:
-            free = nu - rank_of(s)
-            if free != 1:
-                raise ModelError(
-                    f"the mechanism has {free} degrees of freedom here; a path has one: give the "
-                    "others by locked="
-                )
-            tangent = Vt[-1]
-            rate = float((self.m.kinematics(q) @ tangent)[self.place])
-            return tangent * (self.sign if rate >= 0 else -self.sign), float(s[nu - 2])
-        # near a branch point two directions are almost free: take the part that goes straight on
-        soft = Vt[nu - 1 :] if s[nu - 2] > ZERO else Vt[nu - 2 :]
-        tangent = soft.T @ (soft @ along)
-        return tangent / np.linalg.norm(tangent), float(s[nu - 2])
 
-    def next(self, q: Array, tangent: Array, length: float) -> Array | None:
-        """The position a length further, None where it is not near the tangent."""
-        guess = self.m.advance(q, length * tangent)
-        solution = self.solver.near(guess, abs(length))
-        return None if solution is None else solution.q
-
-    def rate(self, q: Array, tangent: Array) -> float:
-        """Rate of the driver along the path, without units."""
-        return float((self.m.kinematics(q) @ tangent)[self.drive])
-
-    def follow(self, q: Array, low: float, high: float, step: float) -> Singular:
-        """All singular positions until the range is left or the path closes."""
-        positions, rows = list[Position](), [q]
-        tangent, quality = self.tangent(q, None)
-        qualities, tangents, first = [quality], [tangent], q
-        ended = "the path is longer than was followed"
-        for _ in range(MOST):
-            # predictor along the tangent, then Newton back onto the singular set
-            new, taken = self._forward(rows[-1], tangents[-1], step)
-            if new is None:
-                ended = "the path could not be followed further"
-                break
-            tangent, quality = self.tangent(new, tangents[-1])
-            before = self.rate(rows[-1], tangents[-1])
-            # the coordinate turns back between the two points: a dead point
-            if before * self.rate(new, tangent) < 0:
-                positions.append(self._dead(rows[-1], tangents[-1], taken))
-            rows.append(new)
-            tangents.append(tangent)
-            qualities.append(quality)
-            positions += self._branch(rows, tangents, qualities, step)
-            value = float(new[self.place])
-            if (value - high) * self.sign >= 0 or (value - low) * self.sign < -1e-9:
-                ended = "the coordinate left its range"
-                break
-            if len(rows) > 3 and np.linalg.norm(self.m.difference(first, new)) < 0.6 * step:
-                ended = "the path closed"
-                break
-        inside = [p for p in positions if min(low, high) - 1e-9 <= p.value <= max(low, high) + 1e-9]
-        return Singular(
-            self.m.model.name, self.coordinate, self.driver, tuple(inside), np.array(rows), ended
-        )
-
-    def _forward(self, q: Array, tangent: Array, step: float) -> tuple[Array | None, float]:
-        """The next position by a step that is halved where needed."""
-        length = step
-        while length > 1e-8 * step:
-            new = self.next(q, tangent, length)
-            if new is not None:
-                return new, length
-            length *= 0.5
-        return None, 0.0
-
-    def _dead(self, q: Array, tangent: Array, length: float) -> Position:
-        """Locate by bisection along the path the position at which the driver turns back."""
-        low, high, here = 0.0, length, q
-        before = self.rate(q, tangent)
-        while high - low > LOCATED:
-            middle = 0.5 * (low + high)
-            if middle in (low, high):
-                break
-            new = self.next(q, tangent, middle)
-            if new is None:
-                break
-            here = new
-            same = before * self.rate(new, self.tangent(new, tangent)[0]) > 0
-            low, high = (middle, high) if same else (low, middle)
-        return self._position("dead point", here, tangent)
-
-    def _branch(
-        self, rows: list[Array], tangents: list[Array], qualities: list[float], step: float
-    ) -> list[Position]:
-        """A branch point between the last three positions, if the smallest value vanishes there."""
-        if len(rows) < 3 or not qualities[-3] > qualities[-2] <= qualities[-1]:
-            return []
-        q, tangent = rows[-3], tangents[-3]
-
-        def value(length: float) -> float:
-            new = self.next(q, tangent, length)
-            return np.inf if new is None else self.tangent(new, tangent)[1]
-
-        ends = 0.0, 2 * step
-        a, b = ends[1] - GOLDEN * ends[1], GOLDEN * ends[1]
-        low, high = ends
-        at_a, at_b = value(a), value(b)
-        while high - low > 1e-10:
-            if at_a <= at_b:
-                high, b, at_b = b, a, at_a
-                a = high - GOLDEN * (high - low)
-                at_a = value(a)
-            else:
-                low, a, at_a = a, b, at_b
-                b = low + GOLDEN * (high - low)
-                at_b = value(b)
-        new = self.next(q, tangent, 0.5 * (low + high))
-        if new is None or self.tangent(new, tangent)[1] > ZERO:
-            return []
-        return [self._position("branch point", new, tangent)]
-
-    def _position(self, kind: str, q: Array, tangent: Array) -> Position:
-        return Position(kind, float(q[self.place]), q, self.tangent(q, tangent)[1])
+def _record(
+    m: Mechanism,
+    targets: Mapping[str, object],
+    curve: Curve,
+    coordinate: str,
+    driver: str,
+    over: tuple[float, float],
+) -> Singular:
+    """The singular positions of a curve within the range of its coordinate."""
+    k, solver = m.model.coordinates.index(coordinate), PositionSolver(m, read(m, targets))
+    positions = list[Position]()
+    for special in curve.special:
+        dead = special.kind == FOLD if driver == coordinate else special.label == DEAD
+        if not dead and special.kind != BRANCH:
+            continue
+        q: Array = special.place.point.q
+        values = np.linalg.svd(solver.hard_jacobian(q), compute_uv=False)
+        if min(over) - INSIDE <= q[k] <= max(over) + INSIDE:
+            kind = DEAD if dead else BRANCH
+            positions.append(Position(kind, float(q[k]), q, float(values[m.nu - 2])))
+    path = np.array([at.point.q for at in curve.places])
+    return Singular(m.model.name, coordinate, driver, tuple(positions), path, ENDED[curve.status])

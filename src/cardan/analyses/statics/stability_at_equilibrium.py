@@ -166,11 +166,16 @@ def largest_motions(system: DynamicSystem, motion: Array) -> str:
 
     ``'cart', 'pole'``; among equals those that can be locked.
     """
+    return largest_of(system.owners, system.speeds, motion)
+
+
+def largest_of(owners: Sequence[str], names: Collection[str], motion: Array) -> str:
+    """The same, from the owner of every speed and the names of speeds."""
     sizes: dict[str, float] = {}
-    for owner, size in zip(system.owners, np.abs(motion[: len(system.owners)]), strict=False):
+    for owner, size in zip(owners, np.abs(motion[: len(owners)]), strict=False):
         sizes[owner] = max(sizes.get(owner, 0.0), float(size))
     largest = max(sizes.values(), default=0.0)
-    speeds = set(system.speeds)
+    speeds = set(names)
 
     def order(name: str) -> tuple[float, bool]:
         return -round(sizes[name] / largest, 1), f"{name}.u" not in speeds

@@ -1,0 +1,175 @@
+"""Positions of a mechanism, as the solutions that a path consists of.
+
+A fold is a dead point of what drives; branches meet where conditions lose rank.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import final
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ArgumentError, ModelError, SolveError, near
+from ...runtime.models.loaded_model import LoadedModel
+from ..mechanisms.assemble import assemble_by_constraints
+from ..mechanisms.assembly import AssemblyRecord
+from ..mechanisms.consistent_rates import speeds
+from ..mechanisms.mechanism import Mechanism, refuse_nodes
+from ..statics.load_path import column
+from ..statics.stability_at_equilibrium import largest_of
+from ..statics.statics import sweepable
+from .configurations import COORDINATE, Configuration, ConfigurationFamily, Drivers
+from .curve import Corner, Special, Test
+from .follow import Place, Step, place
+from .path_request import PathRequest, PathStart
+from .solutions import Quantity
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class PositionSolutions:
+    """Positions of a mechanism as its drivers move.
+
+    Attributes:
+        model: The model.
+        family: Its positions.
+    """
+
+    model: LoadedModel
+    family: ConfigurationFamily
+
+    def values(self, point: Configuration) -> Mapping[str, float]:
+        """Same as :meth:`.Solutions.values`."""
+        model, drivers = self.model, self.family.drivers
+        driven = {name: model.coordinates.index(name) for name in drivers.named(COORDINATE)}
+        return drivers.values(point.s) | {name: float(point.q[k]) for name, k in driven.items()}
+
+    def quantity(self, name: str) -> Quantity:
+        """Same as :meth:`.Solutions.quantity`: a coordinate, an output, or what is swept."""
+        model, drivers = self.model, self.family.drivers
+        if name in model.coordinates:
+            k = model.coordinates.index(name)
+            return lambda at: float(at.q[k])
+        if name in drivers.ranges:
+            return lambda at: drivers.values(at.s)[name]
+        outputs = [str(row.name) for row in model.manifest.outputs]
+        if name in outputs:
+            k = outputs.index(name)
+            return lambda at: self._output(at, k)
+        names = [*model.coordinates, *drivers.ranges, *outputs]
+        raise ModelError(f"continuation: there is no '{name}' to watch.{near(name, names)}")
+
+    def _output(self, at: Configuration, k: int) -> float:
+        """A declared output where nothing moves."""
+        m = self.family.drivers.mechanism(at.s)
+        values: Array = m.evaluate("outputs", at.q, np.zeros(m.model.nu))
+        return float(values[k])
+
+    def record(self, point: Configuration) -> AssemblyRecord:
+        """Same as :meth:`.Solutions.record`: speeds are the least that constraints allow."""
+        drivers = self.family.drivers
+        m = drivers.mechanism(point.s)
+        still = np.zeros(m.model.nu)
+        return AssemblyRecord(
+            m.model, m.t, m.inputs, point.q, speeds(m, point.q, {}, still), None,
+            gaps=m.gaps(point.q), unreached={}, freedoms=0, solutions=None, starts=1,
+        )  # fmt: skip
+
+    def coordinates(self, point: Configuration) -> Array:
+        """Same as :meth:`.Solutions.coordinates`."""
+        return point.q
+
+    def multipliers(self, point: Configuration) -> Array:
+        """Same as :meth:`.Solutions.multipliers`: no forces act."""
+        return np.zeros(0)
+
+    def stable(self, point: Configuration, prescribed: bool) -> bool | None:
+        """Same as :meth:`.Solutions.stable`: no forces act."""
+        return None
+
+    def count(self, place: Place) -> int | None:
+        """Same as :meth:`.Solutions.count`: no forces act."""
+        return None
+
+    def growth(self, place: Place) -> tuple[float, float]:
+        """Same as :meth:`.Solutions.growth`."""
+        raise SolveError("nothing oscillates where no forces act")
+
+    def corner(self, step: Step, number: int) -> Corner | None:
+        """Same as :meth:`.Solutions.corner`: closed loops stay as they are."""
+        return None
+
+    def motion(self, dz: Array) -> Array:
+        """Same as :meth:`.Solutions.motion`."""
+        return dz[: self.family.positions]
+
+    def moving(self, dz: Array) -> str:
+        """Same as :meth:`.Solutions.moving`."""
+        rows = self.model.manifest.speeds
+        owners = [str(row.of or row.joint or row.name) for row in rows]
+        return largest_of(owners, self.model.speeds, self.motion(dz))
+
+    def description(self, special: Special) -> str:
+        """Same as :meth:`.Solutions.description`."""
+        who = " and ".join(f"'{name}'" for name in self.family.drivers.ranges)
+        back = "turn" if len(self.family.drivers.ranges) > 1 else "turns"
+        return f"a dead point: {who} {back} back as {self.moving(special.place.tangent)} moves on"
+
+
+def start(model: LoadedModel, request: PathRequest) -> PathStart:
+    """The first position of a path.
+
+    Raises:
+        ModelError: unknown names, freedoms that nothing drives or locks, a start where branches
+            meet. ArgumentError: values of a wrong shape.
+    """
+    refuse_nodes(model, "continuation of positions")
+    if any(joint.solved for joint in model.manifest.joints):
+        raise ModelError(
+            f"continuation of positions: model '{model.name}' solves loops in closed form; compile "
+            "its scene with constraints='multipliers'"
+        )
+    drivers = _drivers(model, request)
+    m, first = drivers.m, drivers.values(0.0)
+    driven = {name: first[name] for name in drivers.named(COORDINATE)}
+    targets = {**drivers.locked, **driven}
+    begin = assemble_by_constraints(m.model, targets, start=request.q, t=m.t, r=m.inputs)
+    drivers.check(begin.q)
+    family = ConfigurationFamily.of(drivers)
+    point = family.start(begin.q)
+    named = ", ".join(f"{name} = {value:.10g}" for name, value in drivers.values(1.0).items())
+    return PathStart(
+        PositionSolutions(model, family),
+        place(family, point, family.forward(point)),
+        Test(named, lambda at: at.point.s - 1.0, ends=True),
+    )
+
+
+def _drivers(model: LoadedModel, request: PathRequest) -> Drivers:
+    """What is swept, checked."""
+    swept = {n: v for n, v in request.locked.items() if np.shape(v) == (2,)}
+    locked = {n: v for n, v in request.locked.items() if n not in swept}
+    swept = {**request.swept, **swept}
+    places = {n: p for n, p in model.manifest.slots("q").items() if p.stop - p.start == 1}
+    kind_of = dict.fromkeys(places, COORDINATE)
+    kind_of = kind_of | {n: kind for n, kind in sweepable(model).items() if n not in kind_of}
+    if not swept:
+        raise ModelError(
+            "continuation: say what is swept, from where to where, such as "
+            f"continuation(crank=(0, 6.28), of='positions'). {near('', kind_of).strip()}"
+        )
+    ranges, kinds = dict[str, Array](), dict[str, str]()
+    for name, values in swept.items():
+        if name not in kind_of:
+            raise ModelError(
+                f"continuation: there is no coordinate, parameter or input '{name}' to sweep."
+                f"{near(name, kind_of)}"
+            )
+        ranges[name], kinds[name] = column(f"continuation: {name}", values), kind_of[name]
+        if len(ranges[name]) != 2 or ranges[name][0] == ranges[name][1]:
+            raise ArgumentError(f"continuation: {name}: give (start, end), two different numbers")
+    m = Mechanism(model.with_parameters(dict(request.parameters or {})), request.t, request.inputs)
+    return Drivers(Drivers(m, ranges, kinds, locked).mechanism(0.0), ranges, kinds, locked)
