@@ -87,7 +87,7 @@ class Tracer:
         """The curve through a place."""
         of = self.solutions
         curve = Curve(of.family, [first])
-        watch = Watch(of.count, of.growth, self.tests, self.points)
+        watch = Watch(of.count, of.growth, of.oscillation, of.onsets, self.tests, self.points)
 
         def on_step(curve: Curve) -> None:
             show(len(curve.places) / self.points)

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from ...arguments import Count, LockedValues, checked
 from ...errors import ModelError, SolveError, SolveWarning, near, warn
 from ...runtime.models.loaded_model import LoadedModel
+from ..cycles import cycle_solutions
 from ..simulation.progress import showing
 from . import equilibrium_solutions
 from .branches import MAIN, Tracer
@@ -25,7 +26,8 @@ from .solutions import Solutions
 POINTS = 300
 # where paths of a kind of solutions start
 STARTS: Mapping[str, Callable[[LoadedModel, PathRequest], PathStart]] = {
-    "equilibria": equilibrium_solutions.start
+    "equilibria": equilibrium_solutions.start,
+    "cycles": cycle_solutions.start,
 }
 
 
@@ -48,15 +50,18 @@ def continuation(
     step: float | None = None,
     check: bool = False,
     progress: bool | Callable[[float], None] | None = None,
+    start: object = None,
     **named: object,
 ) -> ContinuationRecord:
     """All equilibria that a load leads to, through limit loads: ``model.continuation(P=(0, 10))``.
+
+    Or all cycles: ``model.continuation(slope=(0.01, 0.02), of="cycles", start=gait)``.
 
     Args:
         model: The compiled model.
         swept, named: Parameter, input or ``t`` -> (start, end). The path ends at the end, and may
             turn back and leave the range before. Several go together.
-        of: What the path consists of: ``"equilibria"``.
+        of: What the path consists of: ``"equilibria"``, or ``"cycles"``.
         q: Coordinates to start from, by name or (nq,).
         locked: Coordinate -> value it keeps, or (start, end): displacements are prescribed.
         inputs, parameters: Values by name that stay, else those of the model.
@@ -71,6 +76,8 @@ def continuation(
         check: Raise where the path ends in between, instead of warning.
         progress: Show a bar; by default where standard error is a terminal. Or a function of the
             part of ``points`` that is done.
+        start: Of cycles: the cycle to start from, see ``model.cycle``; or a Hopf point of
+            equilibria or a period doubling of cycles, at which others begin.
 
     Returns:
         The path and its branches, with folds, branch points, Hopf points and events in ``points``;
@@ -87,7 +94,7 @@ def continuation(
         raise ModelError("continuation: locked= and what is swept go by name, such as P=(0, 10)")
     if of not in STARTS:
         raise ModelError(f"continuation: of='{of}' does not exist.{near(of, STARTS)}")
-    request = PathRequest({**(swept or {}), **named}, q, locked or {}, inputs, parameters, t)
+    request = PathRequest({**(swept or {}), **named}, q, locked or {}, inputs, parameters, t, start)
     begin = STARTS[of](model, request)
     longest = {} if step is None else {"longest": step, "first": min(step, Reach().first)}
     tests = _tests(begin.solutions, begin.end, until, bounds, events)

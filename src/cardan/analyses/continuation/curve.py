@@ -1,8 +1,9 @@
 """A curve with its special points: folds, points where curves cross, changes of stability, events.
 
 Signs at both ends of a step tell what lies within: of the rate of the parameter a fold, of the
-orientation an odd number of crossings, of the number of unstable directions what the other two do
-not explain. The step is halved until one of them is left, which is then located.
+orientation an odd number of crossings, of its onset another change of stability such as a period
+doubling, of the number of unstable directions what the others do not explain. The step is halved
+until one of them is left, which is then located.
 
 Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), sections 5.2 to 5.4.
 """
@@ -46,18 +47,33 @@ class Test:
 
 
 @dataclass(frozen=True, eq=False)
+class Onset:
+    """A change of stability at which curves neither turn back nor cross.
+
+    Attributes:
+        kind: Of the special point.
+        value: A smooth number along the curve that passes 0 there.
+    """
+
+    kind: str
+    value: Callable[[Place], float]
+
+
+@dataclass(frozen=True, eq=False)
 class Special:
     """A special point of a curve.
 
     Attributes:
-        kind: ``"fold"``, ``"branch point"``, ``"Hopf point"`` or ``"event"``.
+        kind: ``"fold"``, ``"branch point"``, ``"event"``, or what the solutions call it, such as
+            ``"Hopf point"``.
         label: What of; the name of an event.
         place: Where.
         after: Place of the curve behind which it lies.
         part: Of the step from there.
         singular: The singular point; None of others.
         halves: The curves that leave it other than this one.
-        frequency: Of the oscillation that begins there [rad/s]; NaN of others.
+        frequency: Of the oscillation that begins there [rad/s], or [rad] from lap to lap; NaN of
+            others.
         accurate: False where it is only known to lie within a short step.
     """
 
@@ -101,6 +117,8 @@ class Watch:
     Attributes:
         count: Unstable directions with the parameter kept; None where they are not known.
         growth: Real part of the oscillation next to growing and its frequency; None without.
+        oscillation: Kind of the points at which it begins.
+        onsets: Other changes of stability.
         tests: Events and ends.
         most: Places at most.
         switches: Whether curves that leave branch points are looked for.
@@ -108,6 +126,8 @@ class Watch:
 
     count: Count
     growth: Callable[[Place], tuple[float, float]] | None = None
+    oscillation: str = HOPF
+    onsets: Sequence[Onset] = ()
     tests: Sequence[Test] = ()
     most: int = 300
     switches: bool = True
@@ -200,6 +220,7 @@ class _Interval:
         low, high: Its ends, 0 to 1.
         before, after: The places there.
         counts: Unstable directions there.
+        onsets: Signs of the onsets there.
     """
 
     low: float
@@ -207,6 +228,7 @@ class _Interval:
     before: Place
     after: Place
     counts: tuple[int | None, int | None]
+    onsets: tuple[Array, Array]
 
     @property
     def folds(self) -> bool:
@@ -226,23 +248,35 @@ class _Interval:
 
     @property
     def unexplained(self) -> int:
-        """The part of it that folds and simple crossings do not explain."""
+        """The part of it that folds, simple crossings and onsets do not explain."""
         counted = None not in self.counts
-        explained = int(self.folds) + int(self.crosses)
+        explained = int(self.folds) + int(self.crosses) + len(self.begins)
         surplus = abs(self.change) - explained
         # a fold and a crossing may also undo one another
         return 0 if not counted or (surplus == -2 and self.change == 0) else max(surplus, 0)
 
     @property
+    def begins(self) -> list[int]:
+        """Onsets that lie within."""
+        return np.flatnonzero(self.onsets[0] * self.onsets[1] < 0).tolist()
+
+    @property
     def quiet(self) -> bool:
         """True when nothing lies within, as far as the ends tell."""
-        return not (self.folds or self.crosses or self.unexplained)
+        return not (self.folds or self.crosses or self.unexplained or self.begins)
 
 
 def _within(curve: Curve, watch: Watch, step: Step) -> Iterator[Special]:
     """Special points within a step."""
-    counts = watch.count(step.before), watch.count(step.after)
-    yield from _searched(curve, watch, step, _Interval(0.0, 1.0, step.before, step.after, counts))
+    ends = step.before, step.after
+    counts = watch.count(ends[0]), watch.count(ends[1])
+    onsets = _signs(watch, ends[0]), _signs(watch, ends[1])
+    yield from _searched(curve, watch, step, _Interval(0.0, 1.0, *ends, counts, onsets))
+
+
+def _signs(watch: Watch, place: Place) -> Array:
+    """Signs of the onsets at a place."""
+    return np.array([np.sign(onset.value(place)) for onset in watch.onsets])
 
 
 def _searched(curve: Curve, watch: Watch, step: Step, interval: _Interval) -> Iterator[Special]:
@@ -250,8 +284,12 @@ def _searched(curve: Curve, watch: Watch, step: Step, interval: _Interval) -> It
     if interval.quiet:
         return
     number, width = len(curve.places) - 1, interval.high - interval.low
-    if interval.folds and not interval.crosses and not interval.unexplained:
+    if interval.folds and not (interval.crosses or interval.unexplained or interval.begins):
         yield _fold(curve.family, step, interval, number)
+        return
+    if interval.begins and not (interval.folds or interval.crosses or interval.unexplained):
+        for k in interval.begins:
+            yield _onset(curve.family, watch.onsets[k], step, interval, number)
         return
     lost = max(1, abs(interval.change)) if not interval.folds else 1
     if width <= NARROW and not interval.folds:
@@ -270,10 +308,16 @@ def _searched(curve: Curve, watch: Watch, step: Step, interval: _Interval) -> It
         kind = BRANCH if interval.crosses or not interval.folds else FOLD
         yield Special(kind, "", interval.after, number, interval.high, accurate=False)
         return
-    count = watch.count(middle_place)
+    count, signs = watch.count(middle_place), _signs(watch, middle_place)
+    counts, onsets = interval.counts, interval.onsets
+    before, after = interval.before, interval.after
     for half in (
-        _Interval(interval.low, middle, interval.before, middle_place, (interval.counts[0], count)),
-        _Interval(middle, interval.high, middle_place, interval.after, (count, interval.counts[1])),
+        _Interval(
+            interval.low, middle, before, middle_place, (counts[0], count), (onsets[0], signs)
+        ),
+        _Interval(
+            middle, interval.high, middle_place, after, (count, counts[1]), (signs, onsets[1])
+        ),
     ):
         yield from _searched(curve, watch, step, half)
 
@@ -285,6 +329,22 @@ def _fold(family: Family, step: Step, interval: _Interval, number: int) -> Speci
         return Special(FOLD, "", place, number, _part(family, step, place.point))
     except SolveError:
         return Special(FOLD, "", interval.after, number, interval.high, accurate=False)
+
+
+def _onset(family: Family, onset: Onset, step: Step, interval: _Interval, number: int) -> Special:
+    """The place where an onset lies."""
+    try:
+        part = float(
+            brentq(
+                lambda part: onset.value(step.at(family, part)),
+                interval.low,
+                interval.high,
+                xtol=EXACT,
+            )
+        )
+        return Special(onset.kind, "", step.at(family, part), number, part)
+    except SolveError:
+        return Special(onset.kind, "", interval.after, number, interval.high, accurate=False)
 
 
 def fold_within(family: Family, step: Step, low: float, high: float) -> Place:
@@ -378,6 +438,6 @@ def _hopf(family: Family, watch: Watch, step: Step, interval: _Interval, number:
                 high = middle
         place = step.at(family, high)
         frequency = growth(place)[1]
-        return Special(HOPF, "", place, number, high, frequency=frequency)
+        return Special(watch.oscillation, "", place, number, high, frequency=frequency)
     except SolveError:
-        return Special(HOPF, "", interval.after, number, interval.high, accurate=False)
+        return Special(watch.oscillation, "", interval.after, number, interval.high, accurate=False)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 DENSE = 20  # drawn points of a step
 MARKERS = {FOLD: "v", BRANCH: "D", HOPF: "o", EVENT: "|"}
+OTHER = "s"  # other changes of stability
 
 
 @checked
@@ -46,7 +47,7 @@ def plot(path: ContinuationRecord, along: str, up: str, file: str | Path | None 
             axis.plot(x, y, style, color=f"C{number % 10}", linewidth=1.4)
         for point in branch.points:
             at = point[along], point[up]
-            axis.plot(*at, MARKERS[point.kind], color="black", markersize=5)
+            axis.plot(*at, MARKERS.get(point.kind, OTHER), color="black", markersize=5)
             axis.annotate(point.name, at, (4, 4), textcoords="offset points", fontsize=8)
     axis.set(xlabel=along, ylabel=up)
     axis.grid(alpha=0.3)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import final
 
@@ -20,7 +20,7 @@ from ..statics.stability_at_equilibrium import largest_motions
 from ..statics.static_problem import Problem
 from ..statics.statics import sweepable
 from ..systems import dynamic_system_of
-from .curve import FOLD, Special, Test
+from .curve import FOLD, HOPF, Onset, Special, Test
 from .equilibria import EquilibriumFamily, Loaded
 from .follow import Place, place
 from .path_request import PathRequest, PathStart
@@ -83,6 +83,16 @@ class EquilibriumSolutions:
     def growth(self, place: Place) -> tuple[float, float]:
         """Same as :meth:`.Solutions.growth`."""
         return self.stabilities.growth(place)
+
+    @property
+    def oscillation(self) -> str:
+        """Same as :meth:`.Solutions.oscillation`."""
+        return HOPF
+
+    @property
+    def onsets(self) -> Sequence[Onset]:
+        """Same as :meth:`.Solutions.onsets`: there are none."""
+        return ()
 
     def motion(self, dz: Array) -> Array:
         """Same as :meth:`.Solutions.motion`."""

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol, TypeAlias
 
 from ...arrays import Array
 from ...runtime.models.loaded_model import LoadedModel
-from .curve import Special
+from .curve import Onset, Special
 from .family import Family, Point
 from .follow import Place
 
@@ -57,6 +57,14 @@ class Solutions(Protocol):
         Raises:
             SolveError: nothing oscillates, or it is not known.
         """
+
+    @property
+    def oscillation(self) -> str:
+        """Kind of the points at which it begins to grow."""
+
+    @property
+    def onsets(self) -> Sequence[Onset]:
+        """Changes of stability besides those at folds, branch points and of oscillations."""
 
     def motion(self, dz: Array) -> Array:
         """The part of increments (N, ...) that moves the system (n, ...)."""

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ...arrays import Array
 
 Complexes: TypeAlias = NDArray[np.complex128]
+REAL = 1e-9  # imaginary parts, as parts of the modulus, that are rounding
 NEUTRAL = 1e-6  # moduli that much above 1 are 1
 
 
