@@ -444,7 +444,7 @@ def test_steps_of_two_kinds_begin_where_the_period_doubles(
     once = row.model.cycle(row.state, section="strike.up", symmetry=heel_strike, laps=2, check=True)
     np.testing.assert_allclose(once.x, row.x, atol=1e-10)
     assert abs(once.problem.lap(once.at).x - once.x).max() < 1e-11
-    assert row.multipliers[0] == pytest.approx(once.multipliers[0], abs=1e-7)
+    assert row.multipliers[0] == pytest.approx(once.multipliers[0], abs=1e-6)
 
 
 def test_bounces_double_their_period() -> None:
@@ -457,11 +457,11 @@ def test_bounces_double_their_period() -> None:
     assert point.values["A"] == pytest.approx(np.hypot(NEUTRAL_A, second), abs=1e-12)
     assert point.values["A"] == pytest.approx(0.0016862254715924452, abs=1e-12)
     back = cycle.model.continuation(
-        A=(amplitude, 0.001), of="cycles", start=cycle, bounds={"A": (0.001, 0.00125)}
+        A=(amplitude, 0.001), of="cycles", start=cycle, bounds={"A": (0.001, 0.0014)}
     )
     fold = back.point("fold 1")
     assert fold.values["A"] == pytest.approx(0.0011565259198011062, abs=1e-12)
-    assert kinds(back) == ["event", "fold", "event"]
+    assert kinds(back) == ["fold", "event"]
     assert not back.main.stable[-1]
 
 
@@ -551,12 +551,13 @@ def test_forced_response() -> None:
     path = model.continuation(omega=(0.7, 3.0), of="cycles", start=cycle)
     assert kinds(path) == ["fold", "fold", "event"]
     folds = [point.values["omega"] for point in path.points[:2]]
-    rates = np.array(path["omega"])
-    on_top = np.array(path.main.stable) == (
-        (np.arange(len(path)) <= rates.argmax()) | (rates > 2.5)
-    )
-    assert on_top.mean() > 0.9
-    assert folds[1] < 1.4 < 1.5 < folds[0]
+    rates, rows = np.array(path["omega"]), np.arange(len(path))
+    first, second = (point.special.after for point in path.points[:2])
+    unstable = (rows > first) & (rows <= second)
+    assert (np.array(path.main.stable) == ~unstable).all()
+    assert folds[1] < 1.5 < folds[0]
+    for point in path.points[:2]:
+        assert abs(point.solution.multipliers - 1).min() < 1e-6
     for k in range(0, len(path), 6):
         row = path[k]
         times = np.linspace(0, row.period, 61, endpoint=False)
