@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from ..simulation.progress import Show
-from .curve import BRANCH, Curve, Special, Test, Watch, trace
+from .curve import Curve, trace
 from .family import Family, length
 from .follow import Place, Reach, place
 from .record import BranchRecord, ContinuationRecord
 from .solutions import Solutions
+from .special_points import BRANCH, Special, Test, Watch
 
 MAIN = "main"
 SAME = 1e-6  # lengths of increments between points that are one

@@ -17,11 +17,11 @@ from ..cycles import cycle_solutions
 from ..simulation.progress import showing
 from . import equilibrium_solutions
 from .branches import MAIN, Tracer
-from .curve import Test
 from .follow import Reach
 from .path_request import PathRequest, PathStart
 from .record import ContinuationRecord
 from .solutions import Solutions
+from .special_points import Test
 
 POINTS = 300
 # where paths of a kind of solutions start

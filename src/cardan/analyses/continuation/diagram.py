@@ -11,8 +11,8 @@ from scipy.interpolate import CubicSpline
 
 from ...arguments import checked
 from ...arrays import Array
-from .curve import BRANCH, EVENT, FOLD, HOPF
 from .record import BranchRecord, ContinuationRecord
+from .special_points import BRANCH, EVENT, FOLD, HOPF
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -20,12 +20,12 @@ from ..statics.stability_at_equilibrium import largest_motions
 from ..statics.static_problem import Problem
 from ..statics.statics import sweepable
 from ..systems import dynamic_system_of
-from .curve import FOLD, HOPF, Onset, Special, Test
 from .equilibria import EquilibriumFamily, Loaded
 from .follow import Place, place
 from .path_request import PathRequest, PathStart
 from .quantities import quantity
 from .solutions import Quantity
+from .special_points import FOLD, HOPF, Onset, Special, Test
 from .stability_cache import StabilityCache
 
 

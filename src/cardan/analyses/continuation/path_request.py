@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from numpy.typing import ArrayLike
 
 from ...arguments import LockedValues
-from .curve import Test
 from .follow import Place
 from .solutions import Solutions
+from .special_points import Test
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,9 @@ from ...arguments import checked
 from ...arrays import Array, Integers
 from ...errors import ModelError, counted, near
 from ...runtime.models.loaded_model import LoadedModel
-from .curve import BRANCH, EVENT, Curve, Special
+from .curve import Curve
 from .solutions import Solution, Solutions
+from .special_points import BRANCH, EVENT, Special
 
 MAX_PRINTED = 24
 

@@ -7,9 +7,9 @@ from typing import Protocol, TypeAlias
 
 from ...arrays import Array
 from ...runtime.models.loaded_model import LoadedModel
-from .curve import Onset, Special
 from .family import Family, Point
 from .follow import Place
+from .special_points import Onset, Special
 
 Quantity: TypeAlias = Callable[[Point], float]
 Solution: TypeAlias = object  # as users take it: an equilibrium, a position, a cycle

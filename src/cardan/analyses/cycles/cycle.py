@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -31,11 +30,11 @@ def cycle(
     model: LoadedModel,
     start: Mapping[str, ArrayLike] | ArrayLike,
     *,
-    period: Any = None,
-    section: Any = None,
-    where: Any = None,
+    period: object = None,
+    section: object = None,
+    where: object = None,
     crossing: Count = 1,
-    symmetry: Any = None,
+    symmetry: object = None,
     laps: Count = 1,
     settle: int = 0,
     guess: float | None = None,

@@ -17,7 +17,7 @@ from .cycle_problem import CycleProblem, CycleState
 from .multipliers import Complexes, monodromy, multipliers_of
 from .shooting import FINE, Phase, Shooting
 
-KEPT = 12  # derivatives, each of many runs
+CACHED = 12  # derivatives, each of many runs
 NODE = 6  # increments: lengths do not grow with the system
 
 
@@ -108,7 +108,7 @@ class CycleFamily:
             )
             if not np.isfinite(matrix).all():
                 raise SolveError("cycle: derivatives of a lap are not finite")
-            while len(self._jacobians) >= KEPT:
+            while len(self._jacobians) >= CACHED:
                 self._jacobians.popitem(last=False)
             self._jacobians[id(point)] = point, matrix
         return self._jacobians[id(point)][1]

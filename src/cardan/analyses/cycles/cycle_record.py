@@ -83,14 +83,14 @@ class CycleRecord(NamedState):
 
     def __repr__(self) -> str:
         state = ", ".join(f"{name} = {value:.10g}" for name, value in self.state.items())
-        shown = ", ".join(_written(one) for one in self.multipliers[:MAX_PRINTED])
+        values_text = ", ".join(_written(one) for one in self.multipliers[:MAX_PRINTED])
         more = ", ..." if len(self.multipliers) > MAX_PRINTED else ""
         values = "".join(f", {name} = {value:.10g}" for name, value in self.values.items())
         return (
             f"cycle of '{self.model.name}'{values}: {self.message}\n"
             f"  period {self.period:.12g} s, {'stable' if self.stable else 'unstable'}\n"
             f"  {state}\n"
-            f"  multipliers {shown}{more}"
+            f"  multipliers {values_text}{more}"
         )
 
 

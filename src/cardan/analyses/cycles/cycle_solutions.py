@@ -11,10 +11,10 @@ import numpy as np
 from ...arrays import Array
 from ...errors import SolveError
 from ...runtime.models.loaded_model import LoadedModel
-from ..continuation.curve import FOLD, Onset, Special
 from ..continuation.follow import Place
 from ..continuation.path_request import PathRequest, PathStart
 from ..continuation.solutions import Quantity
+from ..continuation.special_points import FOLD, Onset, Special
 from .cycle_family import CycleFamily, CyclePoint
 from .cycle_quantities import quantity
 from .cycle_record import CycleRecord, record_of

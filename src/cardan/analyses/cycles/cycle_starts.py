@@ -9,11 +9,11 @@ import numpy as np
 from ...arrays import Array
 from ...errors import ModelError, SolveError, brief
 from ...runtime.models.loaded_model import LoadedModel
-from ..continuation.curve import HOPF, Test
 from ..continuation.follow import Place, Reach, corrected, place
 from ..continuation.path_request import PathRequest
 from ..continuation.record import SpecialPointRecord
 from ..continuation.singular_point import half_branches, singular_point
+from ..continuation.special_points import HOPF, Test
 from ..simulation.settings import settings
 from ..statics.equilibrium import read
 from ..statics.load_path import Loading, loading
@@ -46,7 +46,7 @@ def family_and_place(model: LoadedModel, request: PathRequest) -> tuple[CycleFam
     elif isinstance(begin, SpecialPointRecord) and isinstance(begin.solution, CycleRecord):
         family, first = _doubled(begin, begin.solution, request)
     elif isinstance(begin, SpecialPointRecord) and begin.kind == HOPF:
-        family, first = _from_rest(model, begin, request)
+        family, first = _from_equilibrium(model, begin, request)
     else:
         raise ModelError(f"continuation: start={brief(begin)}: {CURE}")
     named = ", ".join(f"{name} = {value:.10g}" for name, value in family.way.values(1.0).items())
@@ -99,14 +99,14 @@ def _peak(problem: CycleProblem, at: CycleState) -> tuple[CycleState, Phase]:
     k = int(np.ptp(steps[:, :nu], axis=0).argmax())
     speed = problem.model.speeds[k]
     section = section_of(problem.model, ((speed, 0.0), "down"), None, 1)
-    passing = replace(problem, section=section, _flows={}).flow(at.values)
+    crossings = replace(problem, section=section, _flows={}).flow(at.values)
     rates = steps[:, nu + k] + problem.model.parts_of(at.x)[1][k] / problem.units[nu + k]
     turns = rates.min() < 0 < rates.max() and system.increments[k] in system.coordinates
     passage = None
     if turns:
         end = problem.t + 2 * at.period
         match = section.counter(problem.t, 0.0)
-        passage = passing.passage(at.x, at.s, problem.t, end, match)
+        passage = crossings.passage(at.x, at.s, problem.t, end, match)
     if passage is None:
         rate = problem.rate(at)
         return at, Phase(at.x, rate / np.linalg.norm(rate))
@@ -146,7 +146,7 @@ def _doubled(
     return family, place(family, half.point, half.direction)
 
 
-def _from_rest(
+def _from_equilibrium(
     model: LoadedModel, begin: SpecialPointRecord, request: PathRequest
 ) -> tuple[CycleFamily, Place]:
     """The small cycles around an equilibrium that begin at a Hopf point.
@@ -154,20 +154,20 @@ def _from_rest(
     Raises:
         SolveError: there are none.
     """
-    rest = begin.special.place.point.point.at
-    changed = model.with_parameters(dict(rest.parameters)) if rest.parameters else model
+    moment = begin.special.place.point.point.at
+    changed = model.with_parameters(dict(moment.parameters)) if moment.parameters else model
     system, frequency = dynamic_system_of(changed), begin.frequency
     units = np.concatenate(
         [system.columns, frequency * system.columns, np.ones(len(system.internals))]
     )
-    inputs = dict(zip(system.inputs, rest.r.tolist(), strict=True))
+    inputs = dict(zip(system.inputs, moment.r.tolist(), strict=True))
     how = settings("DOP853", 1e-13, 1e-15, None, None, None)
     problem = CycleProblem(
         changed,
         system,
         how,
         inputs,
-        rest.t,
+        moment.t,
         100 * 2 * np.pi / frequency,
         None,
         None,
@@ -179,8 +179,8 @@ def _from_rest(
     problem = replace(problem, inputs={n: v for n, v in inputs.items() if n not in way.swept})
     (name, values), *_ = way.swept.items()
     s = (begin.values[name] - values[0]) / (values[-1] - values[0])
-    x = np.concatenate([rest.q, rest.u, rest.z])
-    at = CycleState(x, rest.s, 2 * np.pi / frequency, way.values(float(s)))
+    x = np.concatenate([moment.q, moment.u, moment.z])
+    at = CycleState(x, moment.s, 2 * np.pi / frequency, way.values(float(s)))
     nu, n = len(system.columns), len(units)
     DP = Shooting(problem, Phase(x, np.zeros(n))).jacobian(at)[:n, :n]
     plane = np.linalg.svd(DP)[2][-2:]

@@ -13,8 +13,6 @@ from ...errors import ArgumentError, ModelError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
 from ..systems.dynamic_system import DynamicSystem
 
-Image: TypeAlias = str | tuple[str, float] | tuple[str, float, float]
-Symmetry: TypeAlias = Mapping[str, Image] | Callable[[dict[str, float]], Mapping[str, float]]
 StateMap: TypeAlias = Callable[[Array], Array]
 
 
@@ -46,7 +44,7 @@ def blocks_of(model: LoadedModel, start: Mapping[str, object]) -> dict[str, dict
     return blocks
 
 
-def symmetry_map(system: DynamicSystem, model: LoadedModel, symmetry: Symmetry) -> StateMap:
+def symmetry_map(system: DynamicSystem, model: LoadedModel, symmetry: object) -> StateMap:
     """The map of states (nx,) behind a lap onto the start of the next one.
 
     Args:
@@ -59,8 +57,13 @@ def symmetry_map(system: DynamicSystem, model: LoadedModel, symmetry: Symmetry) 
         ModelError: an unknown name, or two entries that take the same value.
     """
     names = state_names(model)
-    if not isinstance(symmetry, Mapping):
+    if callable(symmetry):
         return _Written(model, names, symmetry)
+    if not isinstance(symmetry, Mapping):
+        raise ArgumentError(
+            f"cycle: symmetry={brief(symmetry)}; give name -> name, or a function of the "
+            "named state"
+        )
     images = {name: _image(name, image) for name, image in symmetry.items()}
     for name, (of, factor, shift) in list(images.items()):
         images.setdefault(of, (name, 1 / factor, -shift / factor))

@@ -3,12 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Iterable, Mapping
+from typing import Protocol, SupportsFloat, cast
 
 from ...errors import ArgumentError, ModelError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
 from .cycle_problem import PeriodRule, Values
+
+
+class Expression(Protocol):
+    """A SymPy expression."""
+
+    @property
+    def free_symbols(self) -> Iterable[object]:
+        """Its symbols."""
+
+    def subs(self, values: Mapping[object, float]) -> SupportsFloat:
+        """Its value for values of symbols."""
 
 
 def period_rule(model: LoadedModel, period: object) -> PeriodRule | None:
@@ -31,13 +42,13 @@ def period_rule(model: LoadedModel, period: object) -> PeriodRule | None:
     return lambda values: rule({**defaults, **values})
 
 
-def _rule(model: LoadedModel, period: Any) -> PeriodRule:
+def _rule(model: LoadedModel, period: object) -> PeriodRule:
     if hasattr(period, "free_symbols"):
-        return _expression(model, period)
-    if isinstance(period, Callable):  # type: ignore[arg-type]
+        return _expression(model, cast(Expression, period))
+    if callable(period):
         return lambda values: float(period(values))
     try:
-        constant = float(period)
+        constant = float(cast(float, period))
     except (TypeError, ValueError):
         raise ArgumentError(
             f"cycle: period={brief(period)}; give a time [s], a function of the named parameters, "
@@ -46,7 +57,7 @@ def _rule(model: LoadedModel, period: Any) -> PeriodRule:
     return lambda values: constant
 
 
-def _expression(model: LoadedModel, period: Any) -> PeriodRule:
+def _expression(model: LoadedModel, period: Expression) -> PeriodRule:
     """The rule that a SymPy expression states."""
     symbols = {str(symbol): symbol for symbol in period.free_symbols}
     names = [*model.parameters, *model.inputs]

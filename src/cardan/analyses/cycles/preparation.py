@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -21,7 +20,7 @@ DRIVEN = 1e-9  # relative difference of rates there
 
 
 def first_state(
-    system: DynamicSystem, problem: CycleProblem, start: Any, values: Array
+    system: DynamicSystem, problem: CycleProblem, start: object, values: Array
 ) -> CycleState:
     """The state that a caller names, with all loops closed.
 
@@ -33,13 +32,11 @@ def first_state(
     Raises:
         ModelError: an unknown name. ArgumentError: a wrong shape.
     """
-    blocks: dict[str, Any] = {"q": None, "u": None, "z": None}
-    x0 = None
-    if isinstance(start, Mapping):
-        blocks = {k: v or None for k, v in blocks_of(problem.model, start).items()}
-    else:
-        x0 = np.asarray(start, dtype=np.float64)
-    at = system.state(x0, blocks["q"], blocks["u"], blocks["z"], problem.t, values, None)
+    named = isinstance(start, Mapping)
+    blocks = blocks_of(problem.model, start if isinstance(start, Mapping) else {})
+    x0 = None if named else np.asarray(start, dtype=np.float64)
+    q, u, z = (blocks[letter] or None for letter in "quz")
+    at = system.state(x0, q, u, z, problem.t, values, None)
     return CycleState(np.concatenate([at.q, at.u, at.z]), system.modes, 0.0)
 
 

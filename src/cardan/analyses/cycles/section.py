@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, TypeAlias, TypeGuard
 
 import numpy as np
 
@@ -15,7 +14,6 @@ from ..simulation.events import DIRECTIONS, EventTable, event_table_of
 from .flow import Passage
 from .named_states import named_state, state_names
 
-Where: TypeAlias = Mapping[str, tuple[float, float]] | Callable[[dict[str, float]], bool]
 NAME = "section"  # of what is no event of the model
 
 
@@ -60,7 +58,7 @@ class Section:
         return self.event_table.watch(t, x)[number - self.event_table.model]
 
 
-def section_of(model: LoadedModel, section: object, where: Where | None, crossing: int) -> Section:
+def section_of(model: LoadedModel, section: object, where: object, crossing: int) -> Section:
     """The section that a caller names.
 
     Args:
@@ -78,8 +76,7 @@ def section_of(model: LoadedModel, section: object, where: Where | None, crossin
         raise ModelError(f"cycle: crossing={crossing}: they are counted from 1")
     holds = _holds(model, where)
     if not isinstance(section, str):
-        what, options = (section[0], section[1:]) if _has_options(section) else (section, ())
-        table = event_table_of(model, {NAME: (what, "mark", *options)})
+        table = event_table_of(model, {NAME: _watched(section)})
         return Section(NAME, table, tuple(range(table.model, len(table.rows))), holds, crossing)
     table = event_table_of(model, None)
     names = [str(row["name"]) for row in table.rows]
@@ -91,17 +88,24 @@ def section_of(model: LoadedModel, section: object, where: Where | None, crossin
     return Section(section, table, numbers, holds, crossing)
 
 
-def _has_options(section: Any) -> TypeGuard[tuple[Any, str]]:
-    """True of (what, direction)."""
-    return isinstance(section, tuple) and len(section) == 2 and section[1] in DIRECTIONS
+def _watched(section: object) -> tuple[object, ...]:
+    """The same as ``events=`` of a run takes it: noted alone."""
+    if isinstance(section, tuple) and len(section) == 2 and section[1] in (*DIRECTIONS,):
+        return section[0], "mark", section[1]
+    return section, "mark"
 
 
-def _holds(model: LoadedModel, where: Where | None) -> Callable[[Array], bool]:
+def _holds(model: LoadedModel, where: object) -> Callable[[Array], bool]:
     """The condition as a function of a state (nx,)."""
     if where is None:
         return lambda x: True
-    if not isinstance(where, Mapping):
+    if callable(where):
         return lambda x: bool(where(named_state(model, x)))
+    if not isinstance(where, Mapping):
+        raise ArgumentError(
+            f"cycle: where={brief(where)}; give name -> (low, high), or a function of the named "
+            "state"
+        )
     names, ranges = state_names(model), list[tuple[int, float, float]]()
     for name, limits in where.items():
         if name not in names:

@@ -1,0 +1,213 @@
+"""Paths of cycles against closed forms: folds, doublings, torus points, branches, beginnings."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import cardan as cd
+from cardan.errors import ModelError
+from cycle_scenes import (
+    MULTIPLIERS,
+    NEUTRAL_A,
+    OMEGA,
+    POINT,
+    STATES,
+    bounce,
+    duffing,
+    heel_strike,
+    oscillator,
+    step,
+    table,
+    walker,
+)
+
+
+@pytest.fixture(scope="module")
+def garcia() -> cd.CompiledModel:
+    return walker()
+
+
+def kinds(path: Any) -> list[str]:
+    return [point.kind for point in path.points]
+
+
+@pytest.fixture(scope="module")
+def long_gaits(garcia: cd.CompiledModel) -> Any:
+    gait = step(garcia, 0.2003, -0.1998)
+    return garcia.continuation(slope=(0.009, 0.018), of="cycles", start=gait)
+
+
+def test_walker_doubles_its_period(long_gaits: Any) -> None:
+    """The multiplier is -1 to 2e-12 in 22 digits at the slope 0.015088437941119985."""
+    assert kinds(long_gaits) == ["period doubling", "event"]
+    point = long_gaits.point("period doubling 1")
+    assert point.values["slope"] == pytest.approx(0.015088437941119985, abs=1e-10)
+    assert point["stance"] == pytest.approx(0.2371658635915819, abs=1e-9)
+    expected = [-1, -0.29762136168495523]
+    assert point.solution.multipliers[:2] == pytest.approx(expected, abs=MULTIPLIERS)
+    stable = np.array(long_gaits.main.stable)
+    assert (stable == (long_gaits["slope"] < point.values["slope"])).all()
+    # a cycle of the path is one by itself
+    row = long_gaits[2]
+    other = step(row.model, row["stance"], row["stance.u"])
+    np.testing.assert_allclose(other.x, row.x, atol=STATES)
+    assert other.period == pytest.approx(row.period, abs=1e-10)
+    assert "period doubling 1: slope = 0.015088" in repr(long_gaits)
+
+
+def test_steps_of_two_kinds_begin_where_the_period_doubles(
+    garcia: cd.CompiledModel, long_gaits: Any
+) -> None:
+    """Garcia et al. (1998): stable up to the next doubling, near 0.0177."""
+    point = long_gaits.point("period doubling 1")
+    path = garcia.continuation(slope=(0.009, 0.0185), of="cycles", start=point)
+    assert path["slope"][0] > point.values["slope"]
+    (doubling, _) = path.points
+    assert doubling.kind == "period doubling"
+    assert 0.0175 < doubling.values["slope"] < 0.0178
+    before = path["slope"] < doubling.values["slope"]
+    assert (np.array(path.main.stable) == before).all()
+    # one lap leads to the other step, two laps back
+    row = path[3]
+    once = row.model.cycle(row.state, section="strike.up", symmetry=heel_strike, laps=2, check=True)
+    np.testing.assert_allclose(once.x, row.x, atol=1e-10)
+    assert abs(once.problem.lap(once.at).x - once.x).max() < 1e-11
+    assert row.multipliers[0] == pytest.approx(once.multipliers[0], abs=1e-6)
+
+
+def test_bounces_double_their_period() -> None:
+    """(A w)^2 = v^2 + (2 g (1 + e^2) / (1 + e)^2 w)^2; the motion exists from A w = v."""
+    amplitude = 0.0013
+    cycle = bounce(table(amplitude), amplitude)
+    path = cycle.model.continuation(A=(amplitude, 0.002), of="cycles", start=cycle)
+    second = 2 * 9.81 * 1.25 / 1.5**2 / OMEGA**2
+    point = path.point("period doubling 1")
+    assert point.values["A"] == pytest.approx(np.hypot(NEUTRAL_A, second), abs=1e-12)
+    assert point.values["A"] == pytest.approx(0.0016862254715924452, abs=1e-12)
+    back = cycle.model.continuation(
+        A=(amplitude, 0.001), of="cycles", start=cycle, bounds={"A": (0.001, 0.0014)}
+    )
+    fold = back.point("fold 1")
+    assert fold.values["A"] == pytest.approx(0.0011565259198011062, abs=1e-12)
+    assert kinds(back) == ["fold", "event"]
+    assert not back.main.stable[-1]
+
+
+def coupled(force: Any) -> cd.CompiledModel:
+    """A forced oscillator x, and y beside it."""
+    scene = cd.Scene("coupled", gravity=(0, 0, 0))
+    mu = scene.parameter("mu", -0.2)
+    for name in "xy":
+        body = scene.body(f"body_{name}", **POINT)
+        scene.joint(name, cd.Prismatic("x"), scene.ground, body)
+    x, y, u, v = scene.q("x"), scene.q("y"), scene.u("x"), scene.u("y")
+    forced = sp.cos(cd.t) - 0.4 * u - 2 * x - x**3
+    scene.force("first", cd.JointForce("x", forced))
+    scene.force("second", cd.JointForce("y", force(mu, y, v)))
+    return cd.compile(scene)
+
+
+def test_torus_point() -> None:
+    """y'' = (mu - y^2) y' - 2 y: multipliers exp((mu/2 +- i w) T), |.| = 1 at mu = 0."""
+    model = coupled(lambda mu, y, v: (mu - y**2) * v - 2 * y)
+    cycle = model.cycle({"x": 0.5}, period=2 * np.pi, check=True)
+    path = model.continuation(mu=(-0.2, 0.3), of="cycles", start=cycle)
+    assert kinds(path) == ["torus point", "event"]
+    (point, _) = path.points
+    assert point.values["mu"] == pytest.approx(0.0, abs=1e-10)
+    turn = np.angle(np.exp(2j * np.pi * np.sqrt(2)))
+    assert point.frequency == pytest.approx(abs(turn), abs=1e-9)
+    assert "torus begins: disturbances turn by 2.60258 rad" in str(point)
+
+
+def test_branches_of_cycles() -> None:
+    """y'' = mu y - y^3 - y'/2: y = +- sqrt(mu) from mu = 0."""
+    model = coupled(lambda mu, y, v: mu * y - y**3 - 0.5 * v)
+    cycle = model.cycle({"x": 0.5}, period=2 * np.pi, check=True)
+    path = model.continuation(mu=(-0.2, 0.3), of="cycles", start=cycle, branches=1)
+    point = path.point("branch point 1")
+    assert point.values["mu"] == pytest.approx(0.0, abs=1e-10)
+    assert point.symmetric == (("1a", "1b"),)
+    for name in ("1a", "1b"):
+        branch = path.branches[name]
+        np.testing.assert_allclose(branch["y"] ** 2, branch["mu"], atol=1e-10)
+        assert all(branch.stable)
+
+
+def test_limit_cycles_begin_at_a_hopf_point() -> None:
+    """x'' = (mu - x^2) x' - x: an amplitude 2 sqrt(mu) and period 2 pi (1 + mu^2 / 16) to first
+    order; at mu = 1 van der Pol's equation.
+    """
+    model = oscillator(lambda scene, x, v: (scene.parameter("mu", -0.5) - x**2) * v - x)
+    rest = model.continuation(mu=(-0.5, 0.5))
+    point = rest.point("Hopf point 1")
+    assert point.values["mu"] == pytest.approx(0.0, abs=1e-10)
+    path = model.continuation(mu=(-0.5, 1.0), of="cycles", start=point)
+    small = path["mu"] < 0.1
+    mu = path["mu"][small]
+    np.testing.assert_allclose(abs(path["x"])[small], 2 * np.sqrt(mu), rtol=1e-3)
+    np.testing.assert_allclose(path["period"][small], 2 * np.pi * (1 + mu**2 / 16), rtol=1e-5)
+    assert path["period"][-1] == pytest.approx(6.663286859323133, abs=1e-9)
+    assert abs(path["x"][-1]) == pytest.approx(2.008619860874844, abs=1e-9)
+    assert path["multiplier"][-1] == pytest.approx(0.000859695063603616, abs=1e-8)
+    assert all(path.main.stable)
+    # from a cycle the path is the same one
+    end = path[-1]
+    back = model.continuation(mu=(1.0, 0.2), of="cycles", start=end)
+    assert back["x.max"][0] == pytest.approx(2.008619860874844, abs=1e-6)
+    assert back["x.max"][-1] == pytest.approx(2 * np.sqrt(0.2), rel=1e-2)
+
+
+def harmonic_balance(omega: float, x: Any) -> Any:
+    """A cycle of the forced oscillator by Fourier collocation at 61 points."""
+    from scipy.optimize import fsolve
+
+    n = 61
+    angles = 2 * np.pi * np.arange(n) / n
+    odd = angles[:, None] - angles[None, :] + np.eye(n)
+    alternating = (-1.0) ** np.subtract.outer(np.arange(n), np.arange(n))
+    D = omega * alternating / (2 * np.sin(odd / 2)) * (1 - np.eye(n))
+    force = 0.5 * np.cos(angles)
+    return fsolve(lambda x: D @ D @ x + 0.1 * D @ x + x + x**3 - force, x, xtol=1e-13)
+
+
+def test_forced_response() -> None:
+    """Duffing's resonance turns back twice; every cycle balances its harmonics."""
+    model, omega = duffing()
+    period = 2 * sp.pi / omega
+    cycle = model.cycle({"x": 0.6}, period=period, parameters={"omega": 0.7}, settle=20, check=True)
+    path = model.continuation(omega=(0.7, 3.0), of="cycles", start=cycle)
+    assert kinds(path) == ["fold", "fold", "event"]
+    folds = [point.values["omega"] for point in path.points[:2]]
+    rates, rows = np.array(path["omega"]), np.arange(len(path))
+    first, second = (point.special.after for point in path.points[:2])
+    unstable = (rows > first) & (rows <= second)
+    assert (np.array(path.main.stable) == ~unstable).all()
+    assert folds[1] < 1.5 < folds[0]
+    for point in path.points[:2]:
+        assert abs(point.solution.multipliers - 1).min() < 1e-6
+    for k in range(0, len(path), 6):
+        row = path[k]
+        times = np.linspace(0, row.period, 61, endpoint=False)
+        x = row.motion.at(times)[:, 0]
+        balanced = harmonic_balance(rates[k], x)
+        np.testing.assert_allclose(x, balanced, atol=1e-5)
+        assert path["x.max"][k] == pytest.approx(x.max(), rel=1e-2)
+
+
+def test_paths_say_what_they_need(garcia: cd.CompiledModel) -> None:
+    with pytest.raises(ModelError, match=r"start= takes the cycle"):
+        garcia.continuation(slope=(0.01, 0.02), of="cycles")
+    with pytest.raises(ModelError, match=r"q= and locked= are of equilibria"):
+        garcia.continuation(slope=(0.01, 0.02), of="cycles", q={"stance": 0.2})
+    with pytest.raises(ModelError, match=r"Did you mean 'cycles'"):
+        garcia.continuation(slope=(0.01, 0.02), of="cycle")
+    gait = step(garcia, 0.2003, -0.1998)
+    with pytest.raises(ModelError, match=r"there is no parameter or input 'slop'"):
+        garcia.continuation(slop=(0.01, 0.02), of="cycles", start=gait)
+    with pytest.raises(ModelError, match=r"there is no 'stances' to watch"):
+        garcia.continuation(slope=(0.01, 0.02), of="cycles", start=gait, until={"stances": 1})
