@@ -64,7 +64,7 @@ def test_steps_of_two_kinds_begin_where_the_period_doubles(
 ) -> None:
     """Garcia et al. (1998): stable up to the next doubling, near 0.0177."""
     point = long_gaits.point("period doubling 1")
-    path = garcia.continuation(slope=(0.009, 0.0185), of="cycles", start=point)
+    path = garcia.continuation(slope=(0.005, 0.0185), of="cycles", start=point)
     assert path["slope"][0] > point.values["slope"]
     (doubling, _) = path.points
     assert doubling.kind == "period doubling"
@@ -77,6 +77,20 @@ def test_steps_of_two_kinds_begin_where_the_period_doubles(
     np.testing.assert_allclose(once.x, row.x, atol=1e-10)
     assert abs(once.problem.lap(once.at).x - once.x).max() < 1e-11
     assert row.multipliers[0] == pytest.approx(once.multipliers[0], abs=1e-6)
+
+
+@pytest.mark.slow
+def test_cascade(garcia: cd.CompiledModel) -> None:
+    """M. J. Feigenbaum (1978): distances of doublings fall by a factor that tends to 4.669."""
+    gait = step(garcia, 0.2003, -0.1998)
+    options = {"of": "cycles", "start": gait, "branches": 2, "step": 0.1}
+    path = garcia.continuation(slope=(0.009, 0.0183), **options)
+    name = "period doubling 1"
+    assert [*path.branches] == ["main", name, f"{name}.{name}"]
+    slopes = [branch.points[0].values["slope"] for branch in path.branches.values()]
+    assert slopes[0] == pytest.approx(0.015088437941119985, abs=1e-10)
+    first, second = np.diff(slopes)
+    assert first / second == pytest.approx(4.669, rel=0.15)
 
 
 def test_bounces_double_their_period() -> None:

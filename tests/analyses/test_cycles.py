@@ -302,6 +302,57 @@ def test_closed_loops(coordinates: str) -> None:
     assert product == pytest.approx(np.exp(-np.pi * np.mean(decay)), rel=1e-7)
 
 
+def belt(speed: float) -> cd.CompiledModel:
+    """A mass on a belt, with a spring of 1: sliding friction 1, sticking 3/2."""
+    scene = cd.Scene("belt", gravity=(0, 0, 0))
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("mass", **POINT))
+    surface = scene.parameter("speed", speed)
+    scene.force("friction", cd.Friction("x", coulomb=1.0, static=1.5, against=surface))
+    scene.force("spring", cd.JointSpring("x", stiffness=1.0))
+    return cd.compile(scene)
+
+
+def test_stick_and_slip() -> None:
+    """With A = 1/2 between sticking and sliding: 2 A / v of sticking, 2 (pi - atan(A / v)) of sliding.
+
+    Where it sticks all disturbances end.
+    """
+    cycle = belt(0.5).cycle({"x": 1.0, "x.u": -0.65}, check=True)
+    assert cycle.period == pytest.approx(2 + 1.5 * np.pi, abs=1e-11)
+    assert cycle["x.u"] == pytest.approx(-np.sqrt(0.5), abs=1e-11)
+    assert [event.name for event in cycle.motion.events] == ["friction.stop", "friction.slip"]
+    assert cycle.motion.events[1].t - cycle.motion.events[0].t == pytest.approx(2.0, abs=1e-11)
+    assert cycle.multipliers == pytest.approx([0.0], abs=1e-9)
+    assert cycle.modes == [-1.0]
+    path = cycle.model.continuation(speed=(0.5, 1.0), of="cycles", start=cycle)
+    v = path["speed"]
+    expected = 1 / v + 2 * np.pi - 2 * np.arctan(0.5 / v)
+    np.testing.assert_allclose(path["period"], expected, atol=1e-10)
+
+
+def swung(rotation: str) -> Any:
+    """A body on a ball joint that a force swings around, tied to the ground."""
+    scene = cd.Scene("swung", gravity=(0, 0, -9.81))
+    body = scene.body("body", mass=1.0, com=(0, 0, -1), inertia=(0.1, 0.1, 0.05))
+    scene.joint("ball", cd.Spherical(rotation=rotation), scene.ground, body)
+    push = (sp.cos(2 * cd.t), 0.5 * sp.sin(2 * cd.t), 0)
+    scene.force("push", cd.Force(body.at(0, 0, -1), push))
+    scene.force("drag", cd.JointDamper("ball", damping=0.5))
+    tie = cd.SpringDamper(
+        scene.ground.at(1, 0, -1), body.at(0.5, 0, -1), stiffness=3.0, rest_length=0.2
+    )
+    scene.force("tie", tie)
+    return cd.compile(scene).cycle({}, period=np.pi, settle=10, check=True)
+
+
+def test_rotations_are_moved_by_increments() -> None:
+    quaternion, angles = swung("quaternion"), swung("xyz")
+    np.testing.assert_allclose(quaternion.u, angles.u, atol=1e-11)
+    assert len(quaternion.multipliers) == 6
+    np.testing.assert_allclose(quaternion.multipliers, angles.multipliers, atol=1e-9)
+    assert quaternion.stable
+
+
 def test_messages() -> None:
     model = oscillator(lambda scene, x, v: (1 - x**2) * v - x)
     with pytest.raises(ModelError, match=r"there is no 'y'"):

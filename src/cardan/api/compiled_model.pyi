@@ -718,7 +718,8 @@ class CompiledModel(LoadedModel):
                 swept, or ``<coordinate>.holding_force``.
             bounds: Name -> (low, high): the path ends where it leaves that range.
             events: Name -> value: where it is passed is noted.
-            branches: How many generations of branches to follow from branch points; True for all.
+            branches: How many generations of branches to follow from branch points, and of cycles from
+                period doublings; True for all.
             points: Points of a branch at most.
             step: Longest step, as a part of the size of the system, of a radian and of the range.
             check: Raise where the path ends in between, instead of warning.

@@ -70,7 +70,8 @@ def continuation(
             swept, or ``<coordinate>.holding_force``.
         bounds: Name -> (low, high): the path ends where it leaves that range.
         events: Name -> value: where it is passed is noted.
-        branches: How many generations of branches to follow from branch points; True for all.
+        branches: How many generations of branches to follow from branch points, and of cycles from
+            period doublings; True for all.
         points: Points of a branch at most.
         step: Longest step, as a part of the size of the system, of a radian and of the range.
         check: Raise where the path ends in between, instead of warning.
@@ -97,11 +98,14 @@ def continuation(
     request = PathRequest({**(swept or {}), **named}, q, locked or {}, inputs, parameters, t, start)
     begin = STARTS[of](model, request)
     longest = {} if step is None else {"longest": step, "first": min(step, Reach().first)}
-    tests = _tests(begin.solutions, begin.end, until, bounds, events)
-    run = Tracer(begin.solutions, tests, points, Reach(**longest))
+
+    def tests(of: Solutions) -> list[Test]:
+        return _tests(of, begin.end, until, bounds, events)
+
+    run = Tracer(tests, points, Reach(**longest))
     depth = 99 if branches is True else int(branches)
     with showing(progress, f"continuation of '{model.name}'") as show:
-        record = run.all_of(begin.place, depth, show)
+        record = run.all_of(begin.solutions, begin.place, depth, show)
     ended = record.branches[MAIN]
     if ended.status not in ("finished", "closed"):
         if check:

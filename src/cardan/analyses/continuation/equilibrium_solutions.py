@@ -24,7 +24,7 @@ from .equilibria import EquilibriumFamily, Loaded
 from .follow import Place, place
 from .path_request import PathRequest, PathStart
 from .quantities import quantity
-from .solutions import Quantity
+from .solutions import Quantity, Solutions
 from .special_points import FOLD, HOPF, Onset, Special, Test
 from .stability_cache import StabilityCache
 
@@ -93,6 +93,10 @@ class EquilibriumSolutions:
     def onsets(self) -> Sequence[Onset]:
         """Same as :meth:`.Solutions.onsets`: there are none."""
         return ()
+
+    def beginning(self, special: Special) -> tuple[Solutions, Place] | None:
+        """Same as :meth:`.Solutions.beginning`: limit cycles have paths of their own."""
+        return None
 
     def motion(self, dz: Array) -> Array:
         """Same as :meth:`.Solutions.motion`."""

@@ -66,6 +66,13 @@ class Solutions(Protocol):
     def onsets(self) -> Sequence[Onset]:
         """Changes of stability besides those at folds, branch points and of oscillations."""
 
+    def beginning(self, special: Special) -> tuple[Solutions, Place] | None:
+        """Solutions of another kind that begin at a point, such as those of twice the period.
+
+        Returns:
+            What they are, and their first place; None where none begin, or none are told apart.
+        """
+
     def motion(self, dz: Array) -> Array:
         """The part of increments (N, ...) that moves the system (n, ...)."""
 

@@ -13,15 +13,15 @@ from ...errors import SolveError
 from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.follow import Place
 from ..continuation.path_request import PathRequest, PathStart
-from ..continuation.solutions import Quantity
+from ..continuation.solutions import Quantity, Solutions
 from ..continuation.special_points import FOLD, Onset, Special
 from .cycle_family import CycleFamily, CyclePoint
 from .cycle_quantities import quantity
 from .cycle_record import CycleRecord, record_of
-from .cycle_starts import family_and_place
+from .cycle_starts import DOUBLING, doubled, family_and_place
 from .multipliers import REAL, unstable
 
-DOUBLING, TORUS = "period doubling", "torus point"
+TORUS = "torus point"
 EDGE = 1e-9  # moduli that much above 1 count on a path
 
 
@@ -96,6 +96,16 @@ class CycleSolutions:
             return float(np.linalg.det(M + np.eye(len(M))))
 
         return (Onset(DOUBLING, value),)
+
+    def beginning(self, special: Special) -> tuple[Solutions, Place] | None:
+        """Same as :meth:`.Solutions.beginning`: cycles of twice the laps at a period doubling."""
+        if special.kind != DOUBLING:
+            return None
+        try:
+            family, first = doubled(self.family, special.place.point)
+        except SolveError:
+            return None
+        return CycleSolutions(self.model, family), first
 
     def motion(self, dz: Array) -> Array:
         """Same as :meth:`.Solutions.motion`."""

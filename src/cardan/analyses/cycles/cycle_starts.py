@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import ModelError, SolveError, brief
 from ...runtime.models.loaded_model import LoadedModel
+from ..continuation.family import row
 from ..continuation.follow import Place, Reach, corrected, place
 from ..continuation.path_request import PathRequest
 from ..continuation.record import SpecialPointRecord
@@ -25,6 +27,7 @@ from .cycle_record import CycleRecord
 from .section import section_of
 from .shooting import Phase, Shooting, solve
 
+DOUBLING = "period doubling"
 CURE = (
     "start= takes the cycle that model.cycle(...) returns, or a special point at which some begin"
 )
@@ -44,7 +47,7 @@ def family_and_place(model: LoadedModel, request: PathRequest) -> tuple[CycleFam
         family, at = _at_range_start(problem, way, begin.at)
         first = place(family, family.point(at, 0.0), family.along_parameter)
     elif isinstance(begin, SpecialPointRecord) and isinstance(begin.solution, CycleRecord):
-        family, first = _doubled(begin, begin.solution, request)
+        family, first = _from_doubling(begin, begin.solution, request)
     elif isinstance(begin, SpecialPointRecord) and begin.kind == HOPF:
         family, first = _from_equilibrium(model, begin, request)
     else:
@@ -115,35 +118,50 @@ def _peak(problem: CycleProblem, at: CycleState) -> tuple[CycleState, Phase]:
     )
 
 
-def _doubled(
-    begin: SpecialPointRecord, cycle: CycleRecord, request: PathRequest
-) -> tuple[CycleFamily, Place]:
-    """The cycles of twice the period that begin at a period doubling.
+def doubled(family: CycleFamily, point: CyclePoint) -> tuple[CycleFamily, Place]:
+    """The cycles of twice the laps that begin at a period doubling, and the first of them.
 
     Raises:
         SolveError: they were not told from the others.
     """
-    model = cycle.model
-    problem = replace(cycle.problem, laps=2 * cycle.problem.laps, _flows={})
-    problem, way = _problem_and_way(problem, model, request)
-    before = begin.branch.solutions.family
-    assert isinstance(before, CycleFamily)
-    family = CycleFamily.of(problem, way, before.shooting.phase)
-    (name, values), *_ = way.swept.items()
-    s = (begin.values[name] - values[0]) / (values[-1] - values[0])
-    at = replace(cycle.at, period=2 * cycle.period)
-    singular = singular_point(family, family.point(at, float(s)), 1)
-    # the tangent of the path that it leaves
-    along = begin.special.place.tangent[:-1]
-    halves = half_branches(singular)
-    sizes = [
-        abs(float(half.tangent[:-1] @ along)) / float(np.linalg.norm(half.tangent[:-1]))
-        for half in halves
-    ]
+    problem = replace(family.problem, laps=2 * family.problem.laps, _flows={})
+    twice = CycleFamily.of(problem, family.way, family.shooting.phase)
+    at = replace(point.at, period=2 * point.at.period)
+    halves = half_branches(singular_point(twice, CyclePoint(point.s, at), 1))
     if not halves:
         raise SolveError("continuation of cycles: those of twice the period were not found")
-    half = halves[int(np.argmin(sizes))]
-    return family, place(family, half.point, half.direction)
+    # the others are the path that it leaves
+    along = row(family, place(family, point, family.along_parameter).tangent)[0]
+    cosines = [abs(float(half.tangent @ along)) for half in halves]
+    half = halves[int(np.argmin(cosines))]
+    return twice, place(twice, half.point, half.direction)
+
+
+def _from_doubling(
+    begin: SpecialPointRecord, cycle: CycleRecord, request: PathRequest
+) -> tuple[CycleFamily, Place]:
+    """The same for what a path sweeps.
+
+    Raises:
+        ModelError: it is not what was swept before.
+    """
+    before = begin.branch.solutions.family
+    assert isinstance(before, CycleFamily)
+    problem, way = _problem_and_way(cycle.problem, cycle.model, request)
+    if begin.kind != DOUBLING or set(way.swept) != set(before.way.swept):
+        raise ModelError(
+            f"continuation of cycles: start={begin.name!r}: paths begin at period doublings, along "
+            f"what was swept before: {', '.join(before.way.swept)}"
+        )
+    family = CycleFamily.of(problem, way, before.shooting.phase)
+    s = _place_of(way, begin.values)
+    return doubled(family, family.point(begin.special.place.point.at, s))
+
+
+def _place_of(way: Loading, values: Mapping[str, float]) -> float:
+    """The place of swept values on a way."""
+    (name, ends), *_ = way.swept.items()
+    return float((values[name] - ends[0]) / (ends[-1] - ends[0]))
 
 
 def _from_equilibrium(
@@ -177,10 +195,9 @@ def _from_equilibrium(
     )
     problem, way = _problem_and_way(problem, changed, request)
     problem = replace(problem, inputs={n: v for n, v in inputs.items() if n not in way.swept})
-    (name, values), *_ = way.swept.items()
-    s = (begin.values[name] - values[0]) / (values[-1] - values[0])
+    s = _place_of(way, begin.values)
     x = np.concatenate([moment.q, moment.u, moment.z])
-    at = CycleState(x, moment.s, 2 * np.pi / frequency, way.values(float(s)))
+    at = CycleState(x, moment.s, 2 * np.pi / frequency, way.values(s))
     nu, n = len(system.columns), len(units)
     DP = Shooting(problem, Phase(x, np.zeros(n))).jacobian(at)[:n, :n]
     plane = np.linalg.svd(DP)[2][-2:]
@@ -190,6 +207,6 @@ def _from_equilibrium(
     family = CycleFamily.of(problem, way, Phase(x, np.eye(n)[nu + k]))
     tangent = np.concatenate([away, np.zeros(2)])
     tangent /= np.sqrt(np.sum(family.weights * tangent**2))
-    still = Place(CyclePoint(float(s), at), tangent, 0.0, 0.0)
+    still = Place(CyclePoint(s, at), tangent, 0.0, 0.0)
     point = corrected(family, still, Reach().first)[0]
     return family, place(family, point, tangent)
