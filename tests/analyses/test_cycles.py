@@ -313,7 +313,7 @@ def belt(speed: float) -> cd.CompiledModel:
 
 
 def test_stick_and_slip() -> None:
-    """With A = 1/2 between sticking and sliding: 2 A / v of sticking, 2 (pi - atan(A / v)) of sliding.
+    """With A = 1/2 between both: 2 A / v of sticking, 2 (pi - atan(A / v)) of sliding.
 
     Where it sticks all disturbances end.
     """
