@@ -784,7 +784,7 @@ class CompiledModel(LoadedModel):
             guess: Of an unknown period [s]; by default that of the first return.
             inputs: Constants, or functions f(t, x) with the period, by name.
             parameters: Values by name, else those of the model.
-            t: Time at which laps begin [s].
+            t: Time at which laps begin [s]; of laps that time ends not that of an impact.
             longest: Time within which a lap must end [s].
             method, rtol, atol: Of the runs, whose differences are taken.
             check: Raise where no cycle is reached, instead of warning.

@@ -168,7 +168,7 @@ class CycleProblem:
             if not 0 < period <= self.longest:
                 raise SolveError(f"cycle: the period became {period:.6g} s")
             x, s = flow.end(x, s, t, t + period)
-            return self._mapped(x), s, period
+            return self.mapped(x), s, period
         match = self.section.counter(t, RESOLUTION * self.longest)
         passage = flow.passage(x, s, t, t + self.longest, match)
         if passage is None:
@@ -177,9 +177,10 @@ class CycleProblem:
                 f"{self.longest:g} s. Look at a run from there: its events, and where= and "
                 "crossing= that single one out; or give longest="
             )
-        return self._mapped(passage.x_after), passage.s_after, passage.t - t
+        return self.mapped(passage.x_after), passage.s_after, passage.t - t
 
-    def _mapped(self, x: Array) -> Array:
+    def mapped(self, x: Array) -> Array:
+        """The state (nx,) at the start of the next lap."""
         return x if self.symmetry is None else self.symmetry(x)
 
     def motion(self, at: CycleState) -> TrajectoryRecord:

@@ -104,7 +104,7 @@ def first_return(problem: CycleProblem, at: CycleState) -> float:
         raise SolveError("cycle: the start is at rest; begin at a state that moves")
 
     def ahead(t: float, x: Array) -> float:
-        return float(rate @ problem.step(at.x, x))
+        return float(rate @ problem.step(at.x, problem.mapped(x)))
 
     section = section_of(problem.model, (ahead, "up"), None, 1)
     returning = replace(problem, section=section, symmetry=None, laps=1, _flows={})
