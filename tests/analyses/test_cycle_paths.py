@@ -202,6 +202,7 @@ def test_forced_response() -> None:
     unstable = (rows > first) & (rows <= second)
     assert (np.array(path.main.stable) == ~unstable).all()
     assert folds[1] < 1.5 < folds[0]
+    assert len(path.plot("omega", "x.max").axes) == 1
     for point in path.points[:2]:
         assert abs(point.solution.multipliers - 1).min() < 1e-6
     for k in range(0, len(path), 6):
@@ -211,6 +212,25 @@ def test_forced_response() -> None:
         balanced = harmonic_balance(rates[k], x)
         np.testing.assert_allclose(x, balanced, atol=1e-5)
         assert path["x.max"][k] == pytest.approx(x.max(), rel=1e-2)
+
+
+def test_response_to_an_input() -> None:
+    """x'' + d x' + k x = F cos(w t): an amplitude F / |k - w^2 + i d w|."""
+    scene = cd.Scene("driven", gravity=(0, 0, 0))
+    F, w = scene.input("F", 0.1), scene.parameter("w", 1.0)
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("body", **POINT))
+    force = F * sp.cos(w * cd.t) - 0.2 * scene.u("x") - 4 * scene.q("x")
+    scene.force("force", cd.JointForce("x", force))
+    model = cd.compile(scene)
+    cycle = model.cycle({"x": 0.1}, period=2 * sp.pi / w, inputs={"F": 1.0}, check=True)
+    louder = model.continuation(F=(0.5, 2.0), of="cycles", start=cycle)
+    np.testing.assert_allclose(louder["x.max"], louder["F"] / np.hypot(3, 0.2), rtol=1e-7)
+    faster = model.continuation(
+        w=(0.5, 1.5), of="cycles", start=cycle, inputs={"F": 2.0}, until={"period": 5.0}
+    )
+    w = faster["w"]
+    np.testing.assert_allclose(faster["x.max"], 2 / np.hypot(4 - w**2, 0.2 * w), rtol=1e-7)
+    assert w[-1] == pytest.approx(2 * np.pi / 5, abs=1e-10)
 
 
 def test_paths_say_what_they_need(garcia: cd.CompiledModel) -> None:

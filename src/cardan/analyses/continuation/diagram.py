@@ -26,7 +26,7 @@ OTHER = "s"  # other changes of stability
 def plot(path: ContinuationRecord, along: str, up: str, file: str | Path | None = None) -> Figure:
     """Draw a path and its branches as a Matplotlib figure, written to ``file`` if given.
 
-    Stable equilibria are lines, others are dashed; special points carry their names.
+    Stable solutions are lines, others are dashed; special points carry their names.
 
     Args:
         path: The path.
@@ -56,7 +56,8 @@ def plot(path: ContinuationRecord, along: str, up: str, file: str | Path | None 
 
 def _curves(branch: BranchRecord, along: str, up: str) -> list[tuple[Array, Array, bool]]:
     """Stretches between changes of stability as smooth curves."""
-    rows = [(k, branch[along][k], branch[up][k], branch.stable[k]) for k in range(len(branch))]
+    columns = branch[along], branch[up], branch.stable
+    rows = [(k, *entries) for k, entries in enumerate(zip(*columns, strict=True))]
     marks = [(p.special.after + p.special.part, p[along], p[up], None) for p in branch.points]
     entries = sorted([*rows, *marks], key=lambda entry: entry[0])
     table = np.array([entry[1:3] for entry in entries], dtype=np.float64)

@@ -224,10 +224,10 @@ def mirrored(solutions: Solutions, special: Special) -> Iterator[tuple[int, int]
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ContinuationRecord:
-    """Equilibria along a path of loads, and branches that leave it.
+    """Equilibria along a path of loads, or cycles, and branches that leave it.
 
     ``path["elbow"]`` is a history (n,) of the main branch, ``path.branches["1a"]["elbow"]`` that of
-    another one; ``path[k]`` is an equilibrium of the main branch.
+    another one; ``path[k]`` is a solution of the main branch.
 
     Attributes:
         model: The model.

@@ -52,6 +52,7 @@ class CycleFamily:
     way: Loading
     weights: Array
     _jacobians: OrderedDict[int, tuple[CyclePoint, Array]] = field(default_factory=OrderedDict)
+    _multipliers: dict[int, tuple[CyclePoint, Complexes]] = field(default_factory=dict)
 
     @classmethod
     def of(cls, problem: CycleProblem, way: Loading, phase: Phase | None) -> CycleFamily:
@@ -121,7 +122,10 @@ class CycleFamily:
 
     def multipliers(self, point: CyclePoint) -> Complexes:
         """Multipliers of a cycle (m,)."""
-        return multipliers_of(self.monodromy(point), self.problem.lost(point.at))
+        if id(point) not in self._multipliers:
+            values = multipliers_of(self.monodromy(point), self.problem.lost(point.at))
+            self._multipliers[id(point)] = point, values
+        return self._multipliers[id(point)][1]
 
     def finished(self, point: CyclePoint) -> CycleState:
         """The start of a lap, on the section, with the period that the lap takes."""
