@@ -179,6 +179,12 @@ def test_messages() -> None:
     forced, _ = duffing()
     with pytest.raises(ModelError, match=r"give period="):
         forced.cycle({"x": 1.0})
+    with pytest.raises(SolveError, match=r"period=-1: it is a positive time"):
+        forced.cycle({"x": 1.0}, period=-1.0)
+    with pytest.raises(SolveError, match=r"period=nan"):
+        forced.cycle({"x": 1.0}, period=lambda p: 1 / (p["omega"] - 1.4))
+    with pytest.raises(ModelError, match=r"there is no parameter or input 'Omega'"):
+        forced.cycle({"x": 1.0}, period=1 / sp.Symbol("Omega"))
     with pytest.raises(ModelError, match=r"period=1.234: what forces 'duffing'"):
         forced.cycle({"x": 1.0}, period=1.234)
     drifting = oscillator(lambda scene, x, v: 1 + sp.cos(cd.t))

@@ -233,6 +233,20 @@ def test_response_to_an_input() -> None:
     assert w[-1] == pytest.approx(2 * np.pi / 5, abs=1e-10)
 
 
+def test_a_period_by_an_input() -> None:
+    """x'' + x' / 5 + 4 x = cos(w t), w an input."""
+    scene = cd.Scene("swept", gravity=(0, 0, 0))
+    w = scene.input("w", 0.0)
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("body", **POINT))
+    force = sp.cos(w * cd.t) - 0.2 * scene.u("x") - 4 * scene.q("x")
+    scene.force("force", cd.JointForce("x", force))
+    model = cd.compile(scene)
+    cycle = model.cycle({"x": 0.1}, period=2 * sp.pi / w, inputs={"w": 1.5}, check=True)
+    path = model.continuation(w=(1.5, 2.5), of="cycles", start=cycle)
+    expected = 1 / np.hypot(4 - path["w"] ** 2, 0.2 * path["w"])
+    np.testing.assert_allclose(path["x.max"], expected, rtol=1e-7)
+
+
 def test_paths_say_what_they_need(garcia: cd.CompiledModel) -> None:
     with pytest.raises(ModelError, match=r"start= takes the cycle"):
         garcia.continuation(slope=(0.01, 0.02), of="cycles")

@@ -39,7 +39,7 @@ class Continuation(ContinuationRecord):
     ) -> Figure:
         """Draw a path and its branches as a Matplotlib figure, written to ``file`` if given.
 
-        Stable equilibria are lines, others are dashed; special points carry their names.
+        Stable solutions are lines, others are dashed; special points carry their names.
 
         Args:
             along, up: Names of the histories on the axes, such as ``"P"`` and ``"elbow"``.

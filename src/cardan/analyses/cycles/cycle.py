@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +14,7 @@ from ...runtime.models.loaded_model import LoadedModel
 from ..simulation.settings import settings, watched
 from ..simulation.signals import signals
 from ..systems import dynamic_system_of
-from .cycle_problem import CycleProblem
+from .cycle_problem import CycleProblem, CycleState
 from .cycle_record import CycleRecord, record_of
 from .multipliers import monodromy, multipliers_of
 from .named_states import symmetry_map
@@ -92,17 +93,18 @@ def cycle(
         raise ModelError("cycle: period= and section= both end a lap: leave one out")
     model = model if parameters is None else model.with_parameters(parameters)
     system = dynamic_system_of(model)
-    how = settings(method, rtol, atol, None, None, None)
-    rule = period_rule(model, period)
     forcing = signals(model.manifest.inputs, inputs, None, (t, t))
-    how = watched(how, forcing, longest if rule is None else rule(model.parameters), None)
+    units = np.concatenate([system.columns, system.columns, np.ones(model.nz)])
     problem = CycleProblem(
-        model, system, how, dict(inputs or {}), t, longest,
+        model, system, settings(method, rtol, atol, None, None, None), dict(inputs or {}), t,
+        longest,
         None if section is None else section_of(model, section, where, crossing),
-        rule,
+        period_rule(model, period),
         None if symmetry is None else symmetry_map(system, model, symmetry),
-        laps, np.concatenate([system.columns, system.columns, np.ones(model.nz)]),
+        laps, units,
     )  # fmt: skip
+    span = longest if period is None else problem.period_of(CycleState(units, units, longest))
+    problem = replace(problem, how=watched(problem.how, forcing, span, None))
     at = first_state(system, problem, start, forcing.first(t))
     refuse_forcing(problem, at)
     problem, at = prepared(problem, at, guess, settle)

@@ -144,7 +144,8 @@ class CycleProblem:
         """The period of a lap that is prescribed, or that of the state."""
         if self.period is None:
             return at.period
-        return float(self.period({**self.model.parameters, **at.values}))
+        inputs = {n: float(v) for n, v in self.inputs.items() if isinstance(v, int | float)}
+        return float(self.period({**self.model.parameters, **inputs, **at.values}))
 
     def lap(self, at: CycleState) -> CycleState:
         """The start behind all laps, at the time that they took.
@@ -165,8 +166,10 @@ class CycleProblem:
             period = self.period_of(at)
             if self.period is None:
                 period /= self.laps
-            if not 0 < period <= self.longest:
-                raise SolveError(f"cycle: the period became {period:.6g} s")
+            if not (period > 0 and (self.period is not None or period <= self.longest)):
+                raise SolveError(
+                    f"cycle: the period became {period:.6g} s, not within longest={self.longest:g}"
+                )
             x, s = flow.end(x, s, t, t + period)
             return self.mapped(x), s, period
         match = self.section.counter(t, RESOLUTION * self.longest)

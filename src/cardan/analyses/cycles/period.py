@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Protocol, SupportsFloat, cast
 
-from ...errors import ArgumentError, ModelError, brief, near
+from ...errors import ArgumentError, ModelError, SolveError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
 from .cycle_problem import PeriodRule, Values
 
@@ -30,16 +30,24 @@ def period_rule(model: LoadedModel, period: object) -> PeriodRule | None:
         period: Time [s], a function of the named values, or an expression in parameters and inputs.
 
     Raises:
-        ModelError: an unknown name, a time that is not positive. ArgumentError: something else.
+        ModelError: an unknown name. ArgumentError: something else. SolveError, when it is called: a
+            time that is not positive.
     """
     if period is None:
         return None
     rule = _rule(model, period)
     defaults = {str(row.name): float(row.default) for row in model.manifest.inputs}
-    value = rule({**defaults, **model.parameters})
-    if not (math.isfinite(value) and value > 0):
-        raise ModelError(f"cycle: period={value:g}: it is a positive time [s]")
-    return lambda values: rule({**defaults, **values})
+
+    def positive(values: Values) -> float:
+        try:
+            value = rule({**defaults, **values})
+        except (ArithmeticError, TypeError):
+            value = math.nan
+        if not (math.isfinite(value) and value > 0):
+            raise SolveError(f"cycle: period={value:g}: it is a positive time [s]")
+        return value
+
+    return positive
 
 
 def _rule(model: LoadedModel, period: object) -> PeriodRule:
