@@ -19,7 +19,7 @@ from .cycle_record import CycleRecord, record_of
 from .multipliers import monodromy, multipliers_of
 from .named_states import symmetry_map
 from .period import period_rule
-from .preparation import first_state, prepared, refuse_forcing
+from .preparation import first_state, prepared, refuse_forcing, scaled
 from .section import section_of
 from .shooting import Shooting, Solved, solve
 
@@ -108,8 +108,7 @@ def cycle(
     at = first_state(system, problem, start, forcing.first(t))
     refuse_forcing(problem, at)
     problem, at = prepared(problem, at, guess, settle)
-    solution = solve(shooting := Shooting.of(problem, at), at)
-    record = recorded(shooting, solution)
+    record = recorded(problem, solve(Shooting.of(problem, at), at))
     if not record.converged:
         if check:
             raise SolveError(f"cycle: {record.message}")
@@ -117,11 +116,13 @@ def cycle(
     return record
 
 
-def recorded(shooting: Shooting, solution: Solved) -> CycleRecord:
+def recorded(problem: CycleProblem, solution: Solved) -> CycleRecord:
     """The cycle at the end of a search."""
-    problem, at = shooting.problem, solution.at
-    n = len(problem.units)
-    DP = solution.jacobian[:n, :n] + np.eye(n)
+    at, n = solution.at, len(problem.units)
+    if solution.converged:
+        # the search may have begun at a motion of another size
+        problem, at = scaled(problem, at)
+    DP = Shooting.of(problem, at).jacobian(at)[:n, :n] + np.eye(n)
     along = problem.rate(at) if problem.free_period else None
     values = multipliers_of(monodromy(DP, along), problem.lost(at))
     message = f"a cycle, reached in {counted(len(solution.residuals) - 1, 'iteration')}"

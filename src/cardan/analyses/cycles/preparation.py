@@ -87,9 +87,18 @@ def prepared(
         at = replace(problem.lap(at), period=at.period)
     lap = problem.lap(at)
     at = replace(at, s=lap.s, period=lap.period)
-    problem = replace(problem, units=units_of(problem, at), _flows={})
-    behind = replace(at, x=lap.x)
-    problem = replace(problem, normal=problem.normal_of(behind), _flows={})
+    return scaled(problem, at)
+
+
+def scaled(problem: CycleProblem, at: CycleState) -> tuple[CycleProblem, CycleState]:
+    """The problem in units of the motion of a lap, and its start on the section if it lies there.
+
+    Raises:
+        SolveError: the lap breaks down.
+    """
+    problem = replace(problem, units=units_of(problem, at))
+    behind = replace(at, x=problem.lap(at).x)
+    problem = replace(problem, normal=problem.normal_of(behind))
     return problem, replace(at, x=problem.on_section(at))
 
 

@@ -92,13 +92,11 @@ class Solved:
 
     Attributes:
         at: The start of a lap.
-        jacobian: There.
         residuals: Largest ones, iteration by iteration.
         converged: Whether it is a cycle.
     """
 
     at: CycleState
-    jacobian: Array
     residuals: tuple[float, ...]
     converged: bool
 
@@ -127,7 +125,7 @@ def solve(shooting: Shooting, start: CycleState) -> Solved:
     settled = bool((s == at.s).all())
     period = at.period if shooting.problem.free_period else shooting.problem.lap(at).period
     at = replace(at, x=shooting.problem.on_section(at), period=period)
-    return Solved(at, shooting.jacobian(at), tuple(sizes), sizes[-1] <= ROUNDING and settled)
+    return Solved(at, tuple(sizes), sizes[-1] <= ROUNDING and settled)
 
 
 def _size(left: Array) -> float:
