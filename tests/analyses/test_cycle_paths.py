@@ -255,6 +255,8 @@ def test_paths_say_what_they_need(garcia: cd.CompiledModel) -> None:
     with pytest.raises(ModelError, match=r"Did you mean 'cycles'"):
         garcia.continuation(slope=(0.01, 0.02), of="cycle")
     gait = step(garcia, 0.2003, -0.1998)
+    with pytest.raises(ModelError, match=r"start= is of another model than 'duffing'"):
+        duffing()[0].continuation(omega=(1, 2), of="cycles", start=gait)
     with pytest.raises(ModelError, match=r"there is no parameter or input 'slop'"):
         garcia.continuation(slop=(0.01, 0.02), of="cycles", start=gait)
     with pytest.raises(ModelError, match=r"there is no 'stances' to watch"):

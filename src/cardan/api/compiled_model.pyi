@@ -725,8 +725,9 @@ class CompiledModel(LoadedModel):
             check: Raise where the path ends in between, instead of warning.
             progress: Show a bar; by default where standard error is a terminal. Or a function of the
                 part of ``points`` that is done.
-            start: Of cycles: the cycle to start from, see ``model.cycle``; or a Hopf point of
-                equilibria or a period doubling of cycles, at which others begin.
+            start: Of cycles: the cycle to start from, see ``model.cycle``, whose parameters and inputs
+                stay; or a Hopf point of equilibria or a period doubling of cycles, at which others
+                begin.
 
         Returns:
             The path and its branches, with folds, branch points, Hopf points and events in ``points``;

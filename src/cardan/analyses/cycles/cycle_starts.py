@@ -42,6 +42,8 @@ def family_and_place(model: LoadedModel, request: PathRequest) -> tuple[CycleFam
     if request.q is not None or request.locked:
         raise ModelError(f"continuation of cycles: q= and locked= are of equilibria; {CURE}")
     begin = request.start
+    if _model_of(begin) not in (None, model._objects):
+        raise ModelError(f"continuation of cycles: start= is of another model than '{model.name}'")
     if isinstance(begin, CycleRecord):
         problem, way = _problem_and_way(begin.problem, begin.model, request)
         family, at = _at_range_start(problem, way, begin.at)
@@ -54,6 +56,13 @@ def family_and_place(model: LoadedModel, request: PathRequest) -> tuple[CycleFam
         raise ModelError(f"continuation: start={brief(begin)}: {CURE}")
     named = ", ".join(f"{name} = {value:.10g}" for name, value in family.way.values(1.0).items())
     return family, first, Test(named, lambda at: at.point.s - 1.0, ends=True)
+
+
+def _model_of(begin: object) -> object:
+    """The compiled code of what a path starts from, with any parameters; None of something else."""
+    if isinstance(begin, SpecialPointRecord):
+        return begin.branch.model._objects
+    return begin.model._objects if isinstance(begin, CycleRecord) else None
 
 
 def _problem_and_way(
