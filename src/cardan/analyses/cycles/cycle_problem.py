@@ -34,7 +34,7 @@ PeriodRule: TypeAlias = Callable[[Values], float]
 FLOWS = 8  # parameter sets whose runs are kept
 RESOLUTION = 1e-9  # of the longest lap: an event so soon is that at which a lap begins
 ON_SECTION = 1e-6  # of the change along a unit: a value that is 0
-PROJECTIONS = 12
+PROJECTIONS, CLOSE = 60, 1e-15
 RANK = 1e-9  # rows of constraints that say nothing new
 SLOPE = 1e-5  # of units: differences of the value at a section
 
@@ -70,8 +70,8 @@ class CycleProblem:
         symmetry: Of states (nx,) behind a lap; None without.
         laps: After how many the motion repeats.
         units: Of increments (n,).
-        normal: Along which starts are moved onto the section (n,); None where they need not lie on
-            it.
+        normal: The increment that moves starts off the section (n,), by 1 of what passes zero
+            there; None where they need not lie on it.
     """
 
     model: LoadedModel
@@ -108,17 +108,16 @@ class CycleProblem:
 
     def flow(self, values: Values) -> Flow:
         """Runs with parameters and inputs."""
+        if () not in self._flows:
+            section = self.section
+            table = section.event_table if section else event_table_of(self.model, None)
+            self._flows[()] = Flow(self.model, self.how, self.inputs, table)
         key = tuple(sorted(values.items()))
         if key not in self._flows:
-            inputs = {n: v for n, v in values.items() if n in self.model.inputs}
-            parameters = {n: v for n, v in values.items() if n not in inputs}
-            model = self.model.with_parameters(parameters) if parameters else self.model
-            section = self.section
-            table = section.event_table if section else event_table_of(model, None)
-            flow = Flow(model, self.how, {**self.inputs, **inputs}, table)
             while len(self._flows) >= FLOWS:
-                del self._flows[next(iter(self._flows))]
-            self._flows[key] = flow
+                # the first one is that of the problem itself
+                del self._flows[[*self._flows][1]]
+            self._flows[key] = self._flows[()].changed(values)
         return self._flows[key]
 
     # increments
@@ -197,8 +196,8 @@ class CycleProblem:
         """Time derivative of a state as an increment (n,)."""
         flow = self.flow(at.values)
         time = self.t if t is None else t
-        rates = flow.model.rhs(time, at.x, flow.inputs(time), s=at.s)
-        rates = np.concatenate([flow.model.parts_of(at.x)[1], rates[self.model.nq :]])
+        rates = flow.rates(at.x, at.s, time)
+        rates = np.concatenate([self.model.parts_of(at.x)[1], rates[self.model.nq :]])
         return np.asarray(rates / self.units)
 
     # the section
@@ -206,26 +205,24 @@ class CycleProblem:
     def value(self, at: CycleState) -> float:
         """What passes zero at the section."""
         assert self.section is not None
-        flow = self.flow(at.values)
-        return self.section.value(flow.model, self.t, at.x, at.s, flow.inputs(self.t))
+        return self.section.value(self.flow(at.values), self.t, at.x, at.s)
 
     def on_section(self, at: CycleState) -> Array:
         """The state moved onto the section."""
         if self.normal is None:
             return at.x
-        x = at.x
+        x, size, last = at.x, float(np.linalg.norm(self.normal)), np.inf
         for _ in range(PROJECTIONS):
             value = self.value(CycleState(x, at.s, at.period, at.values))
-            ahead = CycleState(self.moved(x, SLOPE * self.normal), at.s, at.period, at.values)
-            slope = (self.value(ahead) - value) / SLOPE
-            change = -value / slope if slope else 0.0
-            if not abs(change) > 1e-15:
+            change = abs(value) * size
+            # what is left is rounding
+            if not change > CLOSE or change >= last:
                 break
-            x = self.moved(x, change * self.normal)
+            x, last = self.moved(x, -value * self.normal), change
         return x
 
     def normal_of(self, at: CycleState) -> Array | None:
-        """The direction (n,) in which the value at the section changes most; None off it."""
+        """The increment (n,) straight off the section over the change of its value; None off it."""
         if self.section is None:
             return None
         n = len(self.units)
@@ -238,4 +235,4 @@ class CycleProblem:
         ]
         gradient = np.array([(a - b) / (2 * SLOPE) for a, b in sides])
         size = float(np.linalg.norm(gradient))
-        return gradient / size if abs(self.value(at)) <= ON_SECTION * size else None
+        return gradient / size**2 if abs(self.value(at)) <= ON_SECTION * size else None

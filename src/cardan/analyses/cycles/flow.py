@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Mapping
+from copy import copy
 from dataclasses import dataclass, replace
 from typing import final
 
@@ -11,10 +12,11 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...runtime.calls.loaded_function import LoadedFunction
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..simulation import run_record as abi
-from ..simulation.discontinuities import stops_of
+from ..simulation.discontinuities import jumps, stops_of
 from ..simulation.events import EventTable
 from ..simulation.outcome import explain
 from ..simulation.run import Runner
@@ -50,7 +52,6 @@ class Flow:
     """Runs of a model with its parameters and inputs.
 
     Attributes:
-        model: The model, with its parameters.
         event_table: What may happen.
     """
 
@@ -58,7 +59,7 @@ class Flow:
         self,
         model: LoadedModel,
         how: Settings,
-        inputs: Mapping[str, object] | None,
+        inputs: Mapping[str, object],
         event_table: EventTable,
     ) -> None:
         """Args:
@@ -67,11 +68,48 @@ class Flow:
         inputs: Constants or functions by name.
         event_table: What may happen; terminal events end nothing here.
         """
-        self.model, self.event_table = model, _going_on(event_table)
+        self._base, self._how, self.event_table = model, how, _going_on(event_table)
+        self._parameters: dict[str, float] | None = None
+        self._named_inputs = dict(inputs)
         self._inputs: Signals = signals(model.manifest.inputs, inputs, None, (0.0, 0.0))
         self._runner: Runner = runner_of(model, how, self._inputs, self.event_table)
         self._runner.want(None, dense=False)
         self._begun = bytes(self._runner.record)
+        self._prepared: dict[str, Array] = {}
+
+    def changed(self, values: Mapping[str, float]) -> Flow:
+        """The same with other parameters and inputs; what runs is shared."""
+        inputs = {
+            **self._named_inputs,
+            **{n: v for n, v in values.items() if n in self._base.inputs},
+        }
+        parameters = {n: v for n, v in values.items() if n not in self._base.inputs}
+        if self._base.manifest.absolute:
+            # tables of elements are those of one set of parameters
+            model = self._base.with_parameters(parameters)
+            return Flow(model, self._how, inputs, self.event_table)
+        other = copy(self)
+        other._parameters = parameters or None
+        other._inputs = signals(self._base.manifest.inputs, inputs, None, (0.0, 0.0))
+        p = self._base._parameters.changed(parameters)
+        other._prepared = {name: one.prepared(p) for name, one in _called(self._runner).items()}
+        return other
+
+    @property
+    def model(self) -> LoadedModel:
+        """The model, with its parameters."""
+        return self._base.with_parameters(self._parameters) if self._parameters else self._base
+
+    def event_values(self, x: Array, s: Array, t: float) -> Array:
+        """Numbers (ne,) of the events of the model, which pass 0."""
+        q, u, z = self._base.parts_of(x)
+        base, r = self._base, self.inputs(t)
+        return np.asarray(base.events(q, u, z=z, s=s, t=t, r=r, parameters=self._parameters))
+
+    def rates(self, x: Array, s: Array, t: float) -> Array:
+        """xdot (nx,)."""
+        base, r = self._base, self.inputs(t)
+        return np.asarray(base.rhs(t, x, r, s=s, parameters=self._parameters))
 
     def end(self, x: Array, s: Array, t: float, end: float) -> tuple[Array, Array]:
         """State (nx,) and modes (ns,) at the end of a run.
@@ -101,8 +139,7 @@ class Flow:
 
     def motion(self, x: Array, s: Array, t: float, end: float) -> TrajectoryRecord:
         """The run as a motion."""
-        how = self._runner.settings
-        runner = runner_of(self.model, how, self._inputs, self.event_table)
+        runner = runner_of(self.model, self._how, self._inputs, self.event_table)
         runner.views["s"][:] = s
         return driven(runner, Span(t, end), Start(x, ()), False)
 
@@ -111,16 +148,20 @@ class Flow:
         return self._inputs.first(t)
 
     def _state(self) -> Array:
-        return self._runner.views["y"][: self.model.nx].copy()
+        return self._runner.views["y"][: self._base.nx].copy()
 
     def _run(self, x: Array, s: Array, t: float, end: float, stop: Callable[[Array], bool]) -> None:
         """Go from a state to a time, or until the log of events says that it is enough."""
         runner, run = self._runner, self._runner.record
         ctypes.memmove(ctypes.addressof(run), self._begun, len(self._begun))
+        for name, w in self._prepared.items():
+            setattr(run, f"{name}_w", w.ctypes.data)
         runner.memory.fill(0.0)
+        runner.signals = self._inputs
         runner.adjust()
         runner.views["s"][:] = s
-        answer = runner.start(t, x, stops_of(self.model, self._inputs, t, end)) or abi.MORE
+        jumping = self.model if jumps(self._base) else self._base
+        answer = runner.start(t, x, stops_of(jumping, self._inputs, t, end)) or abi.MORE
         while answer in (abi.MORE, abi.FULL):
             run.count = 0
             answer = runner.drive(STEPS)
@@ -133,9 +174,18 @@ class Flow:
 
     def _passage(self, row: Array) -> Passage:
         """A row of the log of events."""
-        nx, first = self.model.nx, 1 + len(self.event_table.rows)
-        x, s, x_after, s_after = np.split(row[first:], np.cumsum([nx, self.model.ns, nx]).tolist())
+        nx, first = self._base.nx, 1 + len(self.event_table.rows)
+        x, s, x_after, s_after = np.split(row[first:], np.cumsum([nx, self._base.ns, nx]).tolist())
         return Passage(float(row[0]), row[1:first] != 0, x, s, x_after, s_after)
+
+
+def _called(runner: Runner) -> dict[str, LoadedFunction]:
+    """Functions of the model that a run calls, by their names in its record."""
+    names = (
+        *runner.closing.functions, *runner.settings.method.needs, *runner.event_table.functions
+    )  # fmt: skip
+    functions = dict(zip(("rhs", "power"), runner.functions, strict=False))
+    return functions | dict(zip(names, [*runner.closers, *runner.needed], strict=True))
 
 
 def _going_on(event_table: EventTable) -> EventTable:

@@ -11,7 +11,7 @@ from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
 from ..simulation.events import DIRECTIONS, EventTable, event_table_of
-from .flow import Passage
+from .flow import Flow, Passage
 from .named_states import named_state, state_names
 
 NAME = "section"  # of what is no event of the model
@@ -49,13 +49,12 @@ class Section:
 
         return ends
 
-    def value(self, model: LoadedModel, t: float, x: Array, s: Array, r: Array) -> float:
+    def value(self, flow: Flow, t: float, x: Array, s: Array) -> float:
         """What passes zero at the section."""
-        number = self.numbers[0]
-        if number < self.event_table.model:
-            q, u, z = model.parts_of(x)
-            return float(model.events(q, u, z=z, s=s, t=t, r=r)[number])
-        return self.event_table.watch(t, x)[number - self.event_table.model]
+        number, model = self.numbers[0], self.event_table.model
+        if number < model:
+            return float(flow.event_values(x, s, t)[number])
+        return self.event_table.watch(t, x)[number - model]
 
 
 def section_of(model: LoadedModel, section: object, where: object, crossing: int) -> Section:
