@@ -9,7 +9,8 @@ import pytest
 import sympy as sp
 
 import cardan as cd
-from cardan.errors import ModelError
+from analyses.interpreted import without_compiler
+from cardan.errors import ModelError, SolveWarning
 from cycle_scenes import (
     MULTIPLIERS,
     NEUTRAL_A,
@@ -245,6 +246,23 @@ def test_a_period_by_an_input() -> None:
     path = model.continuation(w=(1.5, 2.5), of="cycles", start=cycle)
     expected = 1 / np.hypot(4 - path["w"] ** 2, 0.2 * path["w"])
     np.testing.assert_allclose(path["x.max"], expected, rtol=1e-7)
+
+
+def test_without_a_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
+    model, omega = duffing()
+    start, tolerances = {"x": 1.2, "x.u": 0.8}, {"rtol": 1e-9, "atol": 1e-11}
+    period = 2 * sp.pi / omega
+    compiled = model.cycle(start, period=period, check=True, **tolerances)
+    slow = without_compiler(model, monkeypatch)
+    cycle = slow.cycle(start, period=period, check=True, **tolerances)
+    np.testing.assert_allclose(cycle.x, compiled.x, atol=1e-9)
+    options = {"of": "cycles", "points": 2, "step": 0.05}
+    with pytest.warns(SolveWarning, match=r"after 2 points"):
+        path = slow.continuation(omega=(1.4, 1.5), start=cycle, **options)
+    with pytest.warns(SolveWarning, match=r"after 2 points"):
+        expected = model.continuation(omega=(1.4, 1.5), start=compiled, **options)
+    np.testing.assert_allclose(path["x"], expected["x"], atol=1e-6)
+    np.testing.assert_allclose(path["omega"], expected["omega"], atol=1e-6)
 
 
 def test_paths_say_what_they_need(garcia: cd.CompiledModel) -> None:

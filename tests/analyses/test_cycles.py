@@ -132,6 +132,24 @@ def test_compass_gait() -> None:
     assert gait.motion["hip"][-1] == pytest.approx(-gait["hip"], abs=1e-9)
 
 
+def test_rimless_wheel() -> None:
+    """T. McGeer (1990): u^2 = 4 (g/l) sin a sin slope c^2 / (1 - c^2), c = cos 2a, multiplier c^2."""
+    half, slope, pull = np.pi / 8, 0.1, 9.81
+    scene = cd.Scene("wheel", gravity=(0, 0, -pull))
+    spoke = scene.body("spoke", mass=1.0, com=(0, 0, 1), inertia=(0, 0, 0))
+    scene.joint("angle", cd.Revolute("y"), scene.ground, spoke)
+    scene.force("strike", cd.Event(scene.q("angle") - slope - half, direction="up"))
+    c = np.cos(2 * half)
+    next_spoke = {"angle": ("angle", 1, -2 * half), "angle.u": ("angle.u", c)}
+    wheel = cd.compile(scene).cycle(
+        {"angle": slope - half, "angle.u": 1.5}, section="strike", symmetry=next_spoke, check=True
+    )
+    speed = np.sqrt(4 * pull * np.sin(half) * np.sin(slope) * c**2 / (1 - c**2))
+    assert wheel["angle.u"] == pytest.approx(speed, abs=STATES)
+    assert wheel["angle"] == pytest.approx(slope - half, abs=STATES)
+    assert wheel.multipliers == pytest.approx([c**2], abs=MULTIPLIERS)
+
+
 @pytest.mark.parametrize(
     ("mu", "period", "amplitude", "multiplier"),
     [
