@@ -133,7 +133,7 @@ def test_compass_gait() -> None:
 
 
 def test_rimless_wheel() -> None:
-    """T. McGeer (1990): u^2 = 4 (g/l) sin a sin slope c^2 / (1 - c^2), c = cos 2a, multiplier c^2."""
+    """T. McGeer (1990): u^2 = 4 (g/l) sin a sin slope c^2 / (1 - c^2), c = cos 2a."""
     half, slope, pull = np.pi / 8, 0.1, 9.81
     scene = cd.Scene("wheel", gravity=(0, 0, -pull))
     spoke = scene.body("spoke", mass=1.0, com=(0, 0, 1), inertia=(0, 0, 0))
