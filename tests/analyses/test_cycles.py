@@ -69,7 +69,7 @@ def test_simplest_walker(
     assert len(gait.multipliers) == 3
     assert abs(gait.multipliers[2]) < 1e-7
     assert gait.stable == (abs(multiplier) < 1)
-    assert gait.iterations <= 8
+    assert gait.iterations <= 6
 
 
 def test_mid_stride_is_left_out_by_a_condition(garcia: cd.CompiledModel) -> None:

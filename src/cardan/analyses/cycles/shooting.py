@@ -14,7 +14,7 @@ from .cycle_problem import CycleProblem, CycleState
 NEWTON, HALVINGS = 30, 8
 FINE = 0.1  # of the steps that differences take: runs bend more than forces do
 CHORD = 1e-6  # residuals below which the derivative of a lap stays as it is
-ROUNDING = 1e-9  # residuals of cycles
+ROUNDING, CLOSED = 1e-9, 1e-13  # residuals of cycles, and those that are enough
 SINGULAR = 1e-9  # of the largest singular value: directions along which cycles form families
 
 
@@ -119,7 +119,7 @@ def solve(shooting: Shooting, start: CycleState) -> Solved:
             break
         at, left = step
         sizes.append(_size(left))
-        if sizes[-1] < CHORD and sizes[-1] > 0.1 * sizes[-2]:
+        if sizes[-1] < CLOSED or (sizes[-1] < CHORD and sizes[-1] > 0.1 * sizes[-2]):
             break
     s = shooting.problem.lap(at).s
     settled = bool((s == at.s).all())
