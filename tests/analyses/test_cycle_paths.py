@@ -177,6 +177,33 @@ def test_limit_cycles_begin_at_a_hopf_point() -> None:
     assert back["x.max"][-1] == pytest.approx(2 * np.sqrt(0.2), rel=1e-2)
 
 
+def test_relaxation_oscillations() -> None:
+    """Van der Pol at mu = 10: the return by another program, and the integral of the trace."""
+    from scipy.integrate import solve_ivp
+
+    model = oscillator(lambda scene, x, v: scene.parameter("mu", 1.0) * (1 - x**2) * v - x)
+    cycle = model.cycle({"x": 2.0}, check=True)
+    path = model.continuation(mu=(1.0, 10.0), of="cycles", start=cycle)
+    assert kinds(path) == ["event"]
+    assert (np.diff(path["period"]) > 0).all()
+
+    def rates(t: float, y: Any) -> list[float]:
+        return [y[1], 10 * (1 - y[0] ** 2) * y[1] - y[0], 10 * (1 - y[0] ** 2)]
+
+    def top(t: float, y: Any) -> float:
+        return float(y[1])
+
+    top.direction = -1.0  # type: ignore[attr-defined]
+    tolerances = {"method": "LSODA", "rtol": 1e-12, "atol": 1e-13}
+    run = solve_ivp(rates, (0, 60), [2.01, 0.0, 0.0], events=top, **tolerances)
+    before, after = run.t_events[0][-2:]
+    assert path["period"][-1] == pytest.approx(after - before, abs=1e-8)
+    trace = run.y_events[0][-1][2] - run.y_events[0][-2][2]
+    # far below the rounding of differences
+    assert np.exp(trace) < 1e-30
+    assert path["multiplier"][-1] < 1e-6
+
+
 def harmonic_balance(omega: float, x: Any) -> Any:
     """A cycle of the forced oscillator by Fourier collocation at 61 points."""
     from scipy.optimize import fsolve

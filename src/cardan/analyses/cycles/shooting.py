@@ -12,7 +12,7 @@ from ..systems.central_differences import by_differences
 from .cycle_problem import CycleProblem, CycleState
 
 NEWTON, HALVINGS = 30, 8
-FINE = 0.1  # of the steps that differences take: runs bend more than forces do
+FINE = 0.02  # of the steps that differences take: runs bend more than forces do
 CHORD = 1e-6  # residuals below which the derivative of a lap stays as it is
 ROUNDING, CLOSED = 1e-9, 1e-13  # residuals of cycles, and those that are enough
 SINGULAR = 1e-9  # of the largest singular value: directions along which cycles form families
