@@ -61,3 +61,82 @@ def follower_column(elements: int, EI: float = 100.0) -> cd.CompiledModel:
     push = cd.Force(beam.end, (-scene.parameter("P", 0.0), 0, 0), in_=beam.end)
     scene.force("push", push)
     return cd.compile(scene)
+
+
+def lee_frame(elements: int, known: dict[str, float], shear: float = 5 / 6) -> cd.CompiledModel:
+    """A column and a beam with a stiff corner, hinged at their ends, under P near the corner.
+
+    Source: S.-L. Lee, F. S. Manuel, E. C. Rossow (1968).
+
+    Args:
+        elements: Of the whole, 16 or a multiple of that.
+        known: Of the reference: L, E, nu, A, I.
+        shear: Factor of GA.
+    """
+    scene, L, E = cd.Scene("lee", gravity=(0, 0, 0)), known["L"], known["E"]
+    G = E / (2 * (1 + known["nu"]))
+    EA, EI = E * known["A"], E * known["I"]
+    section = cd.section.general(EA=EA, GA=shear * G * known["A"], GJ=EI, EI=EI)
+    part = elements // 16
+    column = scene.beam("column", (0, 0, 0), (0, 0, L), section, elements=7 * part, up="y")
+    short = scene.beam("short", column.end, (0.2 * L, 0, L), section, elements=2 * part, up="y")
+    long = scene.beam("long", short.end, (L, 0, L), section, elements=7 * part, up="y")
+    scene.joint("foot", cd.Revolute("y"), scene.ground, column.start)
+    scene.joint("hinge", cd.Revolute("y"), scene.ground.at(L, 0, L), long.end)
+    scene.force("load", cd.Force(short.end, (0, 0, -scene.parameter("P", 0.0))))
+    scene.output("v", L - short.end.position()[2], unit="m")
+    return cd.compile(scene, plane="y")
+
+
+def narrow_frame(elements: int, known: dict[str, float]) -> cd.CompiledModel:
+    """A clamped right angle of narrow arms in a plane, pulled at its end within the plane.
+
+    Source: J. H. Argyris (1979).
+
+    Args:
+        elements: Of both arms.
+        known: Of the reference: L, h, b, E, nu.
+    """
+    scene, L, E, h, b = cd.Scene("frame"), *(known[name] for name in ("L", "E", "h", "b"))
+    G, scene.gravity = E / (2 * (1 + known["nu"])), (0, 0, 0)
+    section = cd.section.general(
+        EA=E * h * b, GA=G * h * b, GJ=G * h * b**3 / 3, EI=(E * b * h**3 / 12, E * h * b**3 / 12)
+    )
+    half = elements // 2
+    one = scene.beam("one", scene.ground, (L, 0, 0), section, elements=half, up="y")
+    two = scene.beam("two", one.end, (L, -L, 0), section, elements=half, up="x")
+    scene.force("load", cd.Force(two.end, (scene.parameter("P", 0.0), 0, 0)))
+    for name, x in zip("xyz", two.end.position(), strict=True):
+        scene.output(name, x, unit="m")
+    return cd.compile(scene)
+
+
+def heated_beam(elements: int, known: dict[str, float]) -> cd.CompiledModel:
+    """A beam between walls that would stretch by e if it could; it bends in a plane."""
+    scene = cd.Scene("heated", gravity=(0, 0, 0))
+    rise, material = scene.parameter("e", 0.0), cd.material(expansion=1.0)
+    EA, EI = known["EA"], known["EI"]
+    section = cd.section.general(EA=EA, GA=EA / 2.6, GJ=EI, EI=EI)
+    half = elements // 2
+    one = scene.beam(
+        "one", scene.ground, (0.5, 0, 0), section, material, elements=half, temperature=rise
+    )
+    scene.beam(
+        "two", one.end, scene.ground.at(1, 0, 0), section, material, elements=half, temperature=rise
+    )
+    scene.output("w", one.end.position()[2], unit="m")
+    return cd.compile(scene, plane="y")
+
+
+def tall_cantilever(elements: int, known: dict[str, float]) -> cd.CompiledModel:
+    """A cantilever with a section that is tall along its tip load P, and buckles aside.
+
+    Source: L. Prandtl (1899); A. G. M. Michell (1899).
+    """
+    scene = cd.Scene("tall", gravity=(0, 0, 0))
+    section = cd.section.general(
+        EA=known["EA"], GA=known["GA"], GJ=known["GJ"], EI=(known["EI_strong"], known["EI_weak"])
+    )
+    beam = scene.beam("beam", scene.ground, (1, 0, 0), section, elements=elements, up="z")
+    scene.force("load", cd.Force(beam.end, (0, 0, -scene.parameter("P", 0.0))))
+    return cd.compile(scene)

@@ -6,12 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from ..simulation.progress import Show
-from .curve import Curve, trace
+from .curve import Curve
 from .family import Family, length
 from .follow import Place, Reach, place
 from .record import BranchRecord, ContinuationRecord
 from .solutions import Solutions
 from .special_points import BRANCH, Special, Test, Watch
+from .tracing import trace
 
 MAIN = "main"
 SAME = 1e-6  # lengths of increments between points that are one
@@ -111,8 +112,10 @@ class Tracer:
     def _traced(self, name: str, of: Solutions, first: Place, show: Show) -> Curve:
         """The curve through a place."""
         curve = Curve(of.family, [first])
-        tests = self.tests(of)
-        watch = Watch(of.count, of.growth, of.oscillation, of.onsets, tests, self.points)
+        watch = Watch(
+            of.count, of.growth, of.oscillation, of.onsets, self.tests(of), self.points,
+            corner=of.corner,
+        )  # fmt: skip
 
         def on_step(curve: Curve) -> None:
             show(len(curve.places) / self.points)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import final
+from dataclasses import dataclass, field
+from typing import Any, final
 
 import numpy as np
 from scipy.linalg import qr
@@ -12,14 +12,14 @@ from scipy.sparse import csr_array, diags_array, issparse
 from ...arrays import Array
 from ...errors import SolveError
 from ..statics.load_path import Loading
-from ..statics.static_problem import Load, Point, Problem
+from ..statics.static_problem import Load, Point, Problem, scaled
 from ..systems.saddle_point import FULL, RANK, Matrix, Sparse
 from ..systems.sparse_saddle_point import SparseSaddle
 from .block_elimination import SaddleJacobian
 from .family import DenseJacobian, Jacobian
 
-# of the range of the load: steps of differences of order 4, where those leave the domain of order 1
-LOAD_STEP, SHORT_STEP = 1e-3, 1e-7
+# of the range of the load: steps of differences of order 2, where those leave the domain of order 1
+LOAD_STEP, SHORT_STEP = 1e-4, 1e-7
 FREE = 1e-11  # of the largest stiffness: what is free still
 NODE = 6  # speeds of a node: lengths of increments count nodes, and do not grow with the mesh
 
@@ -60,6 +60,8 @@ class EquilibriumFamily:
     unit: float
     weights: Array
     free: Array
+    # the point whose residual was asked for last, and that
+    _last: list[Any] = field(default_factory=list, repr=False)
 
     @classmethod
     def of(cls, problem: Problem, way: Loading, point: Point, s: float = 0.0) -> EquilibriumFamily:
@@ -90,8 +92,12 @@ class EquilibriumFamily:
 
     def residual(self, at: Loaded) -> Array:
         """Same as :meth:`.Family.residual`."""
-        force, gap = self.problem.residual(at.point, at.load)
-        return np.concatenate([force / self.unit, gap])
+        last = self._last
+        if not last or last[0] is not at:
+            force, gap = self.problem.residual(at.point, at.load)
+            last[:] = at, np.concatenate([force / self.unit, gap])
+        residual: Array = last[1]
+        return residual
 
     def moved(self, at: Loaded, dz: Array) -> Loaded:
         """Same as :meth:`.Family.moved`."""
@@ -106,15 +112,16 @@ class EquilibriumFamily:
         x, y = self.problem.step(before.point, after.point)
         return np.concatenate([x, y / self.unit, [after.s - before.s]])
 
-    def jacobian(self, at: Loaded) -> Jacobian:
+    def jacobian(self, at: Loaded, rough: bool = False) -> Jacobian:
         """Same as :meth:`.Family.jacobian`."""
         K, G = self.problem.tangent(at.point, at.load)
         K = self._anchored(K)
-        by_load = self._by_load(at)
+        by_load = self._by_load(at, rough)
         core = self._core
         if core is None or sum(G.shape) <= FULL:
             return DenseJacobian(_dense(_array(K) / self.unit, _array(G), by_load))
-        return SaddleJacobian(csr_array(K / self.unit), G, by_load, core)
+        inverse = np.full(K.shape[0], 1.0 / self.unit)
+        return SaddleJacobian(scaled(K, inverse, np.ones(K.shape[0])), G, by_load, core)
 
     def _anchored(self, K: Matrix) -> Matrix:
         """A stiffness with springs on directions that are free still: nothing pushes along them."""
@@ -141,22 +148,24 @@ class EquilibriumFamily:
         system = self.problem.system
         return len(system.columns) + len(system.internals)
 
-    def _by_load(self, at: Loaded) -> Array:
+    def _by_load(self, at: Loaded, rough: bool) -> Array:
         """Derivative of the residual by the place of the load (n,)."""
+        here = self.residual(at)
 
         def off(h: float) -> Array:
             load = self.way.at(at.s + h)
-            return self.residual(replace(at, load=load, point=self.problem.under(at.point, load)))
+            force, gap = self.problem.residual(self.problem.under(at.point, load), load)
+            return np.concatenate([force / self.unit, gap])
 
-        h = LOAD_STEP
         try:
-            odd = [off(h) - off(-h), off(2 * h) - off(-2 * h)]
-            slope: Array = (8 * odd[0] - odd[1]) / (12 * h)
+            if rough:
+                return (off(SHORT_STEP) - here) / SHORT_STEP
+            slope: Array = (off(LOAD_STEP) - off(-LOAD_STEP)) / (2 * LOAD_STEP)
             if np.isfinite(slope).all():
                 return slope
         except SolveError:
             pass
-        return (off(SHORT_STEP) - off(0.0)) / SHORT_STEP
+        return (off(SHORT_STEP) - here) / SHORT_STEP
 
 
 def _array(matrix: Matrix) -> Array:

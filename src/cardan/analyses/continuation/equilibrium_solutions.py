@@ -21,11 +21,12 @@ from ..statics.static_problem import Problem
 from ..statics.statics import sweepable
 from ..systems import dynamic_system_of
 from .equilibria import EquilibriumFamily, Loaded
-from .follow import Place, place
+from .follow import Place, Step, place
+from .mode_changes import corner_within
 from .path_request import PathRequest, PathStart
 from .quantities import quantity
 from .solutions import Quantity, Solutions
-from .special_points import FOLD, HOPF, Onset, Special, Test
+from .special_points import FOLD, HOPF, Corner, Onset, Special, Test
 from .stability_cache import StabilityCache
 
 
@@ -83,6 +84,11 @@ class EquilibriumSolutions:
     def growth(self, place: Place) -> tuple[float, float]:
         """Same as :meth:`.Solutions.growth`."""
         return self.stabilities.growth(place)
+
+    def corner(self, step: Step, number: int) -> Corner | None:
+        """Same as :meth:`.Solutions.corner`: where stops, latches and friction change."""
+        names = [row.name for row in self.model.manifest.events]
+        return corner_within(self.family, names, step, number)
 
     @property
     def oscillation(self) -> str:

@@ -79,8 +79,8 @@ class Family(Protocol):
             SolveError: the point lies outside of a domain.
         """
 
-    def jacobian(self, point: Point) -> Jacobian:
-        """J at a point.
+    def jacobian(self, point: Point, rough: bool = False) -> Jacobian:
+        """J at a point; ``rough``: as exact as steps of Newton's method ask for.
 
         Raises:
             SolveError: the point lies outside of a domain.

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -22,7 +22,7 @@ from .family import Bordered, Family, Point, length, row
 
 NEWTON = 8
 # residuals that are rounding; corrections, as a part of the reach, whose square would be
-ROUNDING, TIGHT, NOISE = 1e-13, 1e-9, 1e-7
+ROUNDING, TIGHT, NOISE, NEARLY = 1e-13, 1e-9, 1e-7, 1e-4
 # contraction and turn [rad] that steps aim at, the turn that is refused, and growth of a step
 CONTRACTION, TURN, SHARP, GROWTH = 0.05, 0.3, 0.6, 2.0
 FIRST, LONGEST, SHORTEST = 0.02, 0.25, 1e-9
@@ -82,19 +82,20 @@ def corrected(
         guess: An increment to begin with, the tangent by default.
 
     Returns:
-        The point, the contraction of the first corrections, and their number.
+        The point, the contraction of the corrections as that of the first two in quadratic
+        convergence, and their number.
 
     Raises:
         SolveError: there is none next to it.
     """
     across = row(family, start.tangent)
     dz = ds * start.tangent if guess is None else guess
-    point, last, theta = family.moved(start.point, dz), math.inf, 0.0
+    point, theta, sizes = family.moved(start.point, dz), 0.0, list[float]()
     none, moved, off = np.zeros((len(across[0]) - 1, 0)), 0.0, ds - float(across[0] @ dz)
     for k in range(NEWTON):
         left = family.residual(point)
         try:
-            by: Bordered = family.jacobian(point).bordered(across, none)
+            by: Bordered = family.jacobian(point, rough=True).bordered(across, none)
             correction = by.solve(-left, np.array([off]))[0]
             size = length(family, correction)
             moved += size
@@ -105,15 +106,28 @@ def corrected(
             if not off and np.abs(left).max(initial=0.0) <= ROUNDING:
                 return point, theta, k + 1
             raise
-        if k == 1:
-            theta = size / last if last > TIGHT else 0.0
-        if k and size > TIGHT and size > DIVERGED * last:
+        if sizes:
+            theta = _rate(theta, sizes, size)
+        # in slender beams every other correction is one of their stretch, and may be larger
+        if k > 1 and size > TIGHT and size > DIVERGED * sizes[-2]:
             raise SolveError("the corrections do not converge")
         point = family.moved(point, correction)
-        if size <= TIGHT or (size <= NOISE and size >= 0.5 * last):
+        if size <= TIGHT or (sizes and size <= NOISE and size >= 0.5 * sizes[-1]):
             return point, theta, k + 1
-        last, off = size, 0.0
+        sizes.append(size)
+        off = 0.0
+        if size <= NEARLY:
+            # what is left may be rounding: the same factors tell
+            more = by.solve(-family.residual(point), np.zeros(1))[0]
+            if (last := length(family, more)) <= TIGHT:
+                return family.moved(point, more), _rate(theta, sizes, last), k + 1
     raise SolveError("the corrections do not converge")
+
+
+def _rate(theta: float, sizes: list[float], size: float) -> float:
+    """The contraction of the first corrections that the latest one speaks of, or a smaller one."""
+    rate = (size / sizes[-1]) ** 0.5 ** (len(sizes) - 1) if sizes[-1] > TIGHT else 0.0
+    return rate if len(sizes) == 1 else min(theta, rate)
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,6 +146,10 @@ class Step:
     ds: float
     corrections: int
     refused: int
+
+    def shortened(self, after: Place, part: float) -> Step:
+        """The step up to a place at a part of it."""
+        return replace(self, after=after, ds=part * self.ds)
 
     def at(self, family: Family, part: float) -> Place:
         """The place at a part of the step, 0 to 1.

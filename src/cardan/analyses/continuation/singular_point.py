@@ -25,13 +25,15 @@ from ...arrays import Array
 from ...errors import SolveError
 from .family import Bordered, Family, Point, length
 
-NEWTON, TIGHT, NOISE = 14, 1e-11, 1e-8
+NEWTON, TIGHT, NOISE = 14, 1e-11, 1e-5
 FAR = 0.5  # increments that lead away from where the search began
 DIFFERENCE = 1e-4  # increments over which J is differentiated: it only steers Newton's method
-UNFOLDED = 1e-9  # unfolding parameters above this: curves pass each other
-SINGULAR = 1e-7  # singular values below this are 0
+# of the smallest singular value that is not 0: those that are, and unfolding parameters above which
+# curves pass each other; and what rounding leaves of either
+SINGULAR, UNFOLDED = 1e-4, 1e-9
+ROUNDING = 1e-14
 RADIUS = 0.02  # of the sphere
-CHORD, CLOSED = 30, 1e-14  # iterations on the surface, and what may be left
+CHORD, CLOSED, SLOW = 30, 1e-14, 0.3  # iterations on the surface, what may be left, contraction
 SAMPLES, STARTS = 36, 120  # on a circle, on spheres of more dimensions
 SAME = 1e-3  # directions nearer than this are one
 LEVELS = 3  # radii that are halved, for extrapolation
@@ -47,6 +49,7 @@ class SingularPoint:
         V: Its null space (N, k + 1), orthonormal in lengths of increments.
         B: The left null space (n, k).
         by: The bordered system with these.
+        uncertainty: Length of an increment within which rounding leaves the point.
     """
 
     family: Family
@@ -54,6 +57,7 @@ class SingularPoint:
     V: Array
     B: Array
     by: Bordered = field(repr=False)
+    uncertainty: float
 
     @property
     def k(self) -> int:
@@ -70,15 +74,21 @@ class SingularPoint:
         Raises:
             SolveError: the surface does not reach so far.
         """
-        dz, beta, last = self.V @ a, np.zeros(self.k), np.inf
+        dz, beta, last, by = self.V @ a, np.zeros(self.k), np.inf, self.by
         for _ in range(CHORD):
-            left = self.family.residual(self.family.moved(self.point, dz)) + self.B @ beta
-            more, change = self.by.solve(-left, a - self._rows @ dz)
+            point = self.family.moved(self.point, dz)
+            left = self.family.residual(point) + self.B @ beta
+            more, change = by.solve(-left, a - self._rows @ dz)
             size = max(length(self.family, more), float(np.abs(change).max(initial=0.0)))
+            if size > SLOW * last and size > CLOSED:
+                # factors of the singular point lead no further
+                by = self.family.jacobian(point).bordered(self._rows, self.B)
+                more, change = by.solve(-left, a - self._rows @ dz)
+                size = max(length(self.family, more), float(np.abs(change).max(initial=0.0)))
             dz, beta = dz + more, beta + change
             if size <= CLOSED or (size <= 1e3 * CLOSED and size >= 0.5 * last):
                 return dz, beta
-            if not size <= 2 * last:
+            if not size <= FAR:
                 break
             last = size
         raise SolveError("the surface of solutions does not reach so far")
@@ -121,28 +131,35 @@ def singular_point(family: Family, start: Point, k: int) -> SingularPoint:
         point = family.moved(point, dz)
         jacobian = family.jacobian(point)
         if size <= TIGHT or (size <= NOISE and size >= 0.5 * last):
-            if np.abs(beta).max(initial=0.0) > UNFOLDED:
-                break
-            return _orthonormal(family, point, k)
+            return _orthonormal(family, point, k, float(np.abs(beta).max(initial=0.0)), size)
         last = size
         B = np.linalg.qr(psi)[0]
         rows = V.T / np.linalg.norm(V, axis=0)[:, None]
     raise SolveError("no singular point next to the start")
 
 
-def _orthonormal(family: Family, point: Point, k: int) -> SingularPoint:
+def _orthonormal(
+    family: Family, point: Point, k: int, unfolded: float, uncertainty: float
+) -> SingularPoint:
     """The point with its null spaces.
 
     Raises:
-        SolveError: J has not lost so much of its rank.
+        SolveError: J has lost another number of its rank, or curves pass each other.
     """
     jacobian = family.jacobian(point)
     values, B, V = jacobian.weakest(k)
-    if values.max() > SINGULAR:
+    more = jacobian.weakest(k + 1)[0]
+    next_value = float(more.max()) if len(more) > k else 1.0
+    if (
+        next_value <= ROUNDING
+        or values.max() > SINGULAR * next_value
+        or unfolded > max(UNFOLDED * next_value, ROUNDING)
+    ):
         raise SolveError("no singular point next to the start")
     gram = V.T @ (family.weights[:, None] * V)
     V = np.linalg.solve(np.linalg.cholesky(gram), V.T).T
-    return SingularPoint(family, point, V, B, jacobian.bordered((family.weights[:, None] * V).T, B))
+    by = jacobian.bordered((family.weights[:, None] * V).T, B)
+    return SingularPoint(family, point, V, B, by, uncertainty)
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,8 +8,8 @@ from typing import Protocol, TypeAlias
 from ...arrays import Array
 from ...runtime.models.loaded_model import LoadedModel
 from .family import Family, Point
-from .follow import Place
-from .special_points import Onset, Special
+from .follow import Place, Step
+from .special_points import Corner, Onset, Special
 
 Quantity: TypeAlias = Callable[[Point], float]
 Solution: TypeAlias = object  # as users take it: an equilibrium, a position, a cycle
@@ -56,6 +56,14 @@ class Solutions(Protocol):
 
         Raises:
             SolveError: nothing oscillates, or it is not known.
+        """
+
+    def corner(self, step: Step, number: int) -> Corner | None:
+        """The first place within a step behind which the equations are others; None without any.
+
+        Args:
+            step: A step of a path.
+            number: Of the place from which it goes.
         """
 
     @property

@@ -11,7 +11,7 @@ Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), sections
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.optimize import brentq
@@ -27,6 +27,8 @@ EXACT = 1e-13  # of a step: places of test functions
 NARROW, THIN = 0.05, 2.0**-30  # of a step: where points are looked for, and given up
 NEAR = 2.0  # widths of a bracket within which a point must lie
 MOST_LOST = 3  # of the rank
+# length of increments that rounding leaves of a singular point; halvings that tell it better
+UNCERTAIN, BISECTED = 1e-10, 40
 Count = Callable[[Place], int | None]
 
 
@@ -88,6 +90,20 @@ class Special:
 
 
 @dataclass(frozen=True, eq=False)
+class Corner:
+    """A point of a curve behind which the equations are others.
+
+    Attributes:
+        special: The point.
+        onward: The same point with the other equations, in the direction in which the curve goes
+            on; None where none is possible.
+    """
+
+    special: Special
+    onward: Place | None
+
+
+@dataclass(frozen=True, eq=False)
 class Watch:
     """What is looked for along a curve.
 
@@ -99,6 +115,7 @@ class Watch:
         tests: Events and ends.
         most: Places at most.
         switches: Whether curves that leave branch points are looked for.
+        corner: The first corner within a step from the place with a number; None without any.
     """
 
     count: Count
@@ -108,6 +125,7 @@ class Watch:
     tests: Sequence[Test] = ()
     most: int = 300
     switches: bool = True
+    corner: Callable[[Step, int], Corner | None] = lambda *_: None
 
 
 @dataclass(frozen=True, eq=False)
@@ -281,18 +299,33 @@ def _crossing(
         width = interval.high - interval.low
         if not interval.low - NEAR * width <= part <= interval.high + NEAR * width:
             continue
-        # J may have lost more of its rank than was asked for
-        if _loses_more(family, singular):
-            continue
         halves, tangent = _other_curves(family, singular, step, watch.switches)
         place = Place(singular.point, tangent, float(tangent[-1]), 0.0)
+        if singular.uncertainty > UNCERTAIN:
+            part, place = _bisected(family, watch, step, interval, place)
         return Special(BRANCH, "", place, number, part, singular, halves)
     return None
 
 
-def _loses_more(family: Family, singular: SingularPoint) -> bool:
-    values = family.jacobian(singular.point).weakest(singular.k + 1)[0]
-    return len(values) > singular.k and bool(values.max() <= 1e-7)
+def _bisected(
+    family: Family, watch: Watch, step: Step, interval: _Interval, place: Place
+) -> tuple[float, Place]:
+    """The place at which signs of pivots change: in slender beams they tell more than J does."""
+    low, high = interval.low, interval.high
+    for _ in range(BISECTED):
+        middle = 0.5 * (low + high)
+        try:
+            there = step.at(family, middle)
+        except SolveError:
+            break
+        count = watch.count(there)
+        if interval.change and count is not None:
+            behind = count != interval.counts[0]
+        else:
+            behind = there.orientation * interval.before.orientation < 0
+        low, high = (low, middle) if behind else (middle, high)
+        place = replace(there, tangent=place.tangent, parameter_rate=place.parameter_rate)
+    return high, place
 
 
 def _other_curves(

@@ -98,7 +98,7 @@ class CycleFamily:
             step = np.append(step, after.at.period / before.at.period - 1)
         return np.append(step, after.s - before.s)
 
-    def jacobian(self, point: CyclePoint) -> Jacobian:
+    def jacobian(self, point: CyclePoint, rough: bool = False) -> Jacobian:
         """Same as :meth:`.Family.jacobian`."""
         return DenseJacobian(self._matrix(point))
 

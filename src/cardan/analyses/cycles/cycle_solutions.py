@@ -11,10 +11,10 @@ import numpy as np
 from ...arrays import Array
 from ...errors import SolveError
 from ...runtime.models.loaded_model import LoadedModel
-from ..continuation.follow import Place
+from ..continuation.follow import Place, Step
 from ..continuation.path_request import PathRequest, PathStart
 from ..continuation.solutions import Quantity, Solutions
-from ..continuation.special_points import FOLD, Onset, Special
+from ..continuation.special_points import FOLD, Corner, Onset, Special
 from .cycle_family import CycleFamily, CyclePoint
 from .cycle_quantities import quantity
 from .cycle_record import CycleRecord, record_of
@@ -81,6 +81,10 @@ class CycleSolutions:
             raise SolveError("cycle: no pair of multipliers is complex")
         nearest = pairs[np.abs(np.log(np.abs(pairs))).argmin()]
         return float(np.log(np.abs(nearest))), float(np.angle(nearest))
+
+    def corner(self, step: Step, number: int) -> Corner | None:
+        """Same as :meth:`.Solutions.corner`: laps pass events, and end behind them."""
+        return None
 
     @property
     def oscillation(self) -> str:

@@ -52,6 +52,7 @@ STILL = 1e-7  # of the largest modulus: eigenvalues that are 0
 SQUARE = 1e-12  # the same of squares of frequencies
 FEW = 12  # modes of a sparse system if no number is given
 SHIFT = 1e-3  # rad/s next to 0
+NEAR_QUOTIENT = 1e-6  # of an eigenvalue: what its quotient may change
 ROUNDING = 2e-15  # of the stiffness of the parts of a shape: below it there is none
 FARTHEST = 1e-3  # of what the largest stiffness over the largest mass makes
 
@@ -255,7 +256,28 @@ def _resolved(values: Complex, shapes: Array | Complex, K: Matrix, C: Matrix, M:
     rounding = ROUNDING * np.einsum("ik,ik->k", size, abs(K) @ size)
     k, c, m = (np.einsum("ik,ik->k", shapes.conj(), matrix @ shapes) for matrix in (K, C, M))
     free = (np.abs(k) <= rounding) & (np.abs(values * m + c) > 0.5 * np.abs(c))
+    if _size(C) and _size(C + C.T) <= ALIKE * _size(C) and _size(K - K.T) <= ALIKE * _size(K):
+        values = _by_quotients(values, k.real, c.imag, m.real)
     return np.where(free, 0.0, values)
+
+
+def _by_quotients(values: Complex, k: Array, c: Array, m: Array) -> Complex:
+    """Eigenvalues (n,) of gyroscopic systems by x^H (K + values C + values^2 M) x = 0.
+
+    With K symmetric and C skew their errors are those of the shapes squared; far from the shift
+    those of the search are not.
+
+    Source: P. Lancaster, Lambda-Matrices and Vibrating Systems (1966), section 5.3.
+
+    Args:
+        values: Approximations.
+        k, c, m: Quotients (n,) of K, C / i and M.
+    """
+    root = np.sqrt(c**2 + 4 * k * m + 0j)
+    roots = 1j * np.stack([-c + root, -c - root]) / (2 * m)
+    nearest = roots[np.abs(roots - values).argmin(axis=0), np.arange(len(values))]
+    near = np.abs(nearest - values) <= NEAR_QUOTIENT * np.abs(values)
+    return np.where(near, nearest, values)
 
 
 def _first(

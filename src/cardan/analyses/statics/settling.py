@@ -49,7 +49,7 @@ def settled(problem: Problem, point: Point, load: Load, ways: tuple[str, ...]) -
     search = equilibrium_search(problem, point, load, ways[:1])
     for _ in range(CHANGES):
         spent += search.iterations
-        fits = search.converged and not _forbidden(problem, point, search.point).any()
+        fits = search.converged and not forbidden(problem, point, search.point).any()
         if fits:
             point = _sticking(problem, search.point)
             key = point.at.s.tobytes()
@@ -61,10 +61,10 @@ def settled(problem: Problem, point: Point, load: Load, ways: tuple[str, ...]) -
             spent += steps
             if not fired.any():
                 break
-            point = _fired(problem, crept_to, fired)
+            point = fired_at(problem, crept_to, fired)
         search = equilibrium_search(problem, point, load, ways[:1])
     search = equilibrium_search(problem, point, load, ways)
-    fits = search.converged and not _forbidden(problem, point, search.point).any()
+    fits = search.converged and not forbidden(problem, point, search.point).any()
     return replace(search, iterations=spent + search.iterations, converged=fits)
 
 
@@ -72,12 +72,12 @@ def with_modes(problem: Problem, point: Point, load: Load, search: Search) -> Se
     """Result of a search from a point, continued where modes forbid it."""
     if not problem.system.events or not search.converged:
         return search
-    if not _forbidden(problem, point, search.point).any():
+    if not forbidden(problem, point, search.point).any():
         return search
     return settled(problem, problem.under(point, load), load, ("full",))
 
 
-def _signs(problem: Problem, point: Point, way: Array | None = None) -> Array:
+def signs_of_modes(problem: Problem, point: Point, way: Array | None = None) -> Array:
     """Sign functions (ne,), of events that change modes; others are 1."""
     system, at = problem.system, point.at
     moving = replace(at, u=0 * at.u if way is None else SLOW * way)
@@ -86,10 +86,10 @@ def _signs(problem: Problem, point: Point, way: Array | None = None) -> Array:
     return np.where(of_modes, signs, 1.0)
 
 
-def _forbidden(problem: Problem, start: Point, point: Point) -> Booleans:
+def forbidden(problem: Problem, start: Point, point: Point) -> Booleans:
     """Mask of the events that would have occurred on the way to a point (ne,)."""
     way = problem.system.difference(start.at.q, point.at.q)
-    return np.asarray(_signs(problem, point, way) < -LACKING * _scales(problem, point))
+    return np.asarray(signs_of_modes(problem, point, way) < -LACKING * _scales(problem, point))
 
 
 def _scales(problem: Problem, point: Point) -> Array:
@@ -103,25 +103,25 @@ def _scales(problem: Problem, point: Point) -> Array:
 
 def _sticking(problem: Problem, point: Point) -> Point:
     """The point with the modes in which it stays: sliding that has come to rest sticks."""
-    system, signs = problem.system, _signs(problem, point)
+    system, signs = problem.system, signs_of_modes(problem, point)
     slides = np.array([kind == "mode" for _, kind, _ in system.events])
-    return _fired(problem, point, slides & (signs == 0))
+    return fired_at(problem, point, slides & (signs == 0))
 
 
 def _decided(problem: Problem, point: Point) -> Point:
     """The point with the modes of a start at rest."""
     for _ in range(CHANGES):
-        fired = _signs(problem, point) < 0
+        fired = signs_of_modes(problem, point) < 0
         if not fired.any():
             break
-        after = _fired(problem, point, fired)
+        after = fired_at(problem, point, fired)
         if np.array_equal(after.at.s, point.at.s):
             break
         point = after
     return point
 
 
-def _fired(problem: Problem, point: Point, fired: Booleans) -> Point:
+def fired_at(problem: Problem, point: Point, fired: Booleans) -> Point:
     """The point behind events, without speeds."""
     if not fired.any():
         return point
@@ -176,7 +176,7 @@ class _Way:
     def events(self, part: float) -> Booleans:
         """Mask of the events that have occurred up to there (ne,)."""
         way = self.x[: len(self.problem.system.columns)] * self.problem.system.columns
-        return np.asarray(_signs(self.problem, self.at(part), way) < 0)
+        return np.asarray(signs_of_modes(self.problem, self.at(part), way) < 0)
 
     def first(self) -> tuple[float, float]:
         """Parts next to each other between which the first event happens."""

@@ -14,7 +14,7 @@ import numpy as np
 from scipy.sparse import block_array, csr_array, diags_array, issparse
 
 from ...arrays import Array
-from ..systems.dynamic_system import DynamicSystem, Moment, Parameters, Tangents
+from ..systems.dynamic_system import DynamicSystem, Moment, Parameters
 
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
 
@@ -73,7 +73,7 @@ class Problem:
     def supported(self, point: Point, load: Load) -> Point:
         """The point with forces of constraint that balance it best."""
         system, tangents = self.system, self.system.tangents(point.at)
-        G = self._bound(tangents, load)
+        G = self._bound(tangents.G, load)
         if not G.shape[0]:
             return point
         # constraints bear forces, not the rates of internal states
@@ -107,10 +107,10 @@ class Problem:
     def tangent(self, point: Point, load: Load) -> tuple[Matrix, Matrix]:
         """K (nu + nz, nu + nz) and G (m + k, nu + nz)."""
         s, at = self.system, point.at
-        tangents = s.tangents(at)
-        G = self._bound(tangents, load)
-        stiffness = tangents.K
+        stiffness, constraints = s.stiffness(at)
+        G = self._bound(constraints, load)
         if load.u is not None:
+            tangents = s.tangents(at)
             # speeds follow the position, for the given ones to stay
             by, rates = s.steady_state_tangent(at, load.u)
             stiffness = stiffness + tangents.C @ by + tangents.M @ rates
@@ -173,10 +173,10 @@ class Problem:
         forces = np.concatenate([change, after.reaction_forces - before.reaction_forces])
         return np.concatenate([du, after.at.z - before.at.z]), forces
 
-    def _bound(self, tangents: Tangents, load: Load) -> Matrix:
+    def _bound(self, constraints: Matrix, load: Load) -> Matrix:
         """Constraints, then what is held, without units."""
         s = self.system
-        G = scaled(tangents.G, 1.0 / s.rows, s.columns)
+        G = scaled(constraints, 1.0 / s.rows, s.columns)
         if not load.locked:
             return G
         rows = [s.place(name)[1] for name in load.locked]
@@ -190,5 +190,7 @@ class Problem:
 def scaled(matrix: Matrix, left: Array, right: Array) -> Matrix:
     """A matrix with rows and columns in other units."""
     if issparse(matrix):
-        return csr_array(diags_array(left) @ matrix @ diags_array(right))
+        rows = csr_array(matrix)
+        data = rows.data * np.repeat(left, np.diff(rows.indptr)) * right[rows.indices]
+        return csr_array((data, rows.indices, rows.indptr), shape=rows.shape)
     return matrix * right * left[:, None]

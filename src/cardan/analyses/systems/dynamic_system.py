@@ -251,6 +251,9 @@ class DynamicSystem(Protocol):
     def tangents(self, at: Moment) -> Tangents:
         """K, C, M, R and G."""
 
+    def stiffness(self, at: Moment) -> tuple[Matrix, Matrix]:
+        """K and G of these alone, which equilibria need."""
+
     def loads(self, at: Moment) -> Array:
         """Sizes (nu,) of the loads that act, without units: weights, forces, not of springs."""
 

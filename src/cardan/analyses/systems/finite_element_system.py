@@ -30,7 +30,7 @@ from .central_differences import by_differences
 from .compiled_system import CompiledSystem
 from .dynamic_system import Internal, Moment, OutputJacobians, Parameters, Rates, Tangents
 from .rotating_frame import CorotatingMotion
-from .saddle_point import Dense, Saddle, Sparse, split
+from .saddle_point import Dense, Matrix, Saddle, Sparse, split
 from .sparse_saddle_point import SparseSaddle
 from .strained_elements import load_forces, load_tangent, refuse_mixed_forces, strain_energy
 
@@ -83,8 +83,6 @@ class FiniteElementSystem(CompiledSystem):
             state = replace(state, inner=at.inner, du=np.zeros(len(at.u)))
         return self._mesh(at.parameters), state
 
-    # where to begin
-
     def start(
         self, t: float, q: object, r: Array, locked: Mapping[str, object], p: Parameters
     ) -> Moment:
@@ -108,8 +106,6 @@ class FiniteElementSystem(CompiledSystem):
         place, speed, internal = model.parts_of(x)
         lam = np.zeros(len(self.multipliers))
         return Moment(t, place, speed, 0 * speed, lam, r, internal, self.modes, p)
-
-    # steady motions
 
     @cached_property
     def leading(self) -> NDArray[np.bool_]:
@@ -195,8 +191,6 @@ class FiniteElementSystem(CompiledSystem):
         """Same as :meth:`DynamicSystem.observer`: he turns along with the beams."""
         return self._corotating_motion.observer(at.q, at.u)
 
-    # equations
-
     def balance(self, at: Moment) -> Array:
         """Same as :meth:`DynamicSystem.balance`."""
         mesh, state = self._elements_and_state(at)
@@ -207,11 +201,20 @@ class FiniteElementSystem(CompiledSystem):
 
     def tangents(self, at: Moment) -> Tangents:
         """Same as :meth:`DynamicSystem.tangents`."""
+        return Tangents(*self._matrices(at, "KCMRG"))
+
+    def stiffness(self, at: Moment) -> tuple[Matrix, Matrix]:
+        """Same as :meth:`DynamicSystem.stiffness`."""
+        K, G = self._matrices(at, "KG")
+        return K, G
+
+    def _matrices(self, at: Moment, names: str) -> list[csr_array]:
+        """Some of the tangents by name."""
         mesh, state = self._elements_and_state(at)
-        blocks = mesh.mixed_tangent(state) if len(at.inner) else mesh.tangent(state)
+        blocks = (mesh.mixed_tangent if len(at.inner) else mesh.tangent)(state, tuple(names))
         if self.strain:
             blocks = {**blocks, "K": blocks["K"] - load_tangent(mesh, state)}
-        return Tangents(*(csr_array(blocks[name]) for name in "KCMRG"))
+        return [csr_array(blocks[name]) for name in names]
 
     def loads(self, at: Moment) -> Array:
         """Same as :meth:`DynamicSystem.loads`: not of joints, beams and springs."""

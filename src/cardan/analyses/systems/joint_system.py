@@ -22,7 +22,7 @@ from ..simulation.settings import blocks, start
 from ..simulation.starts.start import closed_start
 from .compiled_system import CompiledSystem
 from .dynamic_system import Internal, Moment, OutputJacobians, Parameters, Rates, Tangents
-from .saddle_point import Dense, Saddle
+from .saddle_point import Dense, Matrix, Saddle
 
 BALANCED = "balance", "balance_tangent"
 STRAINED = "strain_balance", "strain_energy"
@@ -142,6 +142,11 @@ class JointSystem(CompiledSystem):
         ends = np.cumsum([nu, nu, nu, m, m]) * nu
         K, C, M, R, G = (part.reshape(-1, nu) for part in np.split(flat, ends[:4]))
         return Tangents(K, C, M, R, G)
+
+    def stiffness(self, at: Moment) -> tuple[Matrix, Matrix]:
+        """Same as :meth:`DynamicSystem.stiffness`."""
+        tangents = self.tangents(at)
+        return tangents.K, tangents.G
 
     def _strain_tangents(self, at: Moment) -> Tangents:
         """Those of strains and constraints, which have neither damping nor mass."""

@@ -57,6 +57,8 @@ class SparseSaddle:
     elements: NDArray[np.integer]
     _planned: dict[bytes, _PlannedPattern] = field(default_factory=dict)
     _plans: dict[bytes, Plan] = field(default_factory=dict)
+    _units: dict[tuple[bytes, bool], tuple[Array, Array]] = field(default_factory=dict)
+    _last: tuple[tuple[NDArray[np.integer], ...], bytes] = (), b""
 
     @classmethod
     def of(cls, tables: Tables) -> SparseSaddle:
@@ -140,22 +142,32 @@ class SparseSaddle:
         self, K: csr_array, G: csr_array, symmetric: bool
     ) -> tuple[_PlannedPattern, BlockSolver]:
         """Plan of the pattern of K and G, and its factors."""
-        parts = (K.indptr, K.indices, G.indptr, G.indices)
-        key = sha256(b"".join(part.tobytes() for part in parts)).digest()
+        key = self._key((K.indptr, K.indices, G.indptr, G.indices))
         if key not in self._planned:
             if len(self._planned) == CACHED_PATTERNS:
                 self._planned.clear()
+                self._units.clear()
             self._planned[key] = self._look(K, G)
         planned = self._planned[key]
         values = np.bincount(
             planned.at, np.concatenate([K.data, G.data, G.data]), planned.plan.pattern.values
         ).astype(np.float64)
         by = solver(planned.plan)
+        units = balanced(planned.plan, values, start=self._units.get((key, symmetric)))
+        self._units[key, symmetric] = units
         try:
-            by.factor(values, *balanced(planned.plan, values), symmetric=symmetric)
+            by.factor(values, *units, symmetric=symmetric)
         except SolveError:
             raise Singular from None
         return planned, by
+
+    def _key(self, parts: tuple[NDArray[np.integer], ...]) -> bytes:
+        """A hash of a pattern; of the arrays that came last it is known."""
+        last, key = self._last
+        if not (len(last) == len(parts) and all(a is b for a, b in zip(last, parts, strict=True))):
+            key = sha256(b"".join(part.tobytes() for part in parts)).digest()
+            self._last = parts, key
+        return key
 
     def _blocks(self, n: int, m: int) -> Longs:
         """The block of every unknown (n + m,)."""

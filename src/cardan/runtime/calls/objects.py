@@ -114,6 +114,8 @@ class Objects:
         self.batches: dict[str, Batch] = {}
         self.lanes: dict[str, int] = {}
         self.tables: Any = None  # of elements: what no parameter changes
+        self.mesh: Any = None  # parameters (np,) and the elements that were loaded for them first
+        self.parameters_read: dict[str, frozenset[int]] = {}  # numbers, by what reads them
         self.sizes: dict[bytes, float] = {}  # of the mechanism, by parameters
         self.reference: tuple[tuple[Any, ...], Any] | None = (
             None  # of the last judgement, and for what

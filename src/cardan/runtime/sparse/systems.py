@@ -21,16 +21,22 @@ def assembled(plan: Plan, values: ArrayLike) -> csr_array:
     return csr_array((np.asarray(values, float), columns, starts), shape=(matrix.n, matrix.n))
 
 
-def balanced(plan: Plan, values: ArrayLike, sweeps: int = 6) -> tuple[Reals, Reals]:
+def balanced(
+    plan: Plan, values: ArrayLike, sweeps: int = 6, start: tuple[Reals, Reals] | None = None
+) -> tuple[Reals, Reals]:
     """Units of equations and unknowns (n,), (n,) that bring rows and columns near 1.
 
-    Units of symmetric matrices are equal.
+    Units of symmetric matrices are equal, where they start from such ones: 1, or those of a
+    matrix before.
 
     Source: D. Ruiz, A scaling algorithm to equilibrate both rows and columns norms, 2001.
     """
     columns, starts = plan.pattern.csr
     rows, transposed, begins = plan.pattern.transposed
     size, units = np.abs(np.asarray(values, float)), np.ones((2, plan.pattern.n))
+    if start is not None:
+        units *= start
+        size *= units[0][rows] * units[1][columns]
     for _ in range(sweeps):
         most = _largest(size, starts), _largest(size[transposed], begins)
         if all(np.all((x >= EVEN) & (x * EVEN <= 1)) for x in most):

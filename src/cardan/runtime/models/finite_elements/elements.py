@@ -5,7 +5,6 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 import scipy.sparse
@@ -149,15 +148,16 @@ class Elements(ABC):
             np.add.at(force, self.tables.columns(group), mixed[:, :nu] - plain[:, :nu])
         return force, gaps, rates
 
-    def mixed_tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
+    def mixed_tangent(
+        self, at: State, parts: Sequence[str] = PARTS
+    ) -> dict[str, scipy.sparse.csr_matrix]:
         """Same as :meth:`tangent`, likewise."""
-        matrices, changed = self.tangent(at), []
+        matrices, changes = self.tangent(at, parts), list[Array]()
         for group, (plain, mixed) in self._mixed("balance_tangent", at):
             nu, start = group.kind.nu, group.kind.parts["K"]
-            columns = self.tables.columns(group)
-            change = mixed[:, nu : nu + nu * nu] - plain[:, start : start + nu * nu]
-            changed.append(_entries(columns, columns, change))
-        K = matrices["K"] + _assembled(changed, (self.tables.nu, self.tables.nu))
+            changes.append(mixed[:, nu : nu + nu * nu] - plain[:, start : start + nu * nu])
+        numbers = [k for k, g in enumerate(self.tables.groups) if "mixed" in g.kind.functions]
+        K = matrices["K"] + self.tables.pattern("K", tuple(numbers)).matrix(changes)
         return matrices | {"K": scipy.sparse.csr_matrix(K)}
 
     def _mixed(self, form: str, at: State) -> list[tuple[Table, tuple[Array, Array]]]:
@@ -184,38 +184,20 @@ class Elements(ABC):
             of: True of the elements whose matrices they are.
         """
         tables = self.tables
-        entries: dict[str, list[tuple[Any, Any, Any]]] = {name: [] for name in parts}
         numbers = [k for k, g in enumerate(tables.groups) if "balance_tangent" in g.kind.functions]
         results = self.results("balance_tangent", at)
-        for number, values in zip(numbers, results, strict=True):
-            group = tables.groups[number]
-            if not of(group):
-                continue
-            columns, lines = tables.columns(group), tables.lines(number)
-            for name, start in group.kind.parts.items():
-                if name not in entries:
-                    continue
-                rows = lines if name in "RGHL" else columns
-                across = lines if name == "H" else columns
-                block = values[:, start : start + rows.shape[1] * across.shape[1]]
-                entries[name].append(_entries(rows, across, block))
-        height, width = (dict.fromkeys(PARTS, tables.nu) for _ in range(2))
-        height |= dict.fromkeys("RGHL", tables.m)
-        width["H"] = tables.m
-        shapes = {name: (height[name], width[name]) for name in PARTS}
-        return {name: _assembled(entries[name], shapes[name]) for name in parts}
+        pairs = [(k, x) for k, x in zip(numbers, results, strict=True) if of(tables.groups[k])]
+        matrices = {}
+        for name in parts:
+            having = [(k, x) for k, x in pairs if name in tables.groups[k].kind.parts]
+            pattern = tables.pattern(name, tuple(k for k, _ in having))
+            blocks = [_block(tables, name, k, x) for k, x in having]
+            matrices[name] = pattern.matrix(blocks)
+        return matrices
 
 
-def _entries(rows: Any, columns: Any, values: Array) -> tuple[Any, Any, Any]:
-    """Row, column and value of every entry of element matrices."""
-    n, height, width = len(values), rows.shape[1], columns.shape[1]
-    i = np.broadcast_to(rows[:, :, None], (n, height, width)).reshape(-1)
-    j = np.broadcast_to(columns[:, None, :], (n, height, width)).reshape(-1)
-    return i, j, values.reshape(-1)
-
-
-def _assembled(entries: list[tuple[Any, Any, Any]], shape: tuple[int, int]) -> Any:
-    if not entries:
-        return scipy.sparse.csr_matrix(shape)
-    i, j, values = (np.concatenate(part) for part in zip(*entries, strict=True))
-    return scipy.sparse.csr_matrix((values, (i, j)), shape=shape)
+def _block(tables: Tables, name: str, number: int, values: Array) -> Array:
+    """Numbers of a matrix among the results of a group (n, size)."""
+    rows, columns = tables.block(name, number)
+    start = tables.groups[number].kind.parts[name]
+    return values[:, start : start + rows.shape[1] * columns.shape[1]]

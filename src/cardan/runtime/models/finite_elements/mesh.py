@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
+from copy import copy
 from typing import Any, final
 
 import numpy as np
@@ -127,6 +128,27 @@ class Mesh(Elements):
         return ctypes.byref(self.record)
 
     # loading
+
+    def with_data(self, data: Sequence[Array]) -> Mesh:
+        """The same elements with other data; what is prepared from the same data is shared."""
+        with self._lock:
+            other = copy(self)
+            other.data = data
+            other._references = [*self._references]
+            other._codes, other._connected = dict(self._codes), set(self._connected)
+            other._approved = set(self._approved)
+            groups = type(self._groups).from_buffer_copy(self._groups)
+            other._groups = groups
+            other.record = MeshRecord.from_buffer_copy(self.record)
+            other.record.groups = ctypes.addressof(groups)
+            other._references.append(groups)
+            places = zip(groups, self.tables.groups, self.data, data, strict=False)
+            for record, group, before, after in places:
+                for name in self._connected.intersection(group.kind.functions):
+                    if after is not before:
+                        code = self._codes[group.kind.functions[name]]
+                        other._form(record.forms[FORMS.index(name)], code, after)
+            return other
 
     def _pointer(self, array: NDArray[Any] | None) -> int | None:
         if array is None:

@@ -253,6 +253,36 @@ def data_of(model: LoadedModel, group: Table) -> Array:
 
 def load(model: LoadedModel) -> Mesh:
     """The elements of a model at its parameters, ready to be asked."""
+    objects = model._objects
+    with objects.lock:
+        if objects.mesh is None:
+            objects.mesh = model.parameters.vector.copy(), _loaded(model)
+        vector, first = objects.mesh
+    mesh: Mesh = first
+    changed = {*np.flatnonzero(model.parameters.vector != vector).tolist()}
+    groups = zip(mesh.tables.groups, mesh.data, strict=True)
+    return mesh.with_data(
+        [
+            data if changed.isdisjoint(_read_by(model, group)) else data_of(model, group)
+            for group, data in groups
+        ]
+    )
+
+
+def _read_by(model: LoadedModel, group: Table) -> frozenset[int]:
+    """Numbers of the parameters that the data of a group depend on."""
+    if not group.common:
+        return frozenset()
+    read = model._objects.parameters_read
+    if group.common not in read:
+        function = model._objects.function(group.common)
+        nodes = (function.graph.nodes[i] for i in function.live())
+        read[group.common] = frozenset(node[2] for node in nodes if node[0] == "var")
+    return read[group.common]
+
+
+def _loaded(model: LoadedModel) -> Mesh:
+    """The same with all functions and data read."""
     group_tables = tables_of(model)
     objects = model._objects
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ....arrays import Array
 from ....schema.finite_elements import ElementKind, PlaceKind
+from .assembly_pattern import AssemblyPattern
 from .node_pose import Plane, pose, speeds
 
 Integers = NDArray[np.intp]
@@ -154,6 +155,29 @@ class Tables:
         kind, rows = self.groups[number].kind, self.rows[number]
         columns = [rows[:, :1] + np.arange(kind.mp), rows[:, 1:] + np.arange(kind.m - kind.mp)]
         return np.concatenate(columns, axis=1)
+
+    def block(self, name: str, number: int) -> tuple[Integers, Integers]:
+        """Global rows and columns (n, k), (n, l) of a matrix of the elements of a group.
+
+        Args:
+            name: One of K, C, M, by speeds both; R, G, L, by rows and speeds; H, by rows both.
+            number: Of the group.
+        """
+        rows = self.lines(number) if name in "RGHL" else self.columns(self.groups[number])
+        return rows, self.lines(number) if name == "H" else self.columns(self.groups[number])
+
+    def pattern(self, name: str, numbers: tuple[int, ...]) -> AssemblyPattern:
+        """Where the entries of such a matrix of some groups go; looked up once."""
+        patterns = self._patterns
+        if (name, numbers) not in patterns:
+            shape = self.m if name in "RGHL" else self.nu, self.m if name == "H" else self.nu
+            blocks = [self.block(name, number) for number in numbers]
+            patterns[name, numbers] = AssemblyPattern.of(blocks, shape)
+        return patterns[name, numbers]
+
+    @cached_property
+    def _patterns(self) -> dict[tuple[str, tuple[int, ...]], AssemblyPattern]:
+        return {}
 
     @cached_property
     def rotational_speeds(self) -> Integers:
