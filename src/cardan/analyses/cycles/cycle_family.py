@@ -17,6 +17,7 @@ from .cycle_problem import CycleProblem, CycleState
 from .multipliers import Complexes, monodromy, multipliers_of
 from .shooting import FINE, Phase, Shooting
 
+ROUGH = 1e-5  # increments of differences that steer Newton's method
 CACHED = 12  # derivatives, each of many runs
 NODE = 6  # increments: lengths do not grow with the system
 
@@ -99,8 +100,14 @@ class CycleFamily:
         return np.append(step, after.s - before.s)
 
     def jacobian(self, point: CyclePoint, rough: bool = False) -> Jacobian:
-        """Same as :meth:`.Family.jacobian`."""
-        return DenseJacobian(self._matrix(point))
+        """Same as :meth:`.Family.jacobian`; rough of second order, by half of the laps."""
+        if not rough or id(point) in self._jacobians:
+            return DenseJacobian(self._matrix(point))
+        columns = [
+            self.residual(self.moved(point, step)) - self.residual(self.moved(point, -step))
+            for step in ROUGH * np.eye(len(self.weights))
+        ]
+        return DenseJacobian(np.stack(columns, axis=1) / (2 * ROUGH))
 
     def _matrix(self, point: CyclePoint) -> Array:
         if id(point) not in self._jacobians:
