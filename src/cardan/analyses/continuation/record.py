@@ -14,6 +14,7 @@ from ...arrays import Array, Integers
 from ...errors import ModelError, counted, near
 from ...runtime.models.loaded_model import LoadedModel
 from .curve import Curve
+from .postbuckling import Postbuckling, postbuckling
 from .solutions import Solution, Solutions
 from .special_points import BRANCH, EVENT, Special
 
@@ -58,6 +59,18 @@ class SpecialPointRecord:
     def solution(self) -> Solution:
         """The equilibrium, position or cycle there, as ``path[k]`` is one."""
         return self.branch.solutions.record(self.special.place.point)
+
+    @checked
+    def postbuckling(self, name: str, load: str | None = None) -> Mapping[str, Postbuckling]:
+        """Koiter's a and b of every branch that leaves: P = P_c (1 + a x + b x^2).
+
+        Args:
+            name: Name of x, such as a coordinate that is 0 before.
+            load: Name of P; what is swept by default.
+        """
+        of = load or next(iter(self.values))
+        coefficients = postbuckling(self.branch.solutions, self.special, of, name)
+        return dict(zip(self.branches, coefficients, strict=True))
 
     def __getitem__(self, name: str) -> float:
         """A coordinate, output, swept value or holding force there."""
