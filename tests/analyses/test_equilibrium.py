@@ -132,6 +132,19 @@ def test_chain_and_catenary() -> None:
     np.testing.assert_allclose(orders, 2.0, atol=0.1)
 
 
+@pytest.mark.parametrize(("damping", "stable"), [(0.3, True), (0.0, True), (-0.3, False)])
+def test_dampers_may_feed(damping: float, stable: bool) -> None:
+    """x'' = -d x' - 2 x: growth -d / 2, though the spring holds it."""
+    scene = cd.Scene("fed", gravity=(0, 0, 0))
+    body = scene.body("body", mass=1.0, inertia=(1, 1, 1))
+    scene.joint("x", cd.Prismatic("x"), scene.ground, body)
+    force = -damping * scene.u("x") - 2 * scene.q("x")
+    scene.force("force", cd.JointForce("x", force))
+    rest = cd.compile(scene).equilibrium()
+    assert rest.stable is stable
+    assert rest.n_negative == 0
+
+
 @pytest.mark.parametrize(
     "name", some(["four_bar", "slider_crank", "parallelogram", "bricard", "delta"], 2)
 )

@@ -6,6 +6,7 @@ from typing import Any, final
 
 from numpy.typing import ArrayLike
 
+from ..analyses.cycles.cycle_record import CycleRecord
 from ..analyses.ensembles.sampling import Plan
 from ..analyses.identification.base_parameters import Base
 from ..analyses.linear.first_order import Choice
@@ -698,16 +699,20 @@ class CompiledModel(LoadedModel):
         step: float | None = None,
         check: bool = False,
         progress: bool | Callable[[float], None] | None = None,
+        start: object = None,
         **named: object,
     ) -> Continuation:
         """All equilibria that a load leads to, through limit loads: ``model.continuation(P=(0, 10))``.
 
+        Or all cycles: ``model.continuation(slope=(0.01, 0.02), of="cycles", start=gait)``.
+
         Args:
             swept, named: Parameter, input or ``t`` -> (start, end). The path ends at the end, and may
                 turn back and leave the range before. Several go together.
-            of: What the path consists of: ``"equilibria"``; or ``"positions"`` of a mechanism without
-                forces, of which coordinates are swept too: ``crank=(0, 6.28)``. Then folds are dead
-                points, branches meet where loops lose rank, and full turns are the same position.
+            of: What the path consists of: ``"equilibria"``; ``"cycles"``, motions that repeat; or
+                ``"positions"`` of a mechanism without forces, of which coordinates are swept too:
+                ``crank=(0, 6.28)``. Then folds are dead points, branches meet where loops lose rank,
+                and full turns are the same position.
             q: Coordinates to start from, by name or (nq,).
             locked: Coordinate -> value it keeps, or (start, end): displacements are prescribed.
             inputs, parameters: Values by name that stay, else those of the model.
@@ -716,12 +721,16 @@ class CompiledModel(LoadedModel):
                 swept, or ``<coordinate>.holding_force``.
             bounds: Name -> (low, high): the path ends where it leaves that range.
             events: Name -> value: where it is passed is noted.
-            branches: How many generations of branches to follow from branch points; True for all.
+            branches: How many generations of branches to follow from branch points, and of cycles from
+                period doublings; True for all.
             points: Points of a branch at most.
             step: Longest step, as a part of the size of the system, of a radian and of the range.
             check: Raise where the path ends in between, instead of warning.
             progress: Show a bar; by default where standard error is a terminal. Or a function of the
                 part of ``points`` that is done.
+            start: Of cycles: the cycle to start from, see ``model.cycle``, whose parameters and inputs
+                stay; or a Hopf point of equilibria or a period doubling of cycles, at which others
+                begin.
 
         Returns:
             The path and its branches, with folds, branch points, Hopf points and events in ``points``;
@@ -733,6 +742,67 @@ class CompiledModel(LoadedModel):
 
         Source: H. B. Keller, Applications of Bifurcation Theory (1977), 359-384; M. Géradin, A.
         Cardona, Flexible Multibody Dynamics (2001), chapter 9.
+        """
+    def cycle(
+        self,
+        start: Mapping[str, ArrayLike] | ArrayLike,
+        *,
+        period: object = None,
+        section: object = None,
+        where: object = None,
+        crossing: Count = 1,
+        symmetry: object = None,
+        laps: Count = 1,
+        settle: int = 0,
+        guess: float | None = None,
+        inputs: Mapping[str, object] | None = None,
+        parameters: Mapping[str, float] | None = None,
+        t: float = 0.0,
+        longest: float = 100.0,
+        method: str = "DOP853",
+        rtol: float = 1e-13,
+        atol: float = 1e-15,
+        check: bool = False,
+    ) -> CycleRecord:
+        """A motion that repeats, next to a start: ``model.cycle({"x": 1.0}, period=2 * np.pi / 1.4)``.
+
+        A lap ends after ``period``, where something forces the motion at known times; at the event
+        ``section``; or where it comes back, with an unknown period. Laps run through events and
+        impacts.
+
+        Args:
+            start: State to begin the search with: coordinates, speeds and internal states by name (the
+                rest as in ``simulate``), or (nx,).
+            period: Of a lap [s]; a function of the parameters and inputs by name, or a SymPy expression
+                in parameters. None: unknown, or that of the section.
+            section: The event that ends a lap: its name, or what ``events=`` of ``simulate`` takes such
+                as ``("elbow", 0.5)``, with a direction ``(("elbow", 0.5), "up")``.
+            where: What must hold before that event: name -> (low, high), or a function of the named
+                state that returns True.
+            crossing: Which of the events that fulfill it ends a lap, counted from 1.
+            symmetry: What the state behind a lap becomes: name -> the name whose value it takes,
+                ``(name, factor)`` or ``(name, factor, shift)``, speeds along with coordinates,
+                exchanged where named once; or a function of the named state that returns what changes.
+            laps: After how many laps the motion repeats.
+            settle: Laps to run before the search, by which a stable cycle is approached.
+            guess: Of an unknown period [s]; by default that of the first return.
+            inputs: Constants, or functions f(t, x) with the period, by name.
+            parameters: Values by name, else those of the model.
+            t: Time at which laps begin [s]; of laps that time ends not that of an impact.
+            longest: Time within which a lap must end [s].
+            method, rtol, atol: Of the runs, whose differences are taken.
+            check: Raise where no cycle is reached, instead of warning.
+
+        Returns:
+            The cycle, with its multipliers and its motion.
+
+        Raises:
+            ModelError: unknown names, a period besides a section, laps of a model that time drives
+                without a period. ArgumentError: wrong shapes.
+            SolveError: the first lap breaks down or does not end; with ``check``, no cycle.
+
+        Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), chapter 7; P. Holmes,
+        R. J. Full, D. Koditschek, J. Guckenheimer, SIAM Review 48 (2006), 207-304 (return maps).
         """
     def trim(
         self,

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 
 from ..simulation.progress import Show
-from .curve import BRANCH, Curve, Special, Test, Watch
+from .curve import Curve
 from .family import Family, length
 from .follow import Place, Reach, place
 from .record import BranchRecord, ContinuationRecord
 from .solutions import Solutions
+from .special_points import BRANCH, Special, Test, Watch
 from .tracing import trace
 
 MAIN = "main"
@@ -26,15 +27,19 @@ class _Junction:
     Attributes:
         name: ``"branch point 1 of 'main'"``.
         special: The point.
+        family: Whose.
         followed: Numbers of the branches.
     """
 
     name: str
     special: Special
+    family: Family
     followed: set[int] = field(default_factory=set)
 
     def is_at(self, family: Family, special: Special) -> bool:
         """True when a point of a curve is this one."""
+        if family is not self.family:
+            return False
         return length(family, family.step(self.special.place.point, special.place.point)) < SAME
 
     def passed(self, family: Family, special: Special) -> None:
@@ -44,54 +49,73 @@ class _Junction:
             if abs(along) > PARALLEL:
                 self.followed.add(k)
 
+    def leave(self, k: int) -> Place | None:
+        """The first place of a branch; None where it was followed."""
+        if k in self.followed:
+            return None
+        self.followed.add(k)
+        half = self.special.halves[k]
+        return place(self.family, half.point, half.direction)
+
+
+@dataclass(frozen=True, eq=False)
+class _Waiting:
+    """A branch that was not followed yet.
+
+    Attributes:
+        name: Its name.
+        first: The solutions that it consists of, and its first place; None where it was followed.
+        generations: How many may follow, with it.
+    """
+
+    name: str
+    first: Callable[[], tuple[Solutions, Place] | None]
+    generations: int
+
 
 @dataclass(eq=False)
 class Tracer:
     """Branches as they are followed.
 
     Attributes:
-        solutions: Of what.
-        tests: Ends and events.
+        tests: Ends and events of solutions.
         points: Of a branch at most.
         reach: Controls of steps.
         branches: Branches by name.
         junctions: Branch points that they pass.
     """
 
-    solutions: Solutions
-    tests: list[Test]
+    tests: Callable[[Solutions], list[Test]]
     points: int
     reach: Reach
     branches: dict[str, BranchRecord] = field(default_factory=dict)
     junctions: list[_Junction] = field(default_factory=list)
 
-    def all_of(self, begin: Place, depth: int, show: Show) -> ContinuationRecord:
+    def all_of(
+        self, solutions: Solutions, begin: Place, depth: int, show: Show
+    ) -> ContinuationRecord:
         """The curve through a place, and the branches that leave it, each once."""
-        waiting = list[tuple[str, _Junction, int, int]]()
+        waiting = [_Waiting(MAIN, lambda: (solutions, begin), depth + 1)]
         try:
-            curve = self._traced(MAIN, begin, show)
-            waiting += [(*one, depth) for one in self._leaving(MAIN, curve)]
             while waiting:
-                name, junction, k, generations = waiting.pop(0)
-                if generations < 1 or k in junction.followed:
+                branch = waiting.pop(0)
+                start = branch.first() if branch.generations > 0 else None
+                if start is None:
                     continue
-                junction.followed.add(k)
-                half = junction.special.halves[k]
-                first = place(self.solutions.family, half.point, half.direction)
-                curve = self._traced(name, first, show)
-                waiting += [(*one, generations - 1) for one in self._leaving(name, curve)]
+                curve = self._traced(branch.name, *start, show)
+                waiting += self._leaving(branch, start[0], curve)
         except KeyboardInterrupt:
             if not self.branches:
                 raise
-        return ContinuationRecord(self.solutions.model, dict(self.branches))
+        return ContinuationRecord(solutions.model, dict(self.branches))
 
-    def _traced(self, name: str, first: Place, show: Show) -> Curve:
+    def _traced(self, name: str, of: Solutions, first: Place, show: Show) -> Curve:
         """The curve through a place."""
-        of = self.solutions
         curve = Curve(of.family, [first])
         watch = Watch(
-            of.count, of.growth, self.tests, self.points, corner=of.corner, ends=[*self._ends()]
-        )
+            of.count, of.growth, of.oscillation, of.onsets, self.tests(of), self.points,
+            corner=of.corner, ends=[*self._ends(of)],
+        )  # fmt: skip
 
         def on_step(curve: Curve) -> None:
             show(len(curve.places) / self.points)
@@ -105,30 +129,43 @@ class Tracer:
             self.branches[name] = BranchRecord.of(name, curve, of)
         return curve
 
-    def _ends(self) -> Iterator[tuple[str, Place]]:
+    def _ends(self, of: Solutions) -> Iterator[tuple[str, Place]]:
         """Ends of the curves so far: where one leads to them the other was followed from there."""
         for name, branch in self.branches.items():
             places = branch.curve.places
+            if branch.solutions is not of:
+                continue
             if name == MAIN:
                 yield f"the start of '{name}'", places[0]
             if branch.status not in ("closed", "joined"):
                 yield f"the end of '{name}'", places[-1]
 
-    def _leaving(self, name: str, curve: Curve) -> list[tuple[str, _Junction, int]]:
-        """Names of branches that leave a curve, and where; points passed before lead to no more."""
-        leaving = list[tuple[str, _Junction, int]]()
-        prefix, number = "" if name == MAIN else f"{name}.", 0
+    def _leaving(self, branch: _Waiting, of: Solutions, curve: Curve) -> list[_Waiting]:
+        """Branches that leave a curve; points passed before lead to no more."""
+        leaving, numbers = list[_Waiting](), dict[str, int]()
+        prefix, generations = "" if branch.name == MAIN else f"{branch.name}.", branch.generations
         for k, special in enumerate(curve.special):
+            number = numbers[special.kind] = numbers.get(special.kind, 0) + 1
             if special.kind != BRANCH:
+
+                def begin(special: Special = special) -> tuple[Solutions, Place] | None:
+                    return of.beginning(special)
+
+                name = f"{prefix}{special.kind} {number}"
+                leaving.append(_Waiting(name, begin, generations - 1))
                 continue
-            number += 1
-            there = (one for one in self.junctions if one.is_at(self.solutions.family, special))
+            there = (one for one in self.junctions if one.is_at(of.family, special))
             if (junction := next(there, None)) is not None:
-                junction.passed(self.solutions.family, special)
+                junction.passed(of.family, special)
                 curve.special[k] = replace(special, halves=(), label=junction.name)
                 continue
-            junction = _Junction(f"branch point {number} of '{name}'", special)
+            junction = _Junction(f"branch point {number} of '{branch.name}'", special, of.family)
             self.junctions.append(junction)
-            letters = LETTERS[: len(special.halves)]
-            leaving += [(f"{prefix}{number}{x}", junction, i) for i, x in enumerate(letters)]
+            for i, letter in enumerate(LETTERS[: len(special.halves)]):
+
+                def leave(i: int = i, at: _Junction = junction) -> tuple[Solutions, Place] | None:
+                    first = at.leave(i)
+                    return None if first is None else (of, first)
+
+                leaving.append(_Waiting(f"{prefix}{number}{letter}", leave, generations - 1))
         return leaving

@@ -13,20 +13,22 @@ from numpy.typing import ArrayLike
 from ...arguments import Count, LockedValues, checked
 from ...errors import ModelError, SolveError, SolveWarning, near, warn
 from ...runtime.models.loaded_model import LoadedModel
+from ..cycles import cycle_solutions
 from ..simulation.progress import showing
 from . import equilibrium_solutions, position_solutions
 from .branches import MAIN, Tracer
-from .curve import Test
 from .follow import Reach
 from .path_request import PathRequest, PathStart
 from .record import ContinuationRecord
 from .solutions import Solutions
+from .special_points import Test
 
 POINTS = 300
 # where paths of a kind of solutions start
 STARTS: Mapping[str, Callable[[LoadedModel, PathRequest], PathStart]] = {
     "equilibria": equilibrium_solutions.start,
     "positions": position_solutions.start,
+    "cycles": cycle_solutions.start,
 }
 
 
@@ -49,17 +51,21 @@ def continuation(
     step: float | None = None,
     check: bool = False,
     progress: bool | Callable[[float], None] | None = None,
+    start: object = None,
     **named: object,
 ) -> ContinuationRecord:
     """All equilibria that a load leads to, through limit loads: ``model.continuation(P=(0, 10))``.
+
+    Or all cycles: ``model.continuation(slope=(0.01, 0.02), of="cycles", start=gait)``.
 
     Args:
         model: The compiled model.
         swept, named: Parameter, input or ``t`` -> (start, end). The path ends at the end, and may
             turn back and leave the range before. Several go together.
-        of: What the path consists of: ``"equilibria"``; or ``"positions"`` of a mechanism without
-            forces, of which coordinates are swept too: ``crank=(0, 6.28)``. Then folds are dead
-            points, branches meet where loops lose rank, and full turns are the same position.
+        of: What the path consists of: ``"equilibria"``; ``"cycles"``, motions that repeat; or
+            ``"positions"`` of a mechanism without forces, of which coordinates are swept too:
+            ``crank=(0, 6.28)``. Then folds are dead points, branches meet where loops lose rank,
+            and full turns are the same position.
         q: Coordinates to start from, by name or (nq,).
         locked: Coordinate -> value it keeps, or (start, end): displacements are prescribed.
         inputs, parameters: Values by name that stay, else those of the model.
@@ -68,12 +74,16 @@ def continuation(
             swept, or ``<coordinate>.holding_force``.
         bounds: Name -> (low, high): the path ends where it leaves that range.
         events: Name -> value: where it is passed is noted.
-        branches: How many generations of branches to follow from branch points; True for all.
+        branches: How many generations of branches to follow from branch points, and of cycles from
+            period doublings; True for all.
         points: Points of a branch at most.
         step: Longest step, as a part of the size of the system, of a radian and of the range.
         check: Raise where the path ends in between, instead of warning.
         progress: Show a bar; by default where standard error is a terminal. Or a function of the
             part of ``points`` that is done.
+        start: Of cycles: the cycle to start from, see ``model.cycle``, whose parameters and inputs
+            stay; or a Hopf point of equilibria or a period doubling of cycles, at which others
+            begin.
 
     Returns:
         The path and its branches, with folds, branch points, Hopf points and events in ``points``;
@@ -90,14 +100,17 @@ def continuation(
         raise ModelError("continuation: locked= and what is swept go by name, such as P=(0, 10)")
     if of not in STARTS:
         raise ModelError(f"continuation: of='{of}' does not exist.{near(of, STARTS)}")
-    request = PathRequest({**(swept or {}), **named}, q, locked or {}, inputs, parameters, t)
+    request = PathRequest({**(swept or {}), **named}, q, locked or {}, inputs, parameters, t, start)
     begin = STARTS[of](model, request)
     longest = {} if step is None else {"longest": step, "first": min(step, Reach().first)}
-    tests = _tests(begin.solutions, begin.end, until, bounds, events)
-    run = Tracer(begin.solutions, tests, points, Reach(**longest))
+
+    def tests(of: Solutions) -> list[Test]:
+        return _tests(of, begin.end, until, bounds, events)
+
+    run = Tracer(tests, points, Reach(**longest))
     depth = 99 if branches is True else int(branches)
     with showing(progress, f"continuation of '{model.name}'") as show:
-        record = run.all_of(begin.place, depth, show)
+        record = run.all_of(begin.solutions, begin.place, depth, show)
     ended = record.branches[MAIN]
     if ended.status not in ("finished", "closed"):
         if check:

@@ -11,21 +11,22 @@ from scipy.interpolate import CubicSpline
 
 from ...arguments import checked
 from ...arrays import Array
-from .curve import BRANCH, EVENT, FOLD, HOPF
 from .record import BranchRecord, ContinuationRecord
+from .special_points import BRANCH, EVENT, FOLD, HOPF
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 DENSE = 20  # drawn points of a step
 MARKERS = {FOLD: "v", BRANCH: "D", HOPF: "o", EVENT: "|"}
+OTHER = "s"  # other changes of stability
 
 
 @checked
 def plot(path: ContinuationRecord, along: str, up: str, file: str | Path | None = None) -> Figure:
     """Draw a path and its branches as a Matplotlib figure, written to ``file`` if given.
 
-    Unstable equilibria are dashed, all else are lines; special points carry their names.
+    Unstable solutions are dashed, all else are lines; special points carry their names.
 
     Args:
         path: The path.
@@ -46,7 +47,7 @@ def plot(path: ContinuationRecord, along: str, up: str, file: str | Path | None 
             axis.plot(x, y, style, color=f"C{number % 10}", linewidth=1.4)
         for point in branch.points:
             at = point[along], point[up]
-            axis.plot(*at, MARKERS[point.kind], color="black", markersize=5)
+            axis.plot(*at, MARKERS.get(point.kind, OTHER), color="black", markersize=5)
             axis.annotate(point.name, at, (4, 4), textcoords="offset points", fontsize=8)
     axis.set(xlabel=along, ylabel=up)
     axis.grid(alpha=0.3)
@@ -55,7 +56,8 @@ def plot(path: ContinuationRecord, along: str, up: str, file: str | Path | None 
 
 def _curves(branch: BranchRecord, along: str, up: str) -> list[tuple[Array, Array, bool]]:
     """Stretches between changes of stability as smooth curves."""
-    rows = [(k, branch[along][k], branch[up][k], branch.stable[k]) for k in range(len(branch))]
+    columns = branch[along], branch[up], branch.stable
+    rows = [(k, *entries) for k, entries in enumerate(zip(*columns, strict=True))]
     marks = [(p.special.after + p.special.part, p[along], p[up], None) for p in branch.points]
     entries = sorted([*rows, *marks], key=lambda entry: entry[0])
     table = np.array([entry[1:3] for entry in entries], dtype=np.float64)

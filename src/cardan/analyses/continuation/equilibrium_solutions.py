@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import final
 
@@ -20,13 +20,13 @@ from ..statics.stability_at_equilibrium import largest_motions
 from ..statics.static_problem import Problem
 from ..statics.statics import sweepable
 from ..systems import dynamic_system_of
-from .curve import FOLD, Corner, Special, Test
 from .equilibria import EquilibriumFamily, Loaded
 from .follow import Place, Step, place
 from .mode_changes import corner_within
 from .path_request import PathRequest, PathStart
 from .quantities import quantity
-from .solutions import Quantity
+from .solutions import Quantity, Solutions
+from .special_points import FOLD, HOPF, Corner, Onset, Special, Test
 from .stability_cache import StabilityCache
 
 
@@ -89,6 +89,20 @@ class EquilibriumSolutions:
         """Same as :meth:`.Solutions.corner`: where stops, latches and friction change."""
         names = [row.name for row in self.model.manifest.events]
         return corner_within(self.family, names, step, number)
+
+    @property
+    def oscillation(self) -> str:
+        """Same as :meth:`.Solutions.oscillation`."""
+        return HOPF
+
+    @property
+    def onsets(self) -> Sequence[Onset]:
+        """Same as :meth:`.Solutions.onsets`: there are none."""
+        return ()
+
+    def beginning(self, special: Special) -> tuple[Solutions, Place] | None:
+        """Same as :meth:`.Solutions.beginning`: limit cycles have paths of their own."""
+        return None
 
     def motion(self, dz: Array) -> Array:
         """Same as :meth:`.Solutions.motion`."""

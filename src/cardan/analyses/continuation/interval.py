@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from ...arrays import Array
 from .family import Family
 from .follow import Place, reversals
@@ -19,7 +21,8 @@ class Interval:
         low, high: Its ends, 0 to 1.
         before, after: The places there.
         counts: Unstable directions there.
-        reversed: Directions in which J changes its sign in between, where these are not known.
+        onsets: Signs of other changes of stability there.
+        reversed: Directions in which J changes its sign in between, where counts are not known.
     """
 
     low: float
@@ -27,16 +30,17 @@ class Interval:
     before: Place
     after: Place
     counts: tuple[int | None, int | None]
+    onsets: tuple[Array, Array]
     reversed: int
 
     @classmethod
     def of(
         cls, family: Family, ends: tuple[float, float], before: Place, after: Place,
-        counts: tuple[int | None, int | None],
+        counts: tuple[int | None, int | None], onsets: tuple[Array, Array],
     ) -> Interval:  # fmt: skip
         """The part between two places."""
         signs = reversals(family, before, after) if None in counts else 0
-        return cls(*ends, before, after, counts, signs)
+        return cls(*ends, before, after, counts, onsets, signs)
 
     def chord(self, family: Family) -> Array:
         """The increment between its ends (N,)."""
@@ -61,15 +65,20 @@ class Interval:
 
     @property
     def unexplained(self) -> int:
-        """The part of it that folds and simple crossings do not explain."""
+        """The part of it that folds, simple crossings and onsets do not explain."""
         if None in self.counts:
             return max(self.reversed - int(self.crosses), 0)
-        explained = int(self.folds) + int(self.crosses)
+        explained = int(self.folds) + int(self.crosses) + len(self.begins)
         surplus = abs(self.change) - explained
         # a fold and a crossing may also undo one another
         return 0 if surplus == -2 and self.change == 0 else max(surplus, 0)
 
     @property
+    def begins(self) -> list[int]:
+        """Onsets that lie within."""
+        return np.flatnonzero(self.onsets[0] * self.onsets[1] < 0).tolist()
+
+    @property
     def quiet(self) -> bool:
         """True when nothing lies within, as far as the ends tell."""
-        return not (self.folds or self.crosses or self.unexplained)
+        return not (self.folds or self.crosses or self.unexplained or self.begins)

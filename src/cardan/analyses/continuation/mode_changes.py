@@ -17,9 +17,9 @@ import numpy as np
 from ...arrays import Array, Booleans
 from ...errors import SolveError
 from ..statics.settling import fired_at, forbidden, signs_of_modes
-from .curve import EVENT, Corner, Special
 from .equilibria import EquilibriumFamily, Loaded
 from .follow import Place, Step, place
+from .special_points import EVENT, Corner, Special
 
 BISECTED = 60
 ASIDE = 1e-4  # length of the step that tells which direction a mode allows

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from numpy.typing import ArrayLike
 
 from ...arguments import LockedValues
-from .curve import Test
 from .follow import Place
 from .solutions import Solutions
+from .special_points import Test
 
 
 @dataclass(frozen=True)
@@ -23,6 +23,7 @@ class PathRequest:
         locked: Coordinate -> value it keeps, or (start, end).
         inputs, parameters: Values by name that stay, else those of the model.
         t: Time [s].
+        start: A solution or special point to start from.
     """
 
     swept: Mapping[str, object]
@@ -31,6 +32,7 @@ class PathRequest:
     inputs: Mapping[str, float] | None
     parameters: Mapping[str, float] | None
     t: float
+    start: object = None
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ A fold is a dead point of what drives; branches meet where conditions lose rank.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import final
 
@@ -22,10 +22,10 @@ from ..statics.load_path import column
 from ..statics.stability_at_equilibrium import largest_of
 from ..statics.statics import sweepable
 from .configurations import COORDINATE, Configuration, ConfigurationFamily, Drivers
-from .curve import Corner, Special, Test
 from .follow import Place, Step, place
 from .path_request import PathRequest, PathStart
-from .solutions import Quantity
+from .solutions import Quantity, Solutions
+from .special_points import HOPF, Corner, Onset, Special, Test
 
 
 @final
@@ -100,6 +100,20 @@ class PositionSolutions:
 
     def corner(self, step: Step, number: int) -> Corner | None:
         """Same as :meth:`.Solutions.corner`: closed loops stay as they are."""
+        return None
+
+    @property
+    def oscillation(self) -> str:
+        """Same as :meth:`.Solutions.oscillation`: there is none."""
+        return HOPF
+
+    @property
+    def onsets(self) -> Sequence[Onset]:
+        """Same as :meth:`.Solutions.onsets`: there are none."""
+        return ()
+
+    def beginning(self, special: Special) -> tuple[Solutions, Place] | None:
+        """Same as :meth:`.Solutions.beginning`: none begin."""
         return None
 
     def motion(self, dz: Array) -> Array:

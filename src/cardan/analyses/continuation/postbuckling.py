@@ -11,9 +11,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ...arrays import Array
-from .curve import Special
 from .singular_point import HalfBranch
 from .solutions import Quantity, Solutions
+from .special_points import Special
 
 STEP = 1e-3  # length of increments over which quantities are differentiated
 

@@ -13,9 +13,10 @@ from ...arguments import checked
 from ...arrays import Array, Integers
 from ...errors import ModelError, counted, near
 from ...runtime.models.loaded_model import LoadedModel
-from .curve import BRANCH, EVENT, FOLD, HOPF, Curve, Special
+from .curve import Curve
 from .postbuckling import Postbuckling, postbuckling
 from .solutions import Solution, Solutions
+from .special_points import BRANCH, EVENT, Special
 
 MAX_PRINTED = 24
 
@@ -26,7 +27,8 @@ class SpecialPointRecord:
 
     Attributes:
         name: ``"fold 1"``, ``"branch point 2"``, ``"Hopf point 1"``, or the event.
-        kind: ``"fold"``, ``"branch point"``, ``"Hopf point"`` or ``"event"``.
+        kind: ``"fold"``, ``"branch point"``, ``"Hopf point"``, ``"period doubling"``, ``"torus
+            point"`` or ``"event"``.
         values: What is swept, by name.
         kernel: Increments (nu + nz, k + 1) without units that leave a branch point in equilibrium
             to first order; the direction (nu + nz, 1) of the path elsewhere.
@@ -34,7 +36,8 @@ class SpecialPointRecord:
             without units, then that of the load as a part of its range.
         symmetric: Names of pairs of branches that are mirror images.
         branches: Names of the branches that leave it.
-        frequency: Of the oscillation that begins at a Hopf point [rad/s].
+        frequency: Of the oscillation that begins at a Hopf point [rad/s]; the angle from lap to
+            lap at a torus point [rad].
         accurate: False where it is only known to lie in a short step, which the description says.
         description: What it is, in a sentence.
     """
@@ -165,10 +168,10 @@ class BranchRecord:
     @cached_property
     def points(self) -> tuple[SpecialPointRecord, ...]:
         """Special points, in the order of the path."""
-        numbers = dict.fromkeys((FOLD, BRANCH, HOPF, EVENT), 0)
+        numbers = dict[str, int]()
         records = list[SpecialPointRecord]()
         for special in self.curve.special:
-            numbers[special.kind] += 1
+            numbers[special.kind] = numbers.get(special.kind, 0) + 1
             records.append(self._point(special, numbers[special.kind]))
         return tuple(records)
 
@@ -234,10 +237,10 @@ def mirrored(solutions: Solutions, special: Special) -> Iterator[tuple[int, int]
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ContinuationRecord:
-    """Equilibria or positions along a path, and branches that leave it.
+    """Equilibria, positions or cycles along a path, and branches that leave it.
 
     ``path["elbow"]`` is a history (n,) of the main branch, ``path.branches["1a"]["elbow"]`` that of
-    another one; ``path[k]`` is an equilibrium or a position of the main branch.
+    another one; ``path[k]`` is a solution of the main branch.
 
     Attributes:
         model: The model.

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol, TypeAlias
 
 from ...arrays import Array
 from ...runtime.models.loaded_model import LoadedModel
-from .curve import Corner, Special
 from .family import Family, Point
 from .follow import Place, Step
+from .special_points import Corner, Onset, Special
 
 Quantity: TypeAlias = Callable[[Point], float]
 Solution: TypeAlias = object  # as users take it: an equilibrium, a position, a cycle
@@ -64,6 +64,21 @@ class Solutions(Protocol):
         Args:
             step: A step of a path.
             number: Of the place from which it goes.
+        """
+
+    @property
+    def oscillation(self) -> str:
+        """Kind of the points at which it begins to grow."""
+
+    @property
+    def onsets(self) -> Sequence[Onset]:
+        """Changes of stability besides those at folds, branch points and of oscillations."""
+
+    def beginning(self, special: Special) -> tuple[Solutions, Place] | None:
+        """Solutions of another kind that begin at a point, such as those of twice the period.
+
+        Returns:
+            What they are, and their first place; None where none begin, or none are told apart.
         """
 
     def motion(self, dz: Array) -> Array:

@@ -8,8 +8,9 @@ from dataclasses import dataclass, field, replace
 from scipy.optimize import brentq
 
 from ...errors import SolveError
-from .curve import EVENT, EXACT, SURE, Corner, Curve, Special, Test, Watch, points_within
+from .curve import Curve
 from .follow import End, Place, Reach, Step, steps
+from .special_points import EVENT, EXACT, SURE, Corner, Special, Test, Watch, within
 
 
 def trace(
@@ -44,7 +45,8 @@ class _Look:
         """True unless signs change where nothing crosses: the step leads to another curve."""
         self.corner = self.watch.corner(step, len(self.curve.places) - 1)
         smooth = self.shortened(step)
-        self.special = [*points_within(self.curve, self.watch, smooth)]
+        number = len(self.curve.places) - 1
+        self.special = [*within(self.curve.family, number, self.watch, smooth)]
         return step.ds < SURE or not any(s.jump for s in self.special)
 
     def shortened(self, step: Step) -> Step:

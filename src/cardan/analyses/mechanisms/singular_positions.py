@@ -20,9 +20,10 @@ from ...errors import ArgumentError, ModelError, near
 from ...runtime.calls.evaluation import State
 from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.configurations import COORDINATE, ConfigurationFamily, Drivers
-from ..continuation.curve import BRANCH, FOLD, Curve, Test, Watch
+from ..continuation.curve import Curve
 from ..continuation.follow import Place, Reach, place
 from ..continuation.interval import FLAT
+from ..continuation.special_points import BRANCH, FOLD, Test, Watch
 from ..continuation.tracing import trace
 from .assemble import assemble_by_constraints
 from .mechanism import Mechanism, refuse_nodes
@@ -153,7 +154,7 @@ def singular_positions(
     family = ConfigurationFamily.of(drivers)
     first = family.start(begin.q)
     curve = Curve(family, [place(family, first, family.forward(first))])
-    watch = Watch(lambda _: None, None, _tests(m, coordinate, driver), MOST, switches=False)
+    watch = Watch(lambda _: None, tests=_tests(m, coordinate, driver), most=MOST, switches=False)
     trace(curve, watch, Reach(first=step, longest=step))
     return _record(m, targets, curve, coordinate, driver or coordinate, (low, high))
 

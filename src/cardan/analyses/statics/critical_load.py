@@ -16,9 +16,9 @@ import numpy as np
 from scipy.optimize import brentq
 
 from ...errors import SolveError
-from ..continuation.curve import fold_within
 from ..continuation.equilibria import EquilibriumFamily, Loaded
 from ..continuation.follow import Reach, place, steps
+from ..continuation.special_points import fold_within
 from .continuation_step import Crossing, Place, place_of
 from .equilibrium import DIRECT
 from .force_balance import balance

@@ -1,8 +1,9 @@
 """Stability of a system at equilibrium: stable, unstable, or with free parts.
 
 Where forces have a potential the inertia of the stiffness tells, the number of its negative
-eigenvalues on what constraints allow. Forces that follow the motion have none: a system can begin
-to oscillate (flutter) while its stiffness holds it, and eigenvalues of the small motions tell.
+eigenvalues on what constraints allow. Forces that follow the motion have none, and dampers may feed
+it: a system can begin to oscillate (flutter) while its stiffness holds it, and eigenvalues of the
+small motions tell.
 
 Source: H. Ziegler, Principles of Structural Stability (1968), chapters 2 and 3.
 """
@@ -18,7 +19,7 @@ from scipy.sparse.linalg import ArpackError
 
 from ...arrays import Array, Complex
 from ..linear.first_order import eigenvalues
-from ..systems.dynamic_system import DynamicSystem
+from ..systems.dynamic_system import DynamicSystem, Moment, dense
 from ..systems.saddle_point import FREE_TOL, SKEW, Lowest, Singular, Sparse, near_quadratic
 from .static_problem import Load, Point, Problem, scaled
 
@@ -29,6 +30,7 @@ MOST = 3
 UNSTABLE_TOL, RELATIVE_ERROR = 1e-6, 1e-10
 FLUTTER = 1e-3  # imaginary parts over the modulus: below that growth is not an oscillation
 MANY = 300  # speeds up to which all eigenvalues are looked at
+FEEDING = 1e-9  # of the largest entry of the damping: rounding
 FEW, SHIFT = 12, 1e-3  # of more speeds: pairs next to 0, and how near [rad/s]
 
 
@@ -95,7 +97,8 @@ def _stand(problem: Problem, point: Point, load: Load, constrained: Load) -> Sta
     least = float(lowest.values[0]) if len(lowest.values) else np.inf
     direction = lowest.vectors[:, 0] if len(lowest.values) else np.zeros(nu)
     stability = Stability(None, lowest.negative, least, direction, free_motions)
-    if lowest.skew <= SKEW and not system.internals:
+    potential = lowest.skew <= SKEW and _damped(system, point.at)
+    if potential and not system.internals:
         stability = replace(stability, side=lowest.negative, signed=lowest.signed)
         stability = replace(stability, margin=_margin(lowest))
         # gyroscopic forces do no work: what a potential holds they leave stable
@@ -107,12 +110,21 @@ def _stand(problem: Problem, point: Point, load: Load, constrained: Load) -> Sta
     locked = [system.place(name)[1] for name in constrained.locked]
     # follower, gyroscopic or dissipative forces: the eigenvalues of the motion decide
     values = _motions(problem, point, load, constrained, locked)
-    if lowest.skew > SKEW:
+    if not potential:
         side = int(lowest.sign < 0) if lowest.sign else None
         stability = replace(stability, side=side, signed=side)
     elif system.internals:
         stability = replace(stability, side=lowest.negative, signed=lowest.signed)
-    return stability if values is None else _by_eigenvalues(stability, values, lowest.skew > SKEW)
+    return stability if values is None else _by_eigenvalues(stability, values, not potential)
+
+
+def _damped(system: DynamicSystem, at: Moment) -> bool:
+    """True unless forces along the speeds feed a motion; of many speeds that is not looked at."""
+    if len(system.columns) > MANY:
+        return True
+    C = dense(system.tangents(at).C)
+    values = np.linalg.eigvalsh(0.5 * (C + C.T))
+    return bool(values.min(initial=0.0) >= -FEEDING * np.abs(C).max(initial=0.0))
 
 
 def _margin(lowest: Lowest) -> float:

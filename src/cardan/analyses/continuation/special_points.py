@@ -1,0 +1,336 @@
+"""Special points of a curve: folds, points where curves cross, changes of stability.
+
+Signs at both ends of a step tell what lies within: of the rate of the parameter a fold, of the
+orientation an odd number of crossings, of its onset another change of stability such as a period
+doubling, of the number of unstable directions what the others do not explain. The step is halved
+until one of them is left, which is then located.
+
+Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), sections 5.2 to 5.4.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.optimize import brentq
+
+from ...arrays import Array
+from ...errors import SolveError
+from .family import Family, Point, length
+from .follow import Place, Step
+from .interval import Interval
+from .singular_point import HalfBranch, SingularPoint, half_branches, singular_point
+
+FOLD, BRANCH, HOPF, EVENT = "fold", "branch point", "Hopf point", "event"
+EXACT = 1e-13  # of a step: places of test functions
+NARROW, THIN = 0.05, 2.0**-30  # of a step: where points are looked for, and given up
+NEAR = 2.0  # widths of a bracket within which a point must lie
+MOST_LOST = 3  # of the rank
+# length of increments that rounding leaves of a singular point; halvings that tell it better
+UNCERTAIN, BISECTED = 1e-10, 40
+JUMP = 2.0  # distance of the ends of a part of a step, over its length
+SURE = 1e-5  # steps that are not shortened where they seem to lead to another curve
+Count = Callable[[Place], int | None]
+
+
+@dataclass(frozen=True, eq=False)
+class Test:
+    """A number along a curve whose passage through 0 counts.
+
+    Attributes:
+        name: Of the event.
+        value: The number.
+        ends: Whether the curve ends there.
+    """
+
+    name: str
+    value: Callable[[Place], float]
+    ends: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Onset:
+    """A change of stability at which curves neither turn back nor cross.
+
+    Attributes:
+        kind: Of the special point.
+        value: A smooth number along the curve that passes 0 there.
+    """
+
+    kind: str
+    value: Callable[[Place], float]
+
+
+@dataclass(frozen=True, eq=False)
+class Special:
+    """A special point of a curve.
+
+    Attributes:
+        kind: ``"fold"``, ``"branch point"``, ``"event"``, or what the solutions call it, such as
+            ``"Hopf point"``.
+        label: What of; the name of an event.
+        place: Where.
+        after: Place of the curve behind which it lies.
+        part: Of the step from there.
+        singular: The singular point; None of others.
+        halves: The curves that leave it other than this one.
+        frequency: Of the oscillation that begins there [rad/s], or [rad] from lap to lap; NaN of
+            others.
+        accurate: False where it is only known to lie within a short step.
+        jump: True where the step leads to another curve.
+    """
+
+    kind: str
+    label: str
+    place: Place
+    after: int
+    part: float
+    singular: SingularPoint | None = None
+    halves: Sequence[HalfBranch] = ()
+    frequency: float = np.nan
+    accurate: bool = True
+    jump: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Corner:
+    """A point of a curve behind which the equations are others.
+
+    Attributes:
+        special: The point.
+        onward: The same point with the other equations, in the direction in which the curve goes
+            on; None where none is possible.
+    """
+
+    special: Special
+    onward: Place | None
+
+
+@dataclass(frozen=True, eq=False)
+class Watch:
+    """What is looked for along a curve.
+
+    Attributes:
+        count: Unstable directions with the parameter kept; None where they are not known.
+        growth: Real part of the oscillation next to growing and its frequency; None without.
+        oscillation: Kind of the points at which it begins.
+        onsets: Other changes of stability.
+        tests: Events and ends.
+        most: Places at most.
+        switches: Whether curves that leave branch points are looked for.
+        corner: The first corner within a step from the place with a number; None without any.
+        ends: Ends of other curves, by what they are; the curve ends there too.
+    """
+
+    count: Count
+    growth: Callable[[Place], tuple[float, float]] | None = None
+    oscillation: str = HOPF
+    onsets: Sequence[Onset] = ()
+    tests: Sequence[Test] = ()
+    most: int = 300
+    switches: bool = True
+    corner: Callable[[Step, int], Corner | None] = lambda *_: None
+    ends: Sequence[tuple[str, Place]] = ()
+
+
+def within(family: Family, number: int, watch: Watch, step: Step) -> Iterator[Special]:
+    """Special points within a step that follows a place of a curve."""
+    ends = step.before, step.after
+    counts = watch.count(ends[0]), watch.count(ends[1])
+    onsets = _signs(watch, ends[0]), _signs(watch, ends[1])
+    interval = Interval.of(family, (0.0, 1.0), *ends, counts, onsets)
+    yield from _searched(family, number, watch, step, interval)
+
+
+def _signs(watch: Watch, place: Place) -> Array:
+    """Signs of the onsets at a place."""
+    return np.array([np.sign(onset.value(place)) for onset in watch.onsets])
+
+
+def _searched(
+    family: Family, number: int, watch: Watch, step: Step, interval: Interval
+) -> Iterator[Special]:
+    """Special points within a part of a step."""
+    if interval.quiet:
+        return
+    width = interval.high - interval.low
+    if length(family, interval.chord(family)) > JUMP * width * step.ds:
+        place, part = interval.after, interval.high
+        yield Special(BRANCH, "", place, number, part, accurate=False, jump=True)
+        return
+    if interval.folds and not (interval.crosses or interval.unexplained or interval.begins):
+        yield _fold(family, step, interval, number)
+        return
+    if interval.begins and not (interval.folds or interval.crosses or interval.unexplained):
+        for k in interval.begins:
+            yield _onset(family, watch.onsets[k], step, interval, number)
+        return
+    lost = max(1, abs(interval.change)) if not interval.folds else 1
+    if width <= NARROW and not interval.folds:
+        if (crossing := _crossing(family, watch, step, interval, lost, number)) is not None:
+            yield crossing
+            return
+        counted = watch.growth is not None and None not in interval.counts
+        if counted and not interval.crosses and interval.unexplained % 2 == 0:
+            yield _hopf(family, watch, step, interval, number)
+            return
+    middle = 0.5 * (interval.low + interval.high)
+    try:
+        middle_place = step.at(family, middle) if width > THIN else None
+    except SolveError:
+        middle_place = None
+    if middle_place is None:
+        kind = BRANCH if interval.crosses or not interval.folds else FOLD
+        # no point in between: the curve that is left ends there, or is singular
+        place, part, jump = interval.after, interval.high, width > THIN
+        yield Special(kind, "", place, number, part, accurate=False, jump=jump)
+        return
+    count, signs = watch.count(middle_place), _signs(watch, middle_place)
+    (first, last), (before, after) = interval.counts, interval.onsets
+    for half in (
+        Interval.of(
+            family, (interval.low, middle), interval.before, middle_place,
+            (first, count), (before, signs),
+        ),
+        Interval.of(
+            family, (middle, interval.high), middle_place, interval.after,
+            (count, last), (signs, after),
+        ),
+    ):  # fmt: skip
+        yield from _searched(family, number, watch, step, half)
+
+
+def _fold(family: Family, step: Step, interval: Interval, number: int) -> Special:
+    """The place where the parameter turns back."""
+    try:
+        place = fold_within(family, step, interval.low, interval.high)
+        return Special(FOLD, "", place, number, _part(family, step, place.point))
+    except SolveError:
+        return Special(FOLD, "", interval.after, number, interval.high, accurate=False)
+
+
+def _onset(family: Family, onset: Onset, step: Step, interval: Interval, number: int) -> Special:
+    """The place where an onset lies."""
+    try:
+        part = float(
+            brentq(
+                lambda part: onset.value(step.at(family, part)),
+                interval.low,
+                interval.high,
+                xtol=EXACT,
+            )
+        )
+        return Special(onset.kind, "", step.at(family, part), number, part)
+    except SolveError:
+        return Special(onset.kind, "", interval.after, number, interval.high, accurate=False)
+
+
+def fold_within(family: Family, step: Step, low: float, high: float) -> Place:
+    """The place between two parts of a step where the parameter turns back.
+
+    Raises:
+        SolveError: the curve is not singular in between.
+    """
+
+    def parameter_rate(part: float) -> float:
+        return step.at(family, part).parameter_rate
+
+    return step.at(family, float(brentq(parameter_rate, low, high, xtol=EXACT)))
+
+
+def _part(family: Family, step: Step, point: Point) -> float:
+    """The part of a step at which a point lies."""
+    off = family.step(step.before.point, point)
+    return float(step.before.tangent @ (family.weights * off)) / step.ds
+
+
+def _crossing(
+    family: Family, watch: Watch, step: Step, interval: Interval, lost: int, number: int
+) -> Special | None:
+    """The point within a part of a step where curves cross; None where none is found."""
+    start = family.moved(interval.before.point, 0.5 * interval.chord(family))
+    for k in range(lost, MOST_LOST + 1):
+        try:
+            singular = singular_point(family, start, k)
+        except SolveError:
+            continue
+        part = _part(family, step, singular.point)
+        width = interval.high - interval.low
+        if not interval.low - NEAR * width <= part <= interval.high + NEAR * width:
+            continue
+        halves, tangent = _other_curves(family, singular, step, watch.switches)
+        place = Place(singular.point, tangent, float(tangent[-1]), 0.0)
+        if singular.uncertainty > UNCERTAIN:
+            part, place = _bisected(family, watch, step, interval, place)
+        return Special(BRANCH, "", place, number, part, singular, halves)
+    return None
+
+
+def _bisected(
+    family: Family, watch: Watch, step: Step, interval: Interval, place: Place
+) -> tuple[float, Place]:
+    """The place at which signs of pivots change: in slender beams they tell more than J does."""
+    low, high = interval.low, interval.high
+    for _ in range(BISECTED):
+        middle = 0.5 * (low + high)
+        try:
+            there = step.at(family, middle)
+        except SolveError:
+            break
+        count = watch.count(there)
+        if interval.change and count is not None:
+            behind = count != interval.counts[0]
+        else:
+            behind = there.orientation * interval.before.orientation < 0
+        low, high = (low, middle) if behind else (middle, high)
+        place = replace(there, tangent=place.tangent, parameter_rate=place.parameter_rate)
+    return high, place
+
+
+def _other_curves(
+    family: Family, singular: SingularPoint, step: Step, switches: bool
+) -> tuple[Sequence[HalfBranch], Array]:
+    """Curves that leave a singular point other than the one of a step, and the tangent of that."""
+    before = step.before.tangent
+    tangent = singular.V @ (singular.V.T @ (family.weights * before))
+    tangent = tangent / length(family, tangent)
+    try:
+        halves = half_branches(singular) if switches else []
+    except SolveError:
+        halves = []
+    if len(halves) < 2:
+        return (), tangent
+    along = [float(before @ (family.weights * half.tangent)) for half in halves]
+    forward, backward = int(np.argmax(along)), int(np.argmin(along))
+    remaining = [half for i, half in enumerate(halves) if i not in (forward, backward)]
+    return tuple(remaining), halves[forward].tangent
+
+
+def _hopf(family: Family, watch: Watch, step: Step, interval: Interval, number: int) -> Special:
+    """The place where an oscillation begins to grow."""
+    growth = watch.growth
+    assert growth is not None
+    low, high, count = interval.low, interval.high, interval.counts[0]
+    frequency = np.nan
+    try:
+        ends = [growth(place)[0] for place in (interval.before, interval.after)]
+        if ends[0] * ends[1] < 0:
+
+            def rate(part: float) -> float:
+                return growth(step.at(family, part))[0]
+
+            low = high = float(brentq(rate, low, high, xtol=EXACT))
+        # without damping nothing grows before, and nothing decays
+        while high - low > EXACT:
+            middle = 0.5 * (low + high)
+            if watch.count(step.at(family, middle)) == count:
+                low = middle
+            else:
+                high = middle
+        place = step.at(family, high)
+        frequency = growth(place)[1]
+        return Special(watch.oscillation, "", place, number, high, frequency=frequency)
+    except SolveError:
+        return Special(watch.oscillation, "", interval.after, number, interval.high, accurate=False)

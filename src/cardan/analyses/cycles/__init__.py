@@ -1,0 +1,1 @@
+"""Motions that repeat: cycles through events, their multipliers, and paths of them."""

@@ -1,0 +1,141 @@
+"""Cycles as a parameter changes: a family whose curves are followed."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from dataclasses import dataclass, field, replace
+from typing import final
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import SolveError
+from ..continuation.family import DenseJacobian, Jacobian
+from ..statics.load_path import Loading
+from ..systems.central_differences import by_differences
+from .cycle_problem import CycleProblem, CycleState
+from .multipliers import Complexes, monodromy, multipliers_of
+from .shooting import FINE, Phase, Shooting
+
+ROUGH = 1e-5  # increments of differences that steer Newton's method
+CACHED = 12  # derivatives, each of many runs
+NODE = 6  # increments: lengths do not grow with the system
+
+
+@dataclass(frozen=True, eq=False)
+class CyclePoint:
+    """A cycle on a path.
+
+    Attributes:
+        s: Place of what is swept: 0 and 1 at the ends of its range.
+        at: The start of a lap.
+    """
+
+    s: float
+    at: CycleState
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class CycleFamily:
+    """Cycles of a model as parameters or inputs are swept.
+
+    Increments are those of the state at the start of a lap in units of the motion, of a free
+    period as a part of it, and of the place of what is swept.
+
+    Attributes:
+        shooting: Equations of a cycle.
+        way: What is swept.
+        weights: See :class:`.Family`.
+    """
+
+    shooting: Shooting
+    way: Loading
+    weights: Array
+    _jacobians: OrderedDict[int, tuple[CyclePoint, Array]] = field(default_factory=OrderedDict)
+    _multipliers: dict[int, tuple[CyclePoint, Complexes]] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, problem: CycleProblem, way: Loading, phase: Phase | None) -> CycleFamily:
+        """The family of a problem."""
+        n = len(problem.units)
+        weights = np.concatenate([np.full(n, 1.0 / max(1.0, n / NODE)), np.ones(1)])
+        if problem.free_period:
+            weights = np.append(weights, 1.0)
+        return cls(Shooting(problem, phase), way, weights)
+
+    @property
+    def problem(self) -> CycleProblem:
+        """What repeats."""
+        return self.shooting.problem
+
+    @property
+    def along_parameter(self) -> Array:
+        """The direction (N,) in which what is swept changes alone."""
+        direction = np.zeros(len(self.weights))
+        direction[-1] = 1.0
+        return direction
+
+    def point(self, at: CycleState, s: float) -> CyclePoint:
+        """A start of a lap at a place of what is swept."""
+        return CyclePoint(s, replace(at, values=self.way.values(s)))
+
+    def parameter(self, point: CyclePoint) -> float:
+        """Same as :meth:`.Family.parameter`."""
+        return point.s
+
+    def residual(self, point: CyclePoint) -> Array:
+        """Same as :meth:`.Family.residual`."""
+        return self.shooting.residual(point.at)
+
+    def moved(self, point: CyclePoint, dz: Array) -> CyclePoint:
+        """Same as :meth:`.Family.moved`."""
+        return self.point(self.shooting.moved(point.at, dz[:-1]), point.s + float(dz[-1]))
+
+    def step(self, before: CyclePoint, after: CyclePoint) -> Array:
+        """Same as :meth:`.Family.step`."""
+        step = self.problem.step(before.at.x, after.at.x)
+        if self.problem.free_period:
+            step = np.append(step, after.at.period / before.at.period - 1)
+        return np.append(step, after.s - before.s)
+
+    def jacobian(self, point: CyclePoint, rough: bool = False) -> Jacobian:
+        """Same as :meth:`.Family.jacobian`; rough of second order, by half of the laps."""
+        if not rough or id(point) in self._jacobians:
+            return DenseJacobian(self._matrix(point))
+        columns = [
+            self.residual(self.moved(point, step)) - self.residual(self.moved(point, -step))
+            for step in ROUGH * np.eye(len(self.weights))
+        ]
+        return DenseJacobian(np.stack(columns, axis=1) / (2 * ROUGH))
+
+    def _matrix(self, point: CyclePoint) -> Array:
+        if id(point) not in self._jacobians:
+            matrix = by_differences(
+                lambda dz: self.residual(self.moved(point, dz)), np.full(len(self.weights), FINE)
+            )
+            if not np.isfinite(matrix).all():
+                raise SolveError("cycle: derivatives of a lap are not finite")
+            while len(self._jacobians) >= CACHED:
+                self._jacobians.popitem(last=False)
+            self._jacobians[id(point)] = point, matrix
+        return self._jacobians[id(point)][1]
+
+    def monodromy(self, point: CyclePoint) -> Array:
+        """Derivative of a lap across the flow (n, n), or (n - 1, n - 1) of a free period."""
+        n, at = len(self.problem.units), point.at
+        along = self.problem.rate(at) if self.problem.free_period else None
+        return monodromy(self._matrix(point)[:n, :n] + np.eye(n), along)
+
+    def multipliers(self, point: CyclePoint) -> Complexes:
+        """Multipliers of a cycle (m,)."""
+        if id(point) not in self._multipliers:
+            values = multipliers_of(self.monodromy(point), self.problem.lost(point.at))
+            self._multipliers[id(point)] = point, values
+        return self._multipliers[id(point)][1]
+
+    def finished(self, point: CyclePoint) -> CycleState:
+        """The start of a lap, on the section, with the period that the lap takes."""
+        problem, at = self.problem, point.at
+        period = at.period if problem.free_period else problem.lap(at).period
+        return replace(at, x=problem.on_section(at), period=period)

@@ -1,0 +1,194 @@
+"""Runs of a model at fixed tolerances, one after the other from states that differ a little."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Mapping
+from copy import copy
+from dataclasses import dataclass, replace
+from typing import final
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import SolveError
+from ...runtime.calls.loaded_function import LoadedFunction
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ..simulation import run_record as abi
+from ..simulation.discontinuities import jumps, stops_of
+from ..simulation.events import EventTable
+from ..simulation.outcome import explain
+from ..simulation.run import Runner
+from ..simulation.settings import Settings, Start
+from ..simulation.signals import Signals, signals
+from ..simulation.simulate import driven, runner_of
+from ..simulation.times import Span
+
+STEPS = 16  # of a run, behind which its events are looked at
+
+
+@dataclass(frozen=True, eq=False)
+class Passage:
+    """An event on a run.
+
+    Attributes:
+        t: When [s].
+        fired: Mask of the events (ne,).
+        x, s: State (nx,) and modes (ns,) before it.
+        x_after, s_after: Behind it.
+    """
+
+    t: float
+    fired: Array
+    x: Array
+    s: Array
+    x_after: Array
+    s_after: Array
+
+
+@final
+class Flow:
+    """Runs of a model with its parameters and inputs.
+
+    Attributes:
+        event_table: What may happen.
+    """
+
+    def __init__(
+        self,
+        model: LoadedModel,
+        how: Settings,
+        inputs: Mapping[str, object],
+        event_table: EventTable,
+    ) -> None:
+        """Args:
+        model: The model, with its parameters.
+        how: How to step.
+        inputs: Constants or functions by name.
+        event_table: What may happen; terminal events end nothing here.
+        """
+        self._base, self._how, self.event_table = model, how, _going_on(event_table)
+        self._parameters: dict[str, float] | None = None
+        self._named_inputs = dict(inputs)
+        self._inputs: Signals = signals(model.manifest.inputs, inputs, None, (0.0, 0.0))
+        self._runner: Runner = runner_of(model, how, self._inputs, self.event_table)
+        self._runner.want(None, dense=False)
+        self._begun = bytes(self._runner.record)
+        self._prepared: dict[str, Array] = {}
+
+    def changed(self, values: Mapping[str, float]) -> Flow:
+        """The same with other parameters and inputs; what runs is shared."""
+        inputs = {
+            **self._named_inputs,
+            **{n: v for n, v in values.items() if n in self._base.inputs},
+        }
+        parameters = {n: v for n, v in values.items() if n not in self._base.inputs}
+        if self._base.manifest.absolute:
+            # tables of elements are those of one set of parameters
+            model = self._base.with_parameters(parameters)
+            return Flow(model, self._how, inputs, self.event_table)
+        other = copy(self)
+        other._parameters = parameters or None
+        other._inputs = signals(self._base.manifest.inputs, inputs, None, (0.0, 0.0))
+        p = self._base._parameters.changed(parameters)
+        other._prepared = {name: one.prepared(p) for name, one in _called(self._runner).items()}
+        return other
+
+    @property
+    def model(self) -> LoadedModel:
+        """The model, with its parameters."""
+        return self._base.with_parameters(self._parameters) if self._parameters else self._base
+
+    def event_values(self, x: Array, s: Array, t: float) -> Array:
+        """Numbers (ne,) of the events of the model, which pass 0."""
+        q, u, z = self._base.parts_of(x)
+        base, r = self._base, self.inputs(t)
+        return np.asarray(base.events(q, u, z=z, s=s, t=t, r=r, parameters=self._parameters))
+
+    def rates(self, x: Array, s: Array, t: float) -> Array:
+        """xdot (nx,)."""
+        base, r = self._base, self.inputs(t)
+        return np.asarray(base.rhs(t, x, r, s=s, parameters=self._parameters))
+
+    def end(self, x: Array, s: Array, t: float, end: float) -> tuple[Array, Array]:
+        """State (nx,) and modes (ns,) at the end of a run.
+
+        Raises:
+            SolveError: the run breaks down.
+        """
+        self._run(x, s, t, end, lambda _: False)
+        return self._state(), self._runner.views["s"].copy()
+
+    def passage(
+        self, x: Array, s: Array, t: float, end: float, match: Callable[[Passage], bool]
+    ) -> Passage | None:
+        """The first event on a run that matches; None if there is none.
+
+        Raises:
+            SolveError: the run breaks down.
+        """
+        matches = list[Passage]()
+
+        def stop(log: Array) -> bool:
+            matches.extend(one for one in map(self._passage, log) if match(one))
+            return bool(matches)
+
+        self._run(x, s, t, end, stop)
+        return matches[0] if matches else None
+
+    def motion(self, x: Array, s: Array, t: float, end: float) -> TrajectoryRecord:
+        """The run as a motion."""
+        runner = runner_of(self.model, self._how, self._inputs, self.event_table)
+        runner.views["s"][:] = s
+        return driven(runner, Span(t, end), Start(x, ()), False)
+
+    def inputs(self, t: float) -> Array:
+        """Inputs (nr,) at a time, functions left out."""
+        return self._inputs.first(t)
+
+    def _state(self) -> Array:
+        return self._runner.views["y"][: self._base.nx].copy()
+
+    def _run(self, x: Array, s: Array, t: float, end: float, stop: Callable[[Array], bool]) -> None:
+        """Go from a state to a time, or until the log of events says that it is enough."""
+        runner, run = self._runner, self._runner.record
+        ctypes.memmove(ctypes.addressof(run), self._begun, len(self._begun))
+        for name, w in self._prepared.items():
+            setattr(run, f"{name}_w", w.ctypes.data)
+        runner.memory.fill(0.0)
+        runner.signals = self._inputs
+        runner.adjust()
+        runner.views["s"][:] = s
+        jumping = self.model if jumps(self._base) else self._base
+        answer = runner.start(t, x, stops_of(jumping, self._inputs, t, end)) or abi.MORE
+        while answer in (abi.MORE, abi.FULL):
+            run.count = 0
+            answer = runner.drive(STEPS)
+            runner.check()
+            runner.check_interrupt()
+            if stop(runner.drained()):
+                return
+        if answer != abi.DONE:
+            raise SolveError(explain(runner, answer, Span(t, end))[1])
+
+    def _passage(self, row: Array) -> Passage:
+        """A row of the log of events."""
+        nx, first = self._base.nx, 1 + len(self.event_table.rows)
+        x, s, x_after, s_after = np.split(row[first:], np.cumsum([nx, self._base.ns, nx]).tolist())
+        return Passage(float(row[0]), row[1:first] != 0, x, s, x_after, s_after)
+
+
+def _called(runner: Runner) -> dict[str, LoadedFunction]:
+    """Functions of the model that a run calls, by their names in its record."""
+    names = (
+        *runner.closing.functions, *runner.settings.method.needs, *runner.event_table.functions
+    )  # fmt: skip
+    functions = dict(zip(("rhs", "power"), runner.functions, strict=False))
+    return functions | dict(zip(names, [*runner.closers, *runner.needed], strict=True))
+
+
+def _going_on(event_table: EventTable) -> EventTable:
+    """The table with terminal events that are noted alone."""
+    kinds = tuple(abi.MARK if kind == abi.HALT else kind for kind in event_table.kinds)
+    return replace(event_table, kinds=kinds)

@@ -1,0 +1,48 @@
+"""Multipliers of a cycle: how small disturbances grow from lap to lap."""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arrays import Array
+
+Complexes: TypeAlias = NDArray[np.complex128]
+REAL = 1e-9  # imaginary parts, as parts of the modulus, that are rounding
+NEUTRAL = 1e-6  # moduli that much above 1 are 1
+
+
+def monodromy(DP: Array, along: Array | None) -> Array:
+    """The derivative of a lap across the flow.
+
+    Args:
+        DP: The derivative (n, n).
+        along: Direction (n,) of the flow, which a lap leaves as it is; None where laps end at a
+            section or at a time.
+
+    Returns:
+        (n, n), or (n - 1, n - 1) across.
+    """
+    if along is None or not np.any(along):
+        return DP
+    across = np.linalg.svd(along[None, :])[2][1:].T
+    return np.asarray(across.T @ DP @ across)
+
+
+def multipliers_of(M: Array, lost: int) -> Complexes:
+    """Eigenvalues of a monodromy matrix by their moduli, the largest first.
+
+    Args:
+        M: The matrix (n, n).
+        lost: Smallest ones that are left out: 0 by what a lap begins at.
+    """
+    values = np.linalg.eigvals(M).astype(np.complex128)
+    order = np.lexsort((-values.imag, -values.real, -np.round(np.abs(values), 12)))
+    return np.asarray(values[order][: max(0, len(values) - lost)])
+
+
+def unstable(multipliers: Complexes) -> int:
+    """Number of multipliers outside of the unit circle."""
+    return int(np.sum(np.abs(multipliers) > 1 + NEUTRAL))

@@ -1,0 +1,149 @@
+"""Newton's method for a start that a lap leads back to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import SolveError
+from ..systems.central_differences import by_differences
+from .cycle_problem import CycleProblem, CycleState
+
+NEWTON, HALVINGS = 30, 8
+FINE = 0.02  # of the steps that differences take: runs bend more than forces do
+CHORD = 1e-6  # residuals below which the derivative of a lap stays as it is
+ROUNDING, CLOSED = 1e-9, 1e-13  # residuals of cycles, and those that are enough
+SINGULAR = 1e-9  # of the largest singular value: directions along which cycles form families
+
+
+@dataclass(frozen=True, eq=False)
+class Phase:
+    """The place on a cycle of free period at which it starts: a plane across the flow.
+
+    Attributes:
+        x: A state (nx,) of the plane.
+        normal: Across it (n,).
+    """
+
+    x: Array
+    normal: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Shooting:
+    """The residual of a start and its derivatives.
+
+    Attributes:
+        problem: Of what.
+        phase: The place at which cycles of free period start; None of others.
+    """
+
+    problem: CycleProblem
+    phase: Phase | None
+
+    @classmethod
+    def of(cls, problem: CycleProblem, at: CycleState) -> Shooting:
+        """Equations of cycles near to a start.
+
+        Raises:
+            SolveError: nothing moves there.
+        """
+        if not problem.free_period:
+            return cls(problem, None)
+        rate = problem.rate(at)
+        size = float(np.linalg.norm(rate))
+        if not size > 0:
+            raise SolveError("cycle: the start is at rest; start= from a state that moves")
+        return cls(problem, Phase(at.x, rate / size))
+
+    def residual(self, at: CycleState) -> Array:
+        """What a lap misses its start by (n,), and the distance from the phase.
+
+        Raises:
+            SolveError: the lap breaks down.
+        """
+        missed = self.problem.step(at.x, self.problem.lap(at).x)
+        if self.phase is None:
+            return missed
+        off = float(self.phase.normal @ self.problem.step(self.phase.x, at.x))
+        return np.append(missed, off)
+
+    def moved(self, at: CycleState, dz: Array) -> CycleState:
+        """The start an increment (n,), or (n + 1,) with the part that the period grows by, away."""
+        n = len(self.problem.units)
+        period = at.period * (1 + float(dz[n])) if self.problem.free_period else at.period
+        return replace(at, x=self.problem.moved(at.x, dz[:n]), period=period)
+
+    def jacobian(self, at: CycleState) -> Array:
+        """Derivative of the residual by central differences of runs.
+
+        Raises:
+            SolveError: a lap breaks down.
+        """
+        count = len(self.problem.units) + self.problem.free_period
+        return by_differences(lambda dz: self.residual(self.moved(at, dz)), np.full(count, FINE))
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """The end of a search.
+
+    Attributes:
+        at: The start of a lap.
+        residuals: Largest ones, iteration by iteration.
+        converged: Whether it is a cycle.
+    """
+
+    at: CycleState
+    residuals: tuple[float, ...]
+    converged: bool
+
+
+def solve(shooting: Shooting, start: CycleState) -> Solved:
+    """The cycle next to a start, by Newton's method with steps that are halved.
+
+    Raises:
+        SolveError: the first lap breaks down.
+    """
+    at, left = start, shooting.residual(start)
+    sizes: list[float] = [_size(left)]
+    J: Array | None = None
+    for _ in range(NEWTON):
+        if J is None or sizes[-1] > CHORD:
+            J = shooting.jacobian(at)
+        dz = np.asarray(np.linalg.lstsq(J, -left, SINGULAR)[0], dtype=np.float64)
+        step = _halved(shooting, at, dz, sizes[-1])
+        if step is None:
+            break
+        at, left = step
+        sizes.append(_size(left))
+        if sizes[-1] < CLOSED or (sizes[-1] < CHORD and sizes[-1] > 0.1 * sizes[-2]):
+            break
+    s = shooting.problem.lap(at).s
+    settled = bool((s == at.s).all())
+    period = at.period if shooting.problem.free_period else shooting.problem.lap(at).period
+    at = replace(at, x=shooting.problem.on_section(at), period=period)
+    return Solved(at, tuple(sizes), sizes[-1] <= ROUNDING and settled)
+
+
+def _size(left: Array) -> float:
+    return float(np.abs(left).max(initial=0.0))
+
+
+def _halved(
+    shooting: Shooting, at: CycleState, dz: Array, before: float
+) -> tuple[CycleState, Array] | None:
+    """The start behind a step that leaves less, halved until it does; None where none does."""
+    share = min(1.0, 1.0 / max(float(np.abs(dz).max(initial=0.0)), 1e-300))
+    for _ in range(HALVINGS):
+        there = shooting.moved(at, share * dz)
+        try:
+            left = shooting.residual(there)
+        except SolveError:
+            left = np.full(1, np.inf)
+        if _size(left) < before * (1 - 0.1 * share):
+            return there, left
+        share *= 0.5
+    return None
