@@ -21,7 +21,7 @@ from ..systems.saddle_point import Matrix
 from ..systems.sparse_saddle_point import SparseSaddle
 
 Solver = Callable[[Array], Array]
-CORRECTIONS, ENOUGH = 6, 1e-13
+CORRECTIONS, ENOUGH, SLOW = 6, 1e-13, 0.3
 ITERATIONS = 3  # of inverse iteration for null spaces
 
 
@@ -158,13 +158,14 @@ class SaddleBordered:
         """A solution, corrected until what is left of the right-hand side is rounding."""
         try:
             z = once(*right)
-            size = max(float(np.abs(part).max(initial=0.0)) for part in right)
+            size, last = max(float(np.abs(part).max(initial=0.0)) for part in right), np.inf
             for _ in range(CORRECTIONS):
                 open_parts = left(z)
                 worst = max(float(np.abs(part).max(initial=0.0)) for part in open_parts)
-                if not worst > ENOUGH * size:
+                # what does not become less is rounding
+                if not ENOUGH * size < worst < SLOW * last:
                     break
-                z = z + once(*open_parts)
+                z, last = z + once(*open_parts), worst
         except np.linalg.LinAlgError:
             raise SolveError("the bordered equations are singular") from None
         if not np.isfinite(z).all():

@@ -164,7 +164,8 @@ class SparseSaddle:
     def _key(self, parts: tuple[NDArray[np.integer], ...]) -> bytes:
         """A hash of a pattern; of the arrays that came last it is known."""
         last, key = self._last
-        if not (len(last) == len(parts) and all(a is b for a, b in zip(last, parts, strict=True))):
+        # arrays that are kept keep their memory: what lies there is the same pattern
+        if not last or any(map(_differ, last, parts)):
             key = sha256(b"".join(part.tobytes() for part in parts)).digest()
             self._last = parts, key
         return key
@@ -209,6 +210,11 @@ class SparseSaddle:
         start = matrix.value[np.searchsorted(entries, pairs)][pair]
         at = start + (i - matrix.first[block[i]]) * matrix.stride[block[i]]
         return _PlannedPattern(pattern_plan, order, place, at + j - matrix.first[block[j]])
+
+
+def _differ(a: NDArray[np.integer], b: NDArray[np.integer]) -> bool:
+    """True unless two arrays are one part of memory."""
+    return a.ctypes.data != b.ctypes.data or a.size != b.size or a.dtype != b.dtype
 
 
 def _through_rows(coupled: Longs, multiplier: Booleans) -> Longs:

@@ -94,6 +94,7 @@ class Mesh(Elements):
         self._codes = dict(load([c for kind in tables.kinds for c in kind.functions.values()]))
         self.interpreted = any(code.interpreted is not None for code in self._codes.values())
         # what the judge may call, who has the lock, and what every thread may
+        self._source: Mesh | None = None  # elements that others share what is prepared with
         self._connected: set[str] = set()
         self._approved: set[str] = set()
         self._lock = lock
@@ -133,7 +134,7 @@ class Mesh(Elements):
         """The same elements with other data; what is prepared from the same data is shared."""
         with self._lock:
             other = copy(self)
-            other.data = data
+            other.data, other._source = data, self
             other._references = [*self._references]
             other._codes, other._connected = dict(self._codes), set(self._connected)
             other._approved = set(self._approved)
@@ -184,16 +185,23 @@ class Mesh(Elements):
     def _connect(self, missing: Sequence[str]) -> list[str]:
         """Load functions, alone; those that were compiled just now."""
         groups = self.tables.groups
+        source = self._source
+        if source is not None:
+            source.connect(*missing)
         having = [(g, name) for g in groups for name in missing if name in g.kind.functions]
         loaded = self._load([group.kind.functions[name] for group, name in having])
         self._codes |= loaded
-        for record, group, data in zip(self._groups, groups, self.data, strict=False):
+        for k, (record, group) in enumerate(zip(self._groups, groups, strict=False)):
             for name in missing:
-                if name in group.kind.functions:
-                    form = record.forms[FORMS.index(name)]
-                    code = self._codes[group.kind.functions[name]]
-                    code.take(_block_sizes(group.kind, self.tables.nr))
-                    self._form(form, code, data)
+                if name not in group.kind.functions:
+                    continue
+                place = FORMS.index(name)
+                if source is not None and self.data[k] is source.data[k]:
+                    record.forms[place] = source._groups[k].forms[place]
+                    continue
+                code = self._codes[group.kind.functions[name]]
+                code.take(_block_sizes(group.kind, self.tables.nr))
+                self._form(record.forms[place], code, self.data[k])
         self._connected.update(missing)
         return [symbol for symbol, code in loaded.items() if code.fresh]
 
