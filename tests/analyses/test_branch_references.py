@@ -187,3 +187,31 @@ def test_truss_of_von_mises(rise: float) -> None:
         away = np.abs(u) > 1e-3
         np.testing.assert_allclose(p[away], wanted[away], atol=1e-9)
         np.testing.assert_allclose(branch["P"][away], ((s / p - 2 / length) * z)[away], atol=1e-9)
+
+
+def test_an_imperfection_cuts_a_branch_off() -> None:
+    """P = 2 (t - t0) / sin t; the other side is not connected, and turns at tan t = t - t0."""
+    imperfection = 0.02
+    scene = cd.Scene("two_links", gravity=(0, 0, 0))
+    one, two, end = (scene.body(name, **POINT) for name in ("one", "two", "end"))
+    scene.joint("theta", cd.Revolute("z"), scene.ground, one)
+    scene.joint("middle", cd.Revolute("z"), one.at(1, 0, 0), two)
+    scene.joint("pin", cd.Revolute("z"), two.at(1, 0, 0), end)
+    scene.joint("slide", cd.Prismatic("x"), scene.ground, end)
+    spring = -(scene.q("middle") + 2 * imperfection)
+    scene.force("spring", cd.JointForce("middle", spring))
+    scene.force("load", cd.Force(end, (-1 * scene.parameter("P", 0.0), 0, 0)))
+    model = cd.compile(scene)
+    limits = {"theta": (-2.5, 2.5)}
+    path = model.continuation(P=(0, 4), q={"theta": imperfection}, search=1, bounds=limits)
+    assert [*path.branches] == ["main", "other 1.1a"]
+    for branch in path.branches.values():
+        t = branch["theta"]
+        np.testing.assert_allclose(branch["P"] * np.sin(t), 2 * (t - imperfection), atol=EXACT)
+    assert path["theta"].min() > 0
+    other = path.branches["other 1.1a"]
+    assert other["theta"].max() < 0
+    (fold,) = (point for point in other.points if point.kind == "fold")
+    turn = fold["theta"]
+    assert np.tan(turn) == pytest.approx(turn - imperfection, abs=1e-7)
+    assert fold["P"] == pytest.approx(2 / np.cos(turn), abs=EXACT)

@@ -4,24 +4,40 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 
 from ..arguments import checked
 from ..arrays import Array
-from ..errors import ArgumentError
+from ..errors import ArgumentError, ModelError, near
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..view.drawing import Abscissa, reaction_frames
 from ..view.page import Page, page_of
+from .continuation.record import BranchRecord, ContinuationRecord
 from .mechanisms.assembly import AssemblyRecord
 from .mechanisms.sweep import SweepRecord
 from .statics.equilibrium import EquilibriumRecord
 from .statics.static_path import StaticPathRecord
 
+Positions: TypeAlias = (
+    AssemblyRecord
+    | BranchRecord
+    | ContinuationRecord
+    | EquilibriumRecord
+    | StaticPathRecord
+    | SweepRecord
+)
+
 
 @checked
 def animate(
-    result: AssemblyRecord | EquilibriumRecord | StaticPathRecord | SweepRecord,
+    result: AssemblyRecord
+    | EquilibriumRecord
+    | StaticPathRecord
+    | SweepRecord
+    | ContinuationRecord
+    | BranchRecord,
     path: str | Path | None = None,
     *,
     show: str | Sequence[str] | None = None,
@@ -31,11 +47,13 @@ def animate(
     meshes: str | float | bool = "auto",
     page: str = "3d",
     title: str | None = None,
+    branch: str = "main",
 ) -> Page:
     """A self-contained page of the positions, over the load or the driver where there are several.
 
     Args:
         result: The positions.
+        branch: Of a continuation: the name of a branch.
         path, show, follow, traces, meshes, page, title: As :meth:`.Trajectory.animate`.
         plots: Names of histories below the picture, as ``result[name]``.
 
@@ -46,6 +64,8 @@ def animate(
         ModelError, ArgumentError: as :meth:`.Trajectory.animate`; or there are no positions, or
             histories of a single one.
     """
+    if isinstance(result, ContinuationRecord):
+        result = _branch(result, branch)
     rows, abscissa = _rows(result, "reactions" in (show or ()))
     if not rows:
         raise ArgumentError("animate: there are no positions to show")
@@ -57,9 +77,18 @@ def animate(
     )  # fmt: skip
 
 
-def _rows(
-    result: AssemblyRecord | EquilibriumRecord | StaticPathRecord | SweepRecord, reactions: bool
-) -> tuple[list[TrajectoryRecord], Abscissa]:
+def _branch(path: ContinuationRecord, name: str) -> BranchRecord:
+    """A branch by its name.
+
+    Raises:
+        ModelError: there is none.
+    """
+    if name not in path.branches:
+        raise ModelError(f"animate: there is no branch '{name}'.{near(name, path.branches)}")
+    return path.branches[name]
+
+
+def _rows(result: Positions, reactions: bool) -> tuple[list[TrajectoryRecord], Abscissa]:
     """A motion for every row, each with its own parameters, and what the rows stand for.
 
     Args:
@@ -75,6 +104,13 @@ def _rows(
         return [_of_equilibrium(row, reactions) for row in result.rows], Abscissa(
             np.asarray(values), name, ""
         )
+    if isinstance(result, BranchRecord):
+        name = next(iter(result.values))
+        values = np.asarray(result.values[name])
+        if _turns_back(values):
+            name, values = "point", np.arange(len(result), dtype=np.float64)
+        rows = [result[k] for k in range(len(result))]
+        return [_of_solution(row, reactions) for row in rows], Abscissa(values, name, "")
     if isinstance(result, SweepRecord):
         drivers, model = result.drivers, result.model
         name = next(iter(drivers))
@@ -87,13 +123,22 @@ def _rows(
         if _turns_back(values):
             name, unit, values = "row", "", np.arange(len(values), dtype=np.float64)
         return [swept], Abscissa(values, name, unit)
-    if isinstance(result, EquilibriumRecord):
-        return [_of_equilibrium(result, reactions)], Abscissa(np.array([result.t]))
-    at = np.array([result.t])
-    still = TrajectoryRecord.of_states(
-        result.model, at, result.x[None], np.atleast_2d(result.r), "assembly"
-    )
-    return [still], Abscissa(at)
+    assert isinstance(result, AssemblyRecord | EquilibriumRecord)
+    return [_of_solution(result, reactions)], Abscissa(np.array([result.t]))
+
+
+def _of_solution(one: object, reactions: bool) -> TrajectoryRecord:
+    """A position or an equilibrium as a motion of one row.
+
+    Raises:
+        ModelError: it is a motion.
+    """
+    if isinstance(one, EquilibriumRecord):
+        return _of_equilibrium(one, reactions)
+    if not isinstance(one, AssemblyRecord):
+        raise ModelError("animate: path[k].motion.animate() shows one of these motions")
+    r = np.atleast_2d(one.r)
+    return TrajectoryRecord.of_states(one.model, np.array([one.t]), one.x[None], r, "assembly")
 
 
 def _turns_back(values: Array) -> bool:

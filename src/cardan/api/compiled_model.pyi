@@ -695,6 +695,7 @@ class CompiledModel(LoadedModel):
         bounds: Mapping[str, tuple[float, float]] | None = None,
         events: Mapping[str, float] | None = None,
         branches: int | bool = 0,
+        search: int = 0,
         points: Count = 300,
         step: float | None = None,
         check: bool = False,
@@ -723,6 +724,8 @@ class CompiledModel(LoadedModel):
             events: Name -> value: where it is passed is noted.
             branches: How many generations of branches to follow from branch points, and of cycles from
                 period doublings; True for all.
+            search: At how many loads, evenly up to the end, to look for solutions that no branch
+                leads to, as an imperfection makes them; their branches are called ``"other ..."``.
             points: Points of a branch at most.
             step: Longest step, as a part of the size of the system, of a radian and of the range.
             check: Raise where the path ends in between, instead of warning.

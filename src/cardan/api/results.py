@@ -25,9 +25,12 @@ from .faces import attribute, verb
 
 @final
 class Continuation(ContinuationRecord):
-    """Equilibria along a path of loads, and branches that leave it."""
+    """Equilibria, positions or cycles along a path, and branches that leave it."""
 
+    animate = verb("cardan.analyses.snapshots:animate")
     plot = verb("cardan.analyses.continuation.diagram:plot")
+    save = verb("cardan.analyses.continuation.path_file:save")
+    table = verb("cardan.analyses.continuation.path_file:table")
 
 
 @final

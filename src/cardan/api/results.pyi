@@ -24,13 +24,41 @@ from ..analyses.simulation.precision.work_precision import PrecisionRecord
 from ..analyses.statics.equilibrium import EquilibriumRecord
 from ..analyses.statics.static_path import StaticPathRecord
 from ..arguments import Count
+from ..arrays import Array
 from ..view.page import Page
 from .trajectory import Trajectory
 
 @final
 class Continuation(ContinuationRecord):
-    """Equilibria along a path of loads, and branches that leave it.
+    """Equilibria, positions or cycles along a path, and branches that leave it.
     """
+    def animate(
+        self,
+        path: str | Path | None = None,
+        *,
+        show: str | Sequence[str] | None = None,
+        plots: str | Sequence[str] | None = None,
+        follow: str | None = None,
+        traces: str | Sequence[str] = (),
+        meshes: str | float | bool = "auto",
+        page: str = "3d",
+        title: str | None = None,
+        branch: str = "main",
+    ) -> Page:
+        """A self-contained page of the positions, over the load or the driver where there are several.
+
+        Args:
+            branch: Of a continuation: the name of a branch.
+            path, show, follow, traces, meshes, page, title: As :meth:`.Trajectory.animate`.
+            plots: Names of histories below the picture, as ``result[name]``.
+
+        Returns:
+            The page; ``.path`` is its file. Without a path it is opened, or shown in a notebook.
+
+        Raises:
+            ModelError, ArgumentError: as :meth:`.Trajectory.animate`; or there are no positions, or
+                histories of a single one.
+        """
     def plot(
         self,
         along: str,
@@ -48,6 +76,29 @@ class Continuation(ContinuationRecord):
         Raises:
             ModelError: unknown names, or a file that is not a picture.
             ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+    def save(
+        self,
+        file: str | Path,
+    ) -> Path:
+        """Write all branches and their special points; the ending says the format.
+
+        .nc (netCDF), .npz (NumPy archive), .csv (a table with a row for every point of every branch)
+        or .mat (MATLAB). The file appears complete or not at all; it is for other programs.
+
+        Returns:
+            Its path.
+
+        Raises:
+            ModelError: a file that cannot be written, or of another format.
+        """
+    def table(
+        self,
+    ) -> dict[str, Array]:
+        """Columns (n,) over the points of all branches, one branch after the other.
+
+        What is swept, coordinates, outputs, ``stable`` and ``stable_held`` (1, 0, or -1 where they are
+        not known), and ``branch``, the number of the branch in ``path.branches``.
         """
 
 @final
@@ -269,10 +320,12 @@ class Assembly(AssemblyRecord):
         meshes: str | float | bool = "auto",
         page: str = "3d",
         title: str | None = None,
+        branch: str = "main",
     ) -> Page:
         """A self-contained page of the positions, over the load or the driver where there are several.
 
         Args:
+            branch: Of a continuation: the name of a branch.
             path, show, follow, traces, meshes, page, title: As :meth:`.Trajectory.animate`.
             plots: Names of histories below the picture, as ``result[name]``.
 
@@ -299,10 +352,12 @@ class Sweep(SweepRecord):
         meshes: str | float | bool = "auto",
         page: str = "3d",
         title: str | None = None,
+        branch: str = "main",
     ) -> Page:
         """A self-contained page of the positions, over the load or the driver where there are several.
 
         Args:
+            branch: Of a continuation: the name of a branch.
             path, show, follow, traces, meshes, page, title: As :meth:`.Trajectory.animate`.
             plots: Names of histories below the picture, as ``result[name]``.
 
@@ -374,10 +429,12 @@ class Equilibrium(EquilibriumRecord):
         meshes: str | float | bool = "auto",
         page: str = "3d",
         title: str | None = None,
+        branch: str = "main",
     ) -> Page:
         """A self-contained page of the positions, over the load or the driver where there are several.
 
         Args:
+            branch: Of a continuation: the name of a branch.
             path, show, follow, traces, meshes, page, title: As :meth:`.Trajectory.animate`.
             plots: Names of histories below the picture, as ``result[name]``.
 
@@ -404,10 +461,12 @@ class StaticPath(StaticPathRecord):
         meshes: str | float | bool = "auto",
         page: str = "3d",
         title: str | None = None,
+        branch: str = "main",
     ) -> Page:
         """A self-contained page of the positions, over the load or the driver where there are several.
 
         Args:
+            branch: Of a continuation: the name of a branch.
             path, show, follow, traces, meshes, page, title: As :meth:`.Trajectory.animate`.
             plots: Names of histories below the picture, as ``result[name]``.
 

@@ -5,18 +5,22 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 
+import numpy as np
+
 from ..simulation.progress import Show
 from .curve import Curve
-from .family import Family, length
+from .deflation import others
+from .family import Family, Point, length
 from .follow import Place, Reach, place
 from .record import BranchRecord, ContinuationRecord
 from .solutions import Solutions
 from .special_points import BRANCH, Special, Test, Watch
 from .tracing import trace
 
-MAIN = "main"
+MAIN, OTHER = "main", "other"
 SAME = 1e-6  # lengths of increments between points that are one
 PARALLEL = 0.999  # cosine of directions that are one
+SEARCHES = 60  # for a solution to which no branch leads
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 
 
@@ -73,6 +77,11 @@ class _Waiting:
     generations: int
 
 
+def _started(solutions: Solutions, first: Place) -> Callable[[], tuple[Solutions, Place]]:
+    """A branch that starts at a place, whatever was followed."""
+    return lambda: (solutions, first)
+
+
 @dataclass(eq=False)
 class Tracer:
     """Branches as they are followed.
@@ -80,6 +89,7 @@ class Tracer:
     Attributes:
         tests: Ends and events of solutions.
         points: Of a branch at most.
+        search: At how many values of the parameter to look for branches that are not connected.
         reach: Controls of steps.
         branches: Branches by name.
         junctions: Branch points that they pass.
@@ -87,6 +97,7 @@ class Tracer:
 
     tests: Callable[[Solutions], list[Test]]
     points: int
+    search: int
     reach: Reach
     branches: dict[str, BranchRecord] = field(default_factory=dict)
     junctions: list[_Junction] = field(default_factory=list)
@@ -95,25 +106,59 @@ class Tracer:
         self, solutions: Solutions, begin: Place, depth: int, show: Show
     ) -> ContinuationRecord:
         """The curve through a place, and the branches that leave it, each once."""
-        waiting = [_Waiting(MAIN, lambda: (solutions, begin), depth + 1)]
         try:
-            while waiting:
-                branch = waiting.pop(0)
-                start = branch.first() if branch.generations > 0 else None
-                if start is None:
-                    continue
-                curve = self._traced(branch.name, *start, show)
-                waiting += self._leaving(branch, start[0], curve)
+            self._follow(_Waiting(MAIN, lambda: (solutions, begin), depth + 1), show)
+            for k in range(self.search):
+                value = (k + 1) / self.search
+                for number, point in enumerate(self._disconnected(solutions, begin, value), 1):
+                    for letter, sign in (("a", -1.0), ("b", 1.0))[: 1 if value == 1.0 else 2]:
+                        toward = np.zeros(len(solutions.family.weights))
+                        toward[-1] = sign
+                        first = place(solutions.family, point, toward)
+                        name = f"{OTHER} {k + 1}.{number}{letter}"
+                        start = _Waiting(name, _started(solutions, first), depth + 1)
+                        self._follow(start, show)
         except KeyboardInterrupt:
             if not self.branches:
                 raise
         return ContinuationRecord(solutions.model, dict(self.branches))
 
+    def _follow(self, branch: _Waiting, show: Show) -> None:
+        """A curve and the branches that leave it."""
+        waiting = [branch]
+        while waiting:
+            branch = waiting.pop(0)
+            start = branch.first() if branch.generations > 0 else None
+            if start is None:
+                continue
+            curve = self._traced(branch.name, *start, show)
+            waiting += self._leaving(branch, start[0], curve)
+
+    def _disconnected(self, of: Solutions, begin: Place, value: float) -> Iterator[Point]:
+        """Solutions within the bounds at a value of the parameter, to which no branch leads."""
+        ends = [test for test in self.tests(of) if test.ends]
+        signs = [test.value(begin) for test in ends]
+
+        def inside(point: Point) -> bool:
+            at = Place(point, begin.tangent, 0.0, 0.0)
+            return all(s * test.value(at) >= 0 for s, test in zip(signs, ends, strict=True))
+
+        while True:
+            curves = [b.curve for b in self.branches.values() if b.solutions is of]
+            point = next(filter(inside, others(curves, value, SEARCHES)), None)
+            if point is None:
+                return
+            yield point
+
     def _traced(self, name: str, of: Solutions, first: Place, show: Show) -> Curve:
         """The curve through a place."""
         curve = Curve(of.family, [first])
+        tests = self.tests(of)
+        if name.startswith(OTHER):
+            # what no path leads to from the start of the range ends there
+            tests.append(Test("the start", lambda at: of.family.parameter(at.point), ends=True))
         watch = Watch(
-            of.count, of.growth, of.oscillation, of.onsets, self.tests(of), self.points,
+            of.count, of.growth, of.oscillation, of.onsets, tests, self.points,
             corner=of.corner, ends=[*self._ends(of)],
         )  # fmt: skip
 

@@ -47,6 +47,7 @@ def continuation(
     bounds: Mapping[str, tuple[float, float]] | None = None,
     events: Mapping[str, float] | None = None,
     branches: int | bool = 0,
+    search: int = 0,
     points: Count = POINTS,
     step: float | None = None,
     check: bool = False,
@@ -76,6 +77,8 @@ def continuation(
         events: Name -> value: where it is passed is noted.
         branches: How many generations of branches to follow from branch points, and of cycles from
             period doublings; True for all.
+        search: At how many loads, evenly up to the end, to look for solutions that no branch
+            leads to, as an imperfection makes them; their branches are called ``"other ..."``.
         points: Points of a branch at most.
         step: Longest step, as a part of the size of the system, of a radian and of the range.
         check: Raise where the path ends in between, instead of warning.
@@ -107,7 +110,7 @@ def continuation(
     def tests(of: Solutions) -> list[Test]:
         return _tests(of, begin.end, until, bounds, events)
 
-    run = Tracer(tests, points, Reach(**longest))
+    run = Tracer(tests, points, search, Reach(**longest))
     depth = 99 if branches is True else int(branches)
     with showing(progress, f"continuation of '{model.name}'") as show:
         record = run.all_of(begin.solutions, begin.place, depth, show)

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import json
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +12,7 @@ import numpy as np
 from ... import arguments
 from ...errors import ModelError
 from ...runtime import formats
-from ...runtime.formats.contents import Contents, Variable, letters
+from ...runtime.formats.contents import Contents, Variable, letters, safe_name
 from ...version import ENSEMBLE
 from .file_schema import NOTES, Read, checked
 from .lane_runner import NUMBERS
@@ -23,8 +22,6 @@ if TYPE_CHECKING:
     from .result import EnsembleRecord, Request
 
 FEWER = "Keep reductions instead of states"
-# what a name in a file may have beside letters of ASCII and digits
-OTHER = re.compile(r"[^A-Za-z0-9_.]")
 
 
 def variables(ensemble: EnsembleRecord) -> dict[str, Variable]:
@@ -35,7 +32,7 @@ def variables(ensemble: EnsembleRecord) -> dict[str, Variable]:
         name: str, kind: str, label: str, axes: Sequence[str], values: Any, **more: str
     ) -> None:
         # netCDF allows fewer characters in names than cardan; the attribute keeps the name
-        safe = _safe(name, variables)
+        safe = safe_name(name, {*variables, "status", "entry", "run"})
         shape = np.shape(values)
         dimensions = [a if a in ("run", "time", "entry") else f"{safe}_{a}" for a in axes]
         dimensions += [f"{safe}_axis_{k}" for k in range(len(dimensions), len(shape))]
@@ -59,17 +56,6 @@ def variables(ensemble: EnsembleRecord) -> dict[str, Variable]:
         else:
             add(name, "reduction", name, request.axes.get(name, ()), value)
     return variables
-
-
-def _safe(name: str, taken: Mapping[str, object]) -> str:
-    """A name that every reader takes, and no other variable has."""
-    safe = OTHER.sub("_", name)
-    safe = safe if safe[:1].isalpha() else f"_{safe}"
-    candidate, k = safe, 1
-    while candidate in (*taken, "status", "entry", "run"):
-        k += 1
-        candidate = f"{safe}_{k}"
-    return candidate
 
 
 def to_xarray(ensemble: EnsembleRecord) -> Any:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Iterable, Mapping
+import re
+from collections.abc import Callable, Container, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,8 @@ from numpy.typing import NDArray
 Array = NDArray[Any]
 # texts and single numbers about a whole file
 Attributes = dict[str, Any]
+# what a name in a file may have beside letters of ASCII and digits
+OTHER = re.compile(r"[^A-Za-z0-9_.]")
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,6 +66,17 @@ def letters(texts: Iterable[str], dimension: str, name: str = "") -> Variable:
     joined = b"".join(text.ljust(width, b"\0") for text in coded)
     values = np.frombuffer(joined, dtype="S1").reshape(len(coded), width)
     return Variable((dimension, f"{name or dimension}_letters"), values, {"_Encoding": "utf-8"})
+
+
+def safe_name(name: str, taken: Container[str]) -> str:
+    """A name that readers of all formats take, and no other variable has."""
+    safe = OTHER.sub("_", name)
+    safe = safe if safe[:1].isalpha() else f"_{safe}"
+    candidate, k = safe, 1
+    while candidate in taken:
+        k += 1
+        candidate = f"{safe}_{k}"
+    return candidate
 
 
 Variables = dict[str, Variable]

@@ -16,11 +16,12 @@ import numpy as np
 
 from .contents import Attributes, FileFormat, Variable, Variables
 
-ROWS = ("time", "run")  # axes along which tables go
+# axes along which tables go, by what a file holds; of runs the time
+ROWS = {"cardan_ensemble": "run", "cardan_path": "row"}
 
 
 def _written(path: Path, attributes: Attributes, variables: Variables) -> None:
-    along = "run" if "cardan_ensemble" in attributes else "time"
+    along = next((axis for name, axis in ROWS.items() if name in attributes), "time")
     entries = _texts(variables["entry"]) if "entry" in variables else []
     columns = [
         column
