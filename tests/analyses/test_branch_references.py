@@ -215,3 +215,26 @@ def test_an_imperfection_cuts_a_branch_off() -> None:
     turn = fold["theta"]
     assert np.tan(turn) == pytest.approx(turn - imperfection, abs=1e-7)
     assert fold["P"] == pytest.approx(2 / np.cos(turn), abs=EXACT)
+
+
+@pytest.mark.parametrize("coordinates", ["relative", "absolute"])
+def test_a_governor_lifts_its_rod(coordinates: str) -> None:
+    """J. Watt's: cos tilt = g / (l w^2) above w = sqrt(g / l), where hanging is unstable."""
+    gravity, length = 9.81, 0.5
+    scene = cd.Scene("governor", gravity=(0, 0, -gravity))
+    post = scene.body("post", mass=1.0, inertia=(1.0,) * 3)
+    rod = scene.body("rod", mass=2.0, com=(0, 0, -length), inertia=(0.0,) * 3)
+    scene.joint("turn", cd.Revolute("z"), scene.ground, post)
+    scene.joint("tilt", cd.Revolute("y"), post, rod)
+    model = cd.compile(scene, coordinates=coordinates)
+    path = model.continuation(u={"turn": (0, 10)}, branches=1)
+    point = path.point("branch point 1")
+    critical = np.sqrt(gravity / length)
+    assert point["tilt"] == pytest.approx(0.0, abs=1e-9)
+    assert point["turn"] == pytest.approx(critical, rel=1e-10)
+    assert path.main.stable == [bool(w < critical) for w in path["turn"]]
+    for name in point.branches:
+        branch = path.branches[name]
+        speed = branch["turn"]
+        np.testing.assert_allclose(np.cos(branch["tilt"]) * length * speed**2, gravity, rtol=1e-9)
+        assert all(branch.stable)

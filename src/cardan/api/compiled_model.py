@@ -59,6 +59,7 @@ class CompiledModel(LoadedModel):
     equilibrium = verb("cardan.analyses.statics.equilibrium:equilibrium")
     statics = verb("cardan.analyses.statics.statics:statics")
     continuation = verb("cardan.analyses.continuation.continuation:continuation")
+    stability_chart = verb("cardan.analyses.continuation.stability_chart:stability_chart")
     cycle = verb("cardan.analyses.cycles.cycle:cycle")
     trim = verb("cardan.analyses.linear.trim:trim")
     linearize = verb("cardan.analyses.linear.linearize:linearize")

@@ -6,6 +6,7 @@ from typing import Any, final
 
 from numpy.typing import ArrayLike
 
+from ..analyses.continuation.stability_chart import StabilityChartRecord
 from ..analyses.cycles.cycle_record import CycleRecord
 from ..analyses.ensembles.sampling import Plan
 from ..analyses.identification.base_parameters import Base
@@ -688,6 +689,7 @@ class CompiledModel(LoadedModel):
         of: str = "equilibria",
         q: Mapping[str, ArrayLike] | ArrayLike | None = None,
         locked: LockedValues | None = None,
+        u: Mapping[str, object] | None = None,
         inputs: Mapping[str, float] | None = None,
         parameters: Mapping[str, float] | None = None,
         t: float = 0.0,
@@ -716,6 +718,8 @@ class CompiledModel(LoadedModel):
                 and full turns are the same position.
             q: Coordinates to start from, by name or (nq,).
             locked: Coordinate -> value it keeps, or (start, end): displacements are prescribed.
+            u: Speed of a steady motion -> value it keeps, or (start, end): equilibria relative to what
+                turns, as ``model.equilibrium(u=)`` finds them.
             inputs, parameters: Values by name that stay, else those of the model.
             t: Time [s], where something is prescribed.
             until: Name -> value at which the path ends as well: of a coordinate, an output, what is
@@ -745,6 +749,38 @@ class CompiledModel(LoadedModel):
 
         Source: H. B. Keller, Applications of Bifurcation Theory (1977), 359-384; M. Géradin, A.
         Cardona, Flexible Multibody Dynamics (2001), chapter 9.
+        """
+    def stability_chart(
+        self,
+        along: Mapping[str, object],
+        across: Mapping[str, object],
+        *,
+        q: Mapping[str, ArrayLike] | ArrayLike | None = None,
+        locked: LockedValues | None = None,
+        u: Mapping[str, object] | None = None,
+        inputs: Mapping[str, float] | None = None,
+        parameters: Mapping[str, float] | None = None,
+        t: float = 0.0,
+        points: Count = 300,
+        progress: bool | Callable[[float], None] | None = None,
+    ) -> StabilityChartRecord:
+        """Where equilibria lose their stability, over two parameters.
+
+        ``model.stability_chart({"P": (0, 10)}, {"damping": np.linspace(0, 1, 20)})`` follows the
+        equilibria over P at every value of the damping.
+
+        Args:
+            along: Parameter, input or speed -> (start, end), as ``model.continuation`` takes it; a
+                speed is one of those in ``u``.
+            across: Parameter -> values (n,).
+            q, locked, u, inputs, parameters, t, points: As ``model.continuation`` takes them.
+            progress: Show a bar; by default where standard error is a terminal.
+
+        Returns:
+            The chart; after Ctrl-C with the paths that were found.
+
+        Raises:
+            ModelError: unknown names, or none. SolveError: no equilibrium at any start.
         """
     def cycle(
         self,

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..simulation.progress import Show
 from .curve import Curve
-from .deflation import others
+from .deflation import new_solutions
 from .family import Family, Point, length
 from .follow import Place, Reach, place
 from .record import BranchRecord, ContinuationRecord
@@ -145,7 +145,7 @@ class Tracer:
 
         while True:
             curves = [b.curve for b in self.branches.values() if b.solutions is of]
-            point = next(filter(inside, others(curves, value, SEARCHES)), None)
+            point = next(filter(inside, new_solutions(curves, value, SEARCHES)), None)
             if point is None:
                 return
             yield point

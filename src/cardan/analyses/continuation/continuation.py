@@ -40,6 +40,7 @@ def continuation(
     of: str = "equilibria",
     q: Mapping[str, ArrayLike] | ArrayLike | None = None,
     locked: LockedValues | None = None,
+    u: Mapping[str, object] | None = None,
     inputs: Mapping[str, float] | None = None,
     parameters: Mapping[str, float] | None = None,
     t: float = 0.0,
@@ -69,6 +70,8 @@ def continuation(
             and full turns are the same position.
         q: Coordinates to start from, by name or (nq,).
         locked: Coordinate -> value it keeps, or (start, end): displacements are prescribed.
+        u: Speed of a steady motion -> value it keeps, or (start, end): equilibria relative to what
+            turns, as ``model.equilibrium(u=)`` finds them.
         inputs, parameters: Values by name that stay, else those of the model.
         t: Time [s], where something is prescribed.
         until: Name -> value at which the path ends as well: of a coordinate, an output, what is
@@ -103,7 +106,8 @@ def continuation(
         raise ModelError("continuation: locked= and what is swept go by name, such as P=(0, 10)")
     if of not in STARTS:
         raise ModelError(f"continuation: of='{of}' does not exist.{near(of, STARTS)}")
-    request = PathRequest({**(swept or {}), **named}, q, locked or {}, inputs, parameters, t, start)
+    moved = {**(swept or {}), **named}
+    request = PathRequest(moved, q, locked or {}, u, inputs, parameters, t, start)
     begin = STARTS[of](model, request)
     longest = {} if step is None else {"longest": step, "first": min(step, Reach().first)}
 

@@ -30,7 +30,7 @@ SINGULAR = 1e-7  # of the next singular value: that of a direction that nothing 
 AT, SECANTS = 1e-12, 4  # of the parameter: the value itself; iterations towards it
 
 
-def others(curves: Sequence[Curve], value: float, budget: int) -> Iterator[Point]:
+def new_solutions(curves: Sequence[Curve], value: float, budget: int) -> Iterator[Point]:
     """Solutions at a value of the parameter that are on none of some curves.
 
     Args:

@@ -128,8 +128,12 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
     moved = {n: v for n, v in request.locked.items() if np.ndim(v) > 0}
     still = {n: v for n, v in request.locked.items() if n not in moved}
     system = dynamic_system_of(model)
-    base = read(system, still, request.inputs, request.parameters, request.t)
-    way = loading(system, sweepable(model), base, request.swept, moved, "continuation")
+    speeds = {n: v for n, v in (request.u or {}).items() if np.ndim(np.asarray(v)) > 0}
+    steady = {n: v for n, v in (request.u or {}).items() if n not in speeds}
+    u = None if request.u is None else {**steady, **dict.fromkeys(speeds, 0.0)}
+    base = read(system, still, request.inputs, request.parameters, request.t, u)
+    kinds = sweepable(model)
+    way = loading(system, kinds, base, request.swept, moved, "continuation", speeds)
     if way.stations is not None:
         raise ModelError("continuation: give (start, end) of what is swept, and no values within")
     problem, load = Problem(system), way.at(0.0)

@@ -21,6 +21,7 @@ class PathRequest:
         swept: Name -> (start, end).
         q: Coordinates to start from, by name or (nq,).
         locked: Coordinate -> value it keeps, or (start, end).
+        u: Speed of a steady motion -> value it keeps, or (start, end).
         inputs, parameters: Values by name that stay, else those of the model.
         t: Time [s].
         start: A solution or special point to start from.
@@ -29,6 +30,7 @@ class PathRequest:
     swept: Mapping[str, object]
     q: Mapping[str, ArrayLike] | ArrayLike | None
     locked: LockedValues
+    u: Mapping[str, object] | None
     inputs: Mapping[str, float] | None
     parameters: Mapping[str, float] | None
     t: float

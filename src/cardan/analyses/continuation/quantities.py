@@ -20,13 +20,13 @@ def quantity(model: LoadedModel, family: EquilibriumFamily, name: str) -> Quanti
         ModelError: there is no such number.
     """
     system, way = family.problem.system, family.way
+    if name in way.swept:
+        return lambda at: way.values(at.s)[name]
     columns = (("q", system.coordinates), ("z", system.internals), ("lam", system.multipliers))
     for attribute, names in columns:
         if name in names:
             k = names.index(name)
             return lambda at: float(getattr(at.point.at, attribute)[k])
-    if name in way.swept:
-        return lambda at: way.values(at.s)[name]
     locked = [*way.base.locked, *way.base.prescribed]
     if name.endswith(SUFFIX) and (of := name.removesuffix(SUFFIX)) in locked:
         place = system.place(of)[1]

@@ -12,6 +12,7 @@ from ...errors import ArgumentError, ModelError, SolveError, brief, near
 from ..systems.dynamic_system import DynamicSystem
 from .static_problem import Load
 
+SPEED = "speed"
 TIME = "t"
 
 
@@ -23,7 +24,7 @@ class Loading:
         system: What is loaded.
         base: What stays.
         swept: Name -> values (n,), evenly over the path; n is 2 for a range.
-        kinds: Name -> ``"parameter"``, ``"input"``, ``"locked"`` or ``"t"``.
+        kinds: Name -> ``"parameter"``, ``"input"``, ``"locked"``, ``"speed"`` or ``"t"``.
         stations: Where rows are wanted (n,), None for wherever steps end.
     """
 
@@ -41,7 +42,7 @@ class Loading:
         """The load at a place of the path."""
         load, r = self.base, self.base.r.copy()
         parameters, locked = dict(load.parameters or {}), dict(load.locked)
-        t = load.t
+        t, u = load.t, None if load.u is None else dict(load.u)
         for name, value in self.values(s).items():
             kind = self.kinds[name]
             if kind == "parameter":
@@ -50,9 +51,11 @@ class Loading:
                 r[self.system.inputs.index(name)] = value
             elif kind == "locked":
                 locked[name] = value
+            elif kind == SPEED:
+                u = {**(u or {}), name: value}
             else:
                 t = value
-        return replace(load, t=t, r=r, parameters=parameters or None, locked=locked)
+        return replace(load, t=t, r=r, parameters=parameters or None, locked=locked, u=u)
 
 
 def _interpolated(column: Array, s: float) -> float:
@@ -66,7 +69,7 @@ def _interpolated(column: Array, s: float) -> float:
 
 def loading(
     system: DynamicSystem, kind_of: Mapping[str, str], base: Load, swept: Mapping[str, object],
-    locked: Mapping[str, object], said: str,
+    locked: Mapping[str, object], said: str, speeds: Mapping[str, object] | None = None,
 ) -> Loading:  # fmt: skip
     """A load path out of what a user wrote.
 
@@ -77,13 +80,14 @@ def loading(
         swept: Name -> (start, end) or values (n,).
         locked: Coordinate -> the same.
         said: The analysis, for messages.
+        speeds: Speed of a steady motion -> the same.
 
     Raises:
         ModelError: nothing is swept, or an unknown name.
         ArgumentError: values of a wrong shape or different numbers of them.
         SolveError: values that are not finite.
     """
-    if not swept and not locked:
+    if not (swept or locked or speeds):
         raise ModelError(
             f"{said}: say what is swept, from where to where, such as {said}(P=(0, 10)). "
             f"{near('', kind_of).strip()}"
@@ -101,6 +105,8 @@ def loading(
         if name in columns:
             raise ModelError(f"{said}: '{name}' is swept and held: leave one out")
         columns[name], kinds[name] = column(f"{said}: {name}", values), "locked"
+    for name, values in (speeds or {}).items():
+        columns[name], kinds[name] = column(f"{said}: u: {name}", values), SPEED
     counts = {name: len(column) for name, column in columns.items()}
     if len(set(counts.values())) > 1:
         said = ", ".join(f"'{name}' has {n}" for name, n in counts.items())
