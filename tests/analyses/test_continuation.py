@@ -397,3 +397,20 @@ def test_paths_as_files_tables_and_pages(tmp_path: Path) -> None:
     assert "two_links" in page
     with pytest.raises(ModelError, match="Did you mean '1a'"):
         path.animate(tmp_path / "page.html", branch="1aa")
+
+
+def test_statics_by_length() -> None:
+    """The same rows through limit loads, which end a path of loads."""
+    model = truss(3.0)
+    with pytest.warns(SolveWarning, match="more stably|unstable from a load"):
+        path = model.statics(P=(0, 2), arc=True)
+    assert path.success
+    assert path["P"][-1] == pytest.approx(2.0)
+    loads = [values["P"] for values in path.critical()]
+    wanted = [point["P"] for point in model.continuation(P=(0, 2)).points[:-1]]
+    np.testing.assert_allclose(loads, wanted, atol=EXACT)
+    assert [crossing.of for crossing in path.crossings].count("limit") == 2
+    for row in path:
+        assert row.converged
+    with pytest.raises(ModelError, match="arc=True give"):
+        model.statics(P=[0, 1, 2], arc=True)

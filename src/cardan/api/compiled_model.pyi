@@ -659,6 +659,7 @@ class CompiledModel(LoadedModel):
         inputs: Mapping[str, float] | None = None,
         parameters: Mapping[str, float] | None = None,
         t: float = 0.0,
+        arc: bool = False,
         check: bool = False,
         **named: object,
     ) -> StaticPath:
@@ -672,6 +673,8 @@ class CompiledModel(LoadedModel):
             locked: Coordinate -> value that it keeps, or what is swept: displacements are prescribed.
             inputs, parameters: Values by name that stay, else those of the model.
             t: Time [s], where something is prescribed.
+            arc: Follow the path by its length, through limit loads, where the load turns back;
+                :func:`cardan.analyses.continuation.continuation.continuation` also tells branches.
             check: Raise where the end is not reached, instead of warning.
 
         Returns:

@@ -61,11 +61,13 @@ class Crossing:
         of: ``"held"``: the system as it is followed; ``"dead load"``: as it stands under dead
             loads in place of displacements that are prescribed, and is not followed; ``"limit"``:
             the load beyond which there is no equilibrium.
+        exact: The critical load itself where it is known.
     """
 
     before: Place
     after: Place
     of: str = "held"
+    exact: Place | None = None
 
     @property
     def lost(self) -> bool:

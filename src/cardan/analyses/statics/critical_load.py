@@ -42,6 +42,8 @@ def located(loading: Loading, crossing: Crossing) -> tuple[Place, float]:
     bracket find no equilibrium it is narrowed from both sides; the place is in the middle of what
     is left, and its point that of the nearest load at which the system was found at rest.
     """
+    if crossing.exact is not None:
+        return crossing.exact, 0.0
     if crossing.of == "limit":
         return crossing.after, 0.0
     bracket = _Bracket(loading, crossing, [crossing.before, crossing.after])

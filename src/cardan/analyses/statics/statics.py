@@ -22,6 +22,7 @@ from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import FINISHED
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import DynamicSystem
+from .arc import follow_by_length
 from .continuation_step import Crossing, Place, first
 from .equilibrium import WAYS, EquilibriumRecord, missed, read, record
 from .load_path import TIME, Loading, loading
@@ -46,6 +47,7 @@ def statics(
     inputs: Mapping[str, float] | None = None,
     parameters: Mapping[str, float] | None = None,
     t: float = 0.0,
+    arc: bool = False,
     check: bool = False,
     **named: object,
 ) -> StaticPathRecord:
@@ -60,6 +62,8 @@ def statics(
         locked: Coordinate -> value that it keeps, or what is swept: displacements are prescribed.
         inputs, parameters: Values by name that stay, else those of the model.
         t: Time [s], where something is prescribed.
+        arc: Follow the path by its length, through limit loads, where the load turns back;
+            :func:`cardan.analyses.continuation.continuation.continuation` also tells branches.
         check: Raise where the end is not reached, instead of warning.
 
     Returns:
@@ -79,9 +83,11 @@ def statics(
     still = {n: v for n, v in (locked or {}).items() if n not in moved}
     base = read(system, still, inputs, parameters, t)
     way = loading(system, sweepable(model), base, {**(swept or {}), **named}, moved, "statics")
+    if arc and way.stations is not None:
+        raise ModelError("statics: with arc=True give (start, end) of what is swept")
     rows, crossed = list[tuple[float, EquilibriumRecord]](), list[Crossing]()
     try:
-        failure = _stopped_or_done(model, Problem(system), way, q, steps, rows, crossed)
+        failure = _stopped_or_done(model, Problem(system), way, q, steps, arc, rows, crossed)
         status = "singular" if failure else FINISHED
     except KeyboardInterrupt:
         if not rows:
@@ -112,6 +118,7 @@ def _stopped_or_done(
     way: Loading,
     q: object,
     steps: int,
+    arc: bool,
     rows: list[tuple[float, EquilibriumRecord]],
     crossed: list[Crossing],
 ) -> str:
@@ -128,6 +135,8 @@ def _stopped_or_done(
 
     begin = first(problem, start, load)
     rows.append((begin.s, row(start, begin)))
+    if arc:
+        return follow_by_length(model, problem, way, start, row, rows, crossed)
     end = follow(problem, way, begin, steps, row, rows, crossed)
     return "" if end is None else _stopped(problem.system, way, end.last, end.search, end.limit)
 
