@@ -45,18 +45,18 @@ def follow_by_length(
     stabilities, names = StabilityCache(problem), [e.name for e in model.manifest.events]
     curve = Curve(family, [place(family, family.start(start.point), family.along_parameter)])
     last = _place(stabilities, curve.places[0], None)
-    seen = 0
+    noted = 0
 
     def on_step(curve: Curve) -> None:
-        nonlocal last, seen
+        nonlocal last, noted
         here = _place(stabilities, curve.places[-1], last)
-        for special in curve.special[seen:]:
+        for special in curve.special[noted:]:
             if special.kind != EVENT:
                 exact = _place(stabilities, special.place, last)
                 limit = special.kind == FOLD
                 after, of = (exact, "limit") if limit else (here, "held")
                 crossed.append(Crossing(last, after, of, exact))
-        seen, last = len(curve.special), here
+        noted, last = len(curve.special), here
         rows.append((here.s, row(Search(here.point, 0, True, np.zeros(0)), here)))
 
     end = Test("the end", lambda at: at.point.s - 1.0, ends=True)
