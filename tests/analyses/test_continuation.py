@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import ModelError, SolveError, SolveWarning
+from cardan.errors import ArgumentError, ModelError, SolveError, SolveWarning
 
 POINT = {"mass": 1.0, "inertia": (1.0, 1.0, 1.0)}
 EXACT = 1e-10
@@ -334,6 +334,11 @@ def test_budget_is_told() -> None:
         (lambda m: m.continuation(P=(0, 1, 2)), ModelError, "no values within"),
         (lambda m: m.continuation(P=(0, 1), until={"upp": 1}), ModelError, "Did you mean 'up'"),
         (lambda m: m.continuation(P=(0, np.nan)), SolveError, "finite"),
+        (lambda m: m.continuation(P=(0, 1), step=0), ArgumentError, "a length above 0"),
+        (lambda m: m.continuation(P=(0, 1), step=-0.1), ArgumentError, "a length above 0"),
+        (lambda m: m.continuation(P=(0, 1), branches=-1), ArgumentError, "0 or more, or True"),
+        (lambda m: m.continuation(P=(0, 1), until={"up": np.nan}), ArgumentError, "a number"),
+        (lambda m: m.continuation(P=(0, 1), events={"up": np.inf}), ArgumentError, "a number"),
         (lambda m: m.continuation(P=(0, 2)).point("fold 9"), ModelError, "Did you mean 'fold"),
     ],
 )

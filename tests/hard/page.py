@@ -2,7 +2,7 @@
 
 usage: python tests/hard/page.py [CASE ...]
 
-With names of cases, only their rows and sections are written anew.
+With names of cases, only their rows and sections are written anew; ``paths`` are one of them.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from benchmarks.provenance import signed
 from cardan.cli.terminal import progress
 from hard import CASES
 from hard.case import FINISHED, METHODS, Case, Cell, Never, Outcome, measure
+from hard.path_page import PATHS, with_paths
 
 PAGE = Path(__file__).parents[2] / "docs" / "hard_cases.md"
 Found = dict[tuple[str, str], Outcome]
@@ -141,6 +142,8 @@ Where elastic members hold a mechanism, `model.sweep(..., by="strain_energy")` f
 
 `snap=True` goes on from a fold or a saddle to the next minimum. Without it the sweep stops at a fold and says so, and
 keeps saddles with a warning. A slack cable of several pieces has nodes that nothing holds: make it one element.
+
+[The next section](#paths-of-equilibria-and-cycles) has paths through limit loads and branch points.
 
 ## When to use another approach
 
@@ -289,6 +292,9 @@ def overwritten(page: str, names: list[str], found: Found) -> str:
 
 def main(names: list[str]) -> int:
     """Measure some cases, or all; write."""
+    if names == [PATHS]:
+        PAGE.write_text(with_paths(PAGE.read_text("utf-8")), "utf-8")
+        return 0
     found: Found = {}
     cases = [CASES[name] for name in names] or list(CASES.values())
     with progress() as show:
@@ -304,7 +310,7 @@ def main(names: list[str]) -> int:
         lines = [HEAD + ADVICE + MACHINE.format(machine=machine), "", *overview(found)]
         for case in cases:
             lines += section(case, found)
-        PAGE.write_text(signed("\n".join(lines)), "utf-8")
+        PAGE.write_text(signed(with_paths("\n".join(lines))), "utf-8")
     wrong = 0
     for (name, method), one in found.items():
         cell = CASES[name].expected[method]

@@ -16,6 +16,9 @@ import pytest
 from hard import CASES
 from hard.case import METHODS, Case, Cell, Never, measure
 from hard.page import PAGE, expectation
+from hard.path_page import row
+from hard.paths import CASES as PATHS
+from hard.paths import measure as measure_path
 from spread import some
 
 ASKED = pytest.mark.skipif("CARDAN_HARD" not in os.environ, reason="asked for by CARDAN_HARD=1")
@@ -112,3 +115,16 @@ def test_the_page_says_the_same(case: Case) -> None:
     assert set(said) == set(METHODS)
     for method, cell in case.expected.items():
         assert said[method][3].strip() == expectation(cell)
+
+
+@pytest.mark.parametrize("name", some(PATHS, 2))
+def test_paths_are_as_exact_as_expected(name: str) -> None:
+    case = PATHS[name]
+    found = measure_path(case)
+    print(f"error {found.error:.1e}, allowed {case.bound:.0e}")
+    assert found.error <= case.bound
+
+
+def test_the_page_lists_every_path() -> None:
+    page = PAGE.read_text("utf-8")
+    assert all(row(case) in page for case in PATHS.values())

@@ -6,12 +6,13 @@ is an unknown like the position, and turns back.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 
 from numpy.typing import ArrayLike
 
 from ...arguments import Count, LockedValues, checked
-from ...errors import ModelError, SolveError, SolveWarning, near, warn
+from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, near, warn
 from ...runtime.models.loaded_model import LoadedModel
 from ..cycles import cycle_solutions
 from ..simulation.progress import showing
@@ -106,6 +107,7 @@ def continuation(
         raise ModelError("continuation: locked= and what is swept go by name, such as P=(0, 10)")
     if of not in STARTS:
         raise ModelError(f"continuation: of='{of}' does not exist.{near(of, STARTS)}")
+    _refuse_nonsense(branches, step, until, events)
     moved = {**(swept or {}), **named}
     request = PathRequest(moved, q, locked or {}, u, inputs, parameters, t, start)
     begin = STARTS[of](model, request)
@@ -124,6 +126,27 @@ def continuation(
             raise SolveError(ended.message)
         warn(ended.message, SolveWarning)
     return record
+
+
+def _refuse_nonsense(
+    branches: int | bool,
+    step: float | None,
+    until: Mapping[str, float] | None,
+    events: Mapping[str, float] | None,
+) -> None:
+    """Refuse numbers that mean nothing.
+
+    Raises:
+        ArgumentError: they do.
+    """
+    if branches < 0:
+        raise ArgumentError(f"continuation: branches={branches}: give 0 or more, or True for all")
+    if step is not None and not step > 0:
+        raise ArgumentError(f"continuation: step={step}: give a length above 0, such as 0.1")
+    for said, values in (("until", until), ("events", events)):
+        for name, value in (values or {}).items():
+            if not math.isfinite(value):
+                raise ArgumentError(f"continuation: {said}={{'{name}': {value}}}: give a number")
 
 
 def _tests(

@@ -50,9 +50,11 @@ class EquilibriumFamily:
     Attributes:
         problem: What is loaded.
         way: The loads.
-        unit: Of forces, without units: the largest stiffness at the start.
+        unit: Of forces, without units: the largest stiffness of positions at the start.
         weights: See :class:`.Family`: forces follow from the rest and do not count.
         free: Directions (nu, k) that nothing resists at the start, such as a turn about the load.
+        columns, rows: What positions and internal states are divided by, and their forces and rates
+            (nu + nz,), so that units do not matter.
     """
 
     problem: Problem
@@ -60,6 +62,8 @@ class EquilibriumFamily:
     unit: float
     weights: Array
     free: Array
+    columns: Array
+    rows: Array
     # the point whose residual was asked for last, and that
     _last: list[Any] = field(default_factory=list, repr=False)
 
@@ -68,12 +72,13 @@ class EquilibriumFamily:
         """The family through an equilibrium at a place of the loads."""
         load, system = way.at(s), problem.system
         K, G = problem.tangent(point, load)
-        unit = float(abs(K).max()) or 1.0
         nu, nz, m = len(system.columns), len(system.internals), len(system.rows)
+        unit = float(abs(K[:nu, :nu]).max()) if nu else 0.0
+        unit = unit or 1.0
         free = system.saddle.lowest(K[:nu, :nu], G[:, :nu]).free_directions
         position = np.full(nu + nz, 1.0 / max(1.0, nu / NODE))
         weights = np.concatenate([position, np.zeros(m + len(load.locked)), [1.0]])
-        return cls(problem, way, unit, weights, free)
+        return cls(problem, way, unit, weights, free, *_units(_array(K[:, nu:]), K, nu, unit))
 
     @property
     def along_parameter(self) -> Array:
@@ -95,7 +100,7 @@ class EquilibriumFamily:
         last = self._last
         if not last or last[0] is not at:
             force, gap = self.problem.residual(at.point, at.load)
-            last[:] = at, np.concatenate([force / self.unit, gap])
+            last[:] = at, np.concatenate([force / self.rows, gap])
         residual: Array = last[1]
         return residual
 
@@ -105,12 +110,13 @@ class EquilibriumFamily:
         s = at.s + float(dz[-1])
         load = self.way.at(s)
         under = self.problem.under(at.point, load)
-        return Loaded(s, load, self.problem.moved(under, dz[:n], dz[n:-1] * self.unit, load))
+        x, y = dz[:n] * self.columns, dz[n:-1] * self.unit
+        return Loaded(s, load, self.problem.moved(under, x, y, load))
 
     def step(self, before: Loaded, after: Loaded) -> Array:
         """Same as :meth:`.Family.step`."""
         x, y = self.problem.step(before.point, after.point)
-        return np.concatenate([x, y / self.unit, [after.s - before.s]])
+        return np.concatenate([x / self.columns, y / self.unit, [after.s - before.s]])
 
     def jacobian(self, at: Loaded, rough: bool = False) -> Jacobian:
         """Same as :meth:`.Family.jacobian`."""
@@ -119,9 +125,9 @@ class EquilibriumFamily:
         by_load = self._by_load(at, rough)
         core = self._core
         if core is None or sum(G.shape) <= FULL:
-            return DenseJacobian(_dense(_array(K) / self.unit, _array(G), by_load))
-        inverse = np.full(K.shape[0], 1.0 / self.unit)
-        return SaddleJacobian(scaled(K, inverse, np.ones(K.shape[0])), G, by_load, core)
+            stiffness = _array(K) * self.columns / self.rows[:, None]
+            return DenseJacobian(_dense(stiffness, _array(G), by_load))
+        return SaddleJacobian(scaled(K, 1.0 / self.rows, self.columns), G, by_load, core)
 
     def _anchored(self, K: Matrix) -> Matrix:
         """A stiffness with springs on directions that are free still: nothing pushes along them."""
@@ -155,7 +161,7 @@ class EquilibriumFamily:
         def off(h: float) -> Array:
             load = self.way.at(at.s + h)
             force, gap = self.problem.residual(self.problem.under(at.point, load), load)
-            return np.concatenate([force / self.unit, gap])
+            return np.concatenate([force / self.rows, gap])
 
         try:
             if rough:
@@ -166,6 +172,32 @@ class EquilibriumFamily:
         except SolveError:
             pass
         return (off(SHORT_STEP) - here) / SHORT_STEP
+
+
+def _units(by_states: Array, K: Matrix, nu: int, unit: float) -> tuple[Array, Array]:
+    """Units of positions and internal states, and of their forces and rates.
+
+    That of an internal state changes a force by the largest stiffness, or itself as fast as the
+    positions do; that of its rate is the rate that a unit of a position or of a state makes.
+
+    Args:
+        by_states: Columns (nu + nz, nz) of K.
+        K: The tangent (nu + nz, nu + nz). nu: Number of speeds. unit: The largest stiffness.
+    """
+    n = K.shape[0]
+    columns, rows = np.ones(n), np.full(n, unit)
+    along = _array(abs(K[nu:, :nu])).max(axis=1, initial=0.0)
+    forces = np.abs(by_states[:nu]).max(axis=0, initial=0.0)
+    for k in range(n - nu):
+        rates = float(np.abs(by_states[nu:, k]).max())
+        if forces[k] > 0:
+            columns[nu + k] = unit / forces[k]
+        elif rates > 0 and along[k] > 0:
+            columns[nu + k] = along[k] / rates
+    by = np.abs(by_states[nu:] * columns[nu:]).max(axis=1, initial=0.0)
+    largest = np.maximum(along, by)
+    rows[nu:] = np.where(largest > 0, largest, unit)
+    return columns, rows
 
 
 def _array(matrix: Matrix) -> Array:

@@ -123,7 +123,8 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
     """The first equilibrium of a path.
 
     Raises:
-        ModelError: unknown names, more than the ends of a range. SolveError: no equilibrium.
+        ModelError: unknown names, values within a range, an empty range. SolveError: no
+            equilibrium.
     """
     moved = {n: v for n, v in request.locked.items() if np.ndim(v) > 0}
     still = {n: v for n, v in request.locked.items() if n not in moved}
@@ -136,6 +137,10 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
     way = loading(system, kinds, base, request.swept, moved, "continuation", speeds)
     if way.stations is not None:
         raise ModelError("continuation: give (start, end) of what is swept, and no values within")
+    if all(column[0] == column[-1] for column in way.swept.values()):
+        raise ModelError(
+            f"continuation: {', '.join(way.swept)} ends where it starts: give another end"
+        )
     problem, load = Problem(system), way.at(0.0)
     first = settled(problem, problem.begin(load, request.q), load, WAYS)
     if not first.converged:

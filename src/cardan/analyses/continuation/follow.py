@@ -233,21 +233,22 @@ def steps(
     here, ds = start, reach.first
     while True:
         spent = refused = 0
+        reason = ""
         while True:
             try:
                 point, theta, spent_now = corrected(family, here, ds)
                 spent += spent_now + 1
                 there = place(family, point, here.tangent)
                 turn = _angle(family, here.tangent, there.tangent)
-            except SolveError:
+            except SolveError as error:
                 spent += 1
-                turn = math.inf
+                turn, reason = math.inf, f": {error}"
             if turn <= SHARP and accept(step := Step(here, there, ds, spent, refused)):
                 break
             refused += 1
             ds *= 0.5
             if ds < reach.shortest:
-                raise End("steps become too short", here)
+                raise End(f"ends, as steps become too short{reason}", here)
         yield step
         quick = math.sqrt(CONTRACTION / theta) if theta > 0 else GROWTH
         calm = TURN / turn if turn > 0 else GROWTH

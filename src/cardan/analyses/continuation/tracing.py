@@ -9,8 +9,11 @@ from scipy.optimize import brentq
 
 from ...errors import SolveError
 from .curve import Curve
+from .family import length
 from .follow import End, Place, Reach, Step, steps
-from .special_points import EVENT, EXACT, SURE, Corner, Special, Test, Watch, within
+from .special_points import BRANCH, EVENT, EXACT, SURE, Corner, Special, Test, Watch, within
+
+SAME = 1e-6  # lengths of increments between branch points that are one
 
 
 def trace(
@@ -46,8 +49,18 @@ class _Look:
         self.corner = self.watch.corner(step, len(self.curve.places) - 1)
         smooth = self.shortened(step)
         number = len(self.curve.places) - 1
-        self.special = [*within(self.curve.family, number, self.watch, smooth)]
+        self.special = list[Special]()
+        for special in within(self.curve.family, number, self.watch, smooth):
+            if not any(self._is_at(s, special) for s in self.special + self.curve.special[-1:]):
+                self.special.append(special)
         return step.ds < SURE or not any(s.jump for s in self.special)
+
+    def _is_at(self, one: Special, other: Special) -> bool:
+        """True of one branch point, on which a step or a part of it ends: both sides find it."""
+        if {one.kind, other.kind} != {BRANCH} or None in (one.singular, other.singular):
+            return False
+        family = self.curve.family
+        return length(family, family.step(one.place.point, other.place.point)) < SAME
 
     def shortened(self, step: Step) -> Step:
         """The step up to its first corner."""

@@ -14,6 +14,7 @@ import numpy as np
 from scipy.sparse import block_array, csr_array, diags_array, issparse
 
 from ...arrays import Array
+from ...errors import ModelError
 from ..systems.dynamic_system import DynamicSystem, Moment, Parameters
 
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
@@ -65,8 +66,14 @@ class Problem:
     system: DynamicSystem
 
     def begin(self, load: Load, q: object) -> Point:
-        """A point next to named coordinates, with the multipliers that balance it best."""
+        """A point next to named coordinates, with the multipliers that balance it best.
+
+        Raises:
+            ModelError: nothing can move.
+        """
         s = self.system
+        if not len(s.columns):
+            raise ModelError("nothing in this model can move, so that it rests as it is")
         at = s.start(load.t, q, load.r, load.locked, load.parameters)
         return self.supported(self.under(Point(at, np.zeros(len(load.locked))), load), load)
 
