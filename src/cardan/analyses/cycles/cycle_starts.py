@@ -28,6 +28,7 @@ from .section import section_of
 from .shooting import Phase, Shooting, solve
 
 DOUBLING = "period doubling"
+AMPLITUDES = 6  # that are tried at a Hopf point, each a tenth of the one before
 CURE = (
     "start= takes the cycle that model.cycle(...) returns, or a special point at which some begin"
 )
@@ -217,5 +218,20 @@ def _from_equilibrium(
     tangent = np.concatenate([away, np.zeros(2)])
     tangent /= np.sqrt(np.sum(family.weights * tangent**2))
     still = Place(CyclePoint(s, at), tangent, 0.0, 0.0)
-    point = corrected(family, still, Reach().first)[0]
+    point = _first_cycle(family, still)
     return family, place(family, point, tangent)
+
+
+def _first_cycle(family: CycleFamily, still: Place) -> CyclePoint:
+    """A small cycle beside an equilibrium, smaller where the equations bend sooner.
+
+    Raises:
+        SolveError: there is none.
+    """
+    amplitudes = Reach().first * 10.0 ** -np.arange(AMPLITUDES)
+    for amplitude in amplitudes[:-1].tolist():
+        try:
+            return corrected(family, still, amplitude)[0]
+        except SolveError:
+            continue
+    return corrected(family, still, float(amplitudes[-1]))[0]
