@@ -58,7 +58,7 @@ for part, limits in chart.items():
     rest = model.continuation(speed=(0, FASTEST), parameters={"uneven": part})
     point = rest.point("Hopf point 1")
     print(f"uneven by {100 * part:.0f} %: {point}")
-    whirl = model.continuation(speed=(0, FASTEST), of="cycles", start=point)
+    whirl = model.continuation(speed=(0, FASTEST), of="cycles", start=point, step=0.1)
     print(whirl)
     whirls[part] = whirl
     left.plot(damping, limits, ".-", label=f"uneven by {100 * part:.0f} %")

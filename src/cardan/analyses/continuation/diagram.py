@@ -54,7 +54,7 @@ def plot(path: ContinuationRecord, along: str, up: str, file: str | Path | None 
             continue
         labels.append(at)
         axis.plot(*at, MARKERS.get(point.kind, OTHER), color="black", markersize=5)
-        axis.annotate(point.name, at, (4, 4), textcoords="offset points", fontsize=8)
+        axis.annotate(point.name, (at[0], at[1]), (4, 4), textcoords="offset points", fontsize=8)
     axis.set(xlabel=along, ylabel=up)
     axis.grid(alpha=0.3)
     return done(figure, path.model.name, file)
