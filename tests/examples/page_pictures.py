@@ -34,8 +34,9 @@ def write(page: Path) -> None:
         environment = {**os.environ, "MPLBACKEND": "svg"}
         subprocess.run([sys.executable, "-c", text], cwd=folder, check=True, env=environment)
         for file in sorted(Path(folder).glob("*.svg")):
-            picture = re.sub(r" *<metadata>.*?</metadata>\n", "", file.read_text("utf-8"), 0, re.S)
-            DOCS.joinpath(file.name).write_text(picture, "utf-8")
+            before, _, dated = file.read_text("utf-8").partition(" <metadata>")
+            after = dated.partition("</metadata>\n")[2]
+            DOCS.joinpath(file.name).write_text(before + after, "utf-8")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Paths and their branches as a picture: unstable parts are dashed."""
+"""Paths and their branches as a picture: unstable parts are thin and dashed."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ OTHER = "s"  # other changes of stability
 def plot(path: ContinuationRecord, along: str, up: str, file: str | Path | None = None) -> Figure:
     """Draw a path and its branches as a Matplotlib figure, written to ``file`` if given.
 
-    Unstable solutions are dashed, all else are lines; special points carry their names.
+    Unstable solutions are thin and dashed, all else are lines; special points carry their names.
 
     Args:
         path: The path.
@@ -44,8 +44,8 @@ def plot(path: ContinuationRecord, along: str, up: str, file: str | Path | None 
     axis = figure.subplots()
     for number, branch in enumerate(path.branches.values()):
         for x, y, stable in _curves(branch, along, up):
-            style = "-" if stable else "--"
-            axis.plot(x, y, style, color=f"C{number % 10}", linewidth=1.4)
+            style, width = ("-", 1.8) if stable else ("--", 1.0)
+            axis.plot(x, y, style, color=f"C{number % 10}", linewidth=width)
     size, labels = np.maximum(axis.dataLim.size, 1e-300), list[Array]()
     for point in (point for branch in path.branches.values() for point in branch.points):
         at = np.array([point[along], point[up]])
