@@ -68,6 +68,9 @@ class SpecialPointRecord:
         Args:
             name: Name of x, such as a coordinate that is 0 before.
             load: Name of P; what is swept by default.
+
+        Raises:
+            ModelError: unknown names, or P_c is 0.
         """
         of = load or next(iter(self.values))
         coefficients = postbuckling(self.branch.solutions, self.special, of, name)
