@@ -96,10 +96,11 @@ $(VENV)/.installed-browser: $(VENV)/.installed-test
 browser: $(VENV)/.installed-browser
 	$(BIN)/python -m pytest tests/view/test_browser.py tests/view/test_browser_surfaces.py
 
-# docs/page.png of the README, docs/mode.png, docs/link.png, docs/slider_crank.svg
+# docs/page.png of the README, docs/mode.png, docs/link.png, docs/slider_crank.svg, docs/branches_*.svg
 picture: $(VENV)/.installed-browser
 	$(BIN)/python tests/view/picture.py
 	$(BIN)/python tests/superelements/slider_crank.py
+	$(BIN)/python tests/examples/page_pictures.py
 
 # writes docs/hard_cases.md
 hard: $(VENV)/.installed-test

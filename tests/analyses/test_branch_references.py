@@ -7,6 +7,7 @@ import pytest
 import sympy as sp
 
 import cardan as cd
+from cardan.errors import ModelError
 
 POINT = {"mass": 1.0, "inertia": (1.0, 1.0, 1.0)}
 EXACT = 1e-10
@@ -106,6 +107,17 @@ def test_slope_of_the_inclined_spring() -> None:
             t = path.branches[name]["theta"][1:]
             wanted = k * L / np.tan(t) * (1 - 1 / np.sqrt(1 + np.sin(t)))
             np.testing.assert_allclose(path.branches[name]["P"][1:], wanted, atol=EXACT * k * L)
+
+
+def test_coefficients_are_parts_of_a_load() -> None:
+    """x'' = mu x - x^3 branches at mu = 0."""
+    scene = cd.Scene("pitchfork", gravity=(0, 0, 0))
+    mu = scene.parameter("mu", -0.5)
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("body", **POINT))
+    scene.force("force", cd.JointForce("x", mu * scene.q("x") - scene.q("x") ** 3))
+    point = cd.compile(scene).continuation(mu=(-0.5, 0.5)).point("branch point 1")
+    with pytest.raises(ModelError, match=r"'mu' is 0 at the point"):
+        point.postbuckling("x")
 
 
 def three_bars(e: float) -> cd.CompiledModel:

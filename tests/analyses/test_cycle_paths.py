@@ -177,6 +177,15 @@ def test_limit_cycles_begin_at_a_hopf_point() -> None:
     assert back["x.max"][-1] == pytest.approx(2 * np.sqrt(0.2), rel=1e-2)
 
 
+def test_small_limit_cycles_begin_too() -> None:
+    """The same with an amplitude of 2e-4 sqrt(mu)."""
+    model = oscillator(lambda scene, x, v: (scene.parameter("mu", -0.5) - 1e8 * x**2) * v - x)
+    point = model.continuation(mu=(-0.5, 0.5)).point("Hopf point 1")
+    path = model.continuation(mu=(-0.5, 1.0), of="cycles", start=point)
+    assert path["period"][-1] == pytest.approx(6.663286859323133, abs=1e-9)
+    assert abs(path["x"][-1]) == pytest.approx(2.008619860874844e-4, rel=1e-7)
+
+
 def test_relaxation_oscillations() -> None:
     """Van der Pol at mu = 10: the return by another program, and the integral of the trace."""
     from scipy.integrate import solve_ivp

@@ -19,6 +19,7 @@ import cardan as cd
 from cardan.analyses.simulation import outcome
 from cardan.cli import build_parser
 from cardan.runtime.trajectory.solver_info import EVENT, FINISHED
+from examples.page_pictures import labels
 from table import each
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -62,6 +63,10 @@ def test_python_prints_what_is_shown(page: Path, tmp_path: Path) -> None:
     for shown in (body for language, body in blocks if not language):
         pattern = re.escape(shown.strip()).replace(re.escape("..."), ".*")
         assert re.search(pattern, done.stdout), f"{page.name} shows:\n{shown}\n{done.stdout}"
+    for picture in tmp_path.glob("*.svg"):
+        kept = DOCS / picture.name
+        if kept.exists():
+            assert labels(kept.read_text("utf-8")) == labels(picture.read_text("utf-8"))
 
 
 @each("line", COMMANDS)

@@ -43,6 +43,9 @@ LEAVES = {
     "31_deployable_antenna": ("antenna.html",),
     "32_truss_retraction": ("folding.html", "snap.html", "retraction.png"),
     "33_change_points": ("branches.png", "crossed.html"),
+    "34_snap_through": ("branches.png", "imperfect.png"),
+    "35_buckling_frame": ("lee.png", "pulled.png", "pushed.png"),
+    "36_rotor_limit_cycle": ("whirl.png", "whirl.html"),
 }
 
 

@@ -1,4 +1,4 @@
-"""Paths and their branches as a picture: unstable parts are dashed."""
+"""Paths and their branches as a picture: unstable parts are thin and dashed."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 DENSE = 20  # drawn points of a step
+SAME = 1e-4  # distance of points that are one, as a part of the picture
 MARKERS = {FOLD: "v", BRANCH: "D", HOPF: "o", EVENT: "|"}
 OTHER = "s"  # other changes of stability
 
@@ -26,7 +27,7 @@ OTHER = "s"  # other changes of stability
 def plot(path: ContinuationRecord, along: str, up: str, file: str | Path | None = None) -> Figure:
     """Draw a path and its branches as a Matplotlib figure, written to ``file`` if given.
 
-    Unstable solutions are dashed, all else are lines; special points carry their names.
+    Unstable solutions are thin and dashed, all else are lines; special points carry their names.
 
     Args:
         path: The path.
@@ -43,12 +44,17 @@ def plot(path: ContinuationRecord, along: str, up: str, file: str | Path | None 
     axis = figure.subplots()
     for number, branch in enumerate(path.branches.values()):
         for x, y, stable in _curves(branch, along, up):
-            style = "-" if stable else "--"
-            axis.plot(x, y, style, color=f"C{number % 10}", linewidth=1.4)
-        for point in branch.points:
-            at = point[along], point[up]
-            axis.plot(*at, MARKERS.get(point.kind, OTHER), color="black", markersize=5)
-            axis.annotate(point.name, at, (4, 4), textcoords="offset points", fontsize=8)
+            style, width = ("-", 1.8) if stable else ("--", 1.0)
+            axis.plot(x, y, style, color=f"C{number % 10}", linewidth=width)
+    size, labels = np.maximum(axis.dataLim.size, 1e-300), list[Array]()
+    for point in (point for branch in path.branches.values() for point in branch.points):
+        at = np.array([point[along], point[up]])
+        # where branches meet the first one names the point
+        if any((np.abs(at - label) < SAME * size).all() for label in labels):
+            continue
+        labels.append(at)
+        axis.plot(*at, MARKERS.get(point.kind, OTHER), color="black", markersize=5)
+        axis.annotate(point.name, (at[0], at[1]), (4, 4), textcoords="offset points", fontsize=8)
     axis.set(xlabel=along, ylabel=up)
     axis.grid(alpha=0.3)
     return done(figure, path.model.name, file)
@@ -70,10 +76,15 @@ def _curves(branch: BranchRecord, along: str, up: str) -> list[tuple[Array, Arra
     ]
     if len(s) < 3:
         return [(table[:, 0], table[:, 1], stable[0] is None or bool(stable[0]))]
-    curve, curves, last = CubicSpline(s, table), list[tuple[Array, Array, bool]](), True
-    for k, (low, high) in enumerate(pairwise(s)):
+    curve, last, styles = CubicSpline(s, table), True, list[bool]()
+    for k in range(len(s) - 1):
         flags = [one for one in stable[k : k + 2] if one is not None]
         last = bool(flags[0]) if flags else last
-        x, y = curve(np.linspace(low, high, DENSE)).T
-        curves.append((x, y, last))
+        styles.append(last)
+    # one curve from change to change: dashes do not begin anew at every step
+    changes = [k for k in range(1, len(styles)) if styles[k] != styles[k - 1]]
+    curves = list[tuple[Array, Array, bool]]()
+    for first, end in pairwise([0, *changes, len(styles)]):
+        x, y = curve(np.linspace(s[first], s[end], DENSE * (end - first))).T
+        curves.append((x, y, styles[first]))
     return curves

@@ -11,10 +11,12 @@ from typing import NamedTuple
 import numpy as np
 
 from ...arrays import Array
+from ...errors import ModelError
 from .singular_point import HalfBranch
 from .solutions import Quantity, Solutions
 from .special_points import Special
 
+ZERO = 1e-9  # a load that is none, as a part of its range
 STEP = 1e-3  # length of increments over which quantities are differentiated
 
 
@@ -41,9 +43,20 @@ def postbuckling(
         solutions, special: Of what.
         load: Name of the load.
         name: Name of the quantity x.
+
+    Raises:
+        ModelError: the load is 0 at the point.
     """
     x, P = solutions.quantity(name), solutions.quantity(load)
     critical = P(special.place.point)
+    along = np.zeros_like(special.place.tangent)
+    along[-1] = 1.0
+    reach = P(solutions.family.moved(special.place.point, along)) - critical
+    if abs(critical) <= ZERO * abs(reach):
+        raise ModelError(
+            f"postbuckling: '{load}' is 0 at the point, and a and b are parts of it; shift the "
+            "parameter, or name another load: load="
+        )
     coefficients = list[Postbuckling]()
     for half in special.halves:
         (dx, ddx), (dP, ddP) = (_derivatives(solutions, special, half, of) for of in (x, P))

@@ -19,6 +19,7 @@ from .solutions import Solution, Solutions
 from .special_points import BRANCH, EVENT, Special
 
 MAX_PRINTED = 24
+LEVEL = 1e-7  # a slope of the load that is none; beams have it to 1e-8
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -67,6 +68,9 @@ class SpecialPointRecord:
         Args:
             name: Name of x, such as a coordinate that is 0 before.
             load: Name of P; what is swept by default.
+
+        Raises:
+            ModelError: unknown names, or P_c is 0.
         """
         of = load or next(iter(self.values))
         coefficients = postbuckling(self.branch.solutions, self.special, of, name)
@@ -230,7 +234,7 @@ def mirrored(solutions: Solutions, special: Special) -> Iterator[tuple[int, int]
             other = halves[j]
             opposite = float(one.tangent @ (family.weights * other.tangent)) < -1 + 1e-6
             difference = family.parameter(one.point) - family.parameter(other.point)
-            same = abs(difference) <= 1e-9 and abs(one.tangent[-1]) <= 1e-9
+            same = abs(difference) <= 1e-9 and abs(one.tangent[-1]) <= LEVEL
             if opposite and same:
                 yield i, j
 

@@ -28,6 +28,7 @@ from .section import section_of
 from .shooting import Phase, Shooting, solve
 
 DOUBLING = "period doubling"
+SIZES = 8  # units of cycles that are tried at a Hopf point, each a tenth of those before
 CURE = (
     "start= takes the cycle that model.cycle(...) returns, or a special point at which some begin"
 )
@@ -207,15 +208,31 @@ def _from_equilibrium(
     s = _place_of(way, begin.values)
     x = np.concatenate([moment.q, moment.u, moment.z])
     at = CycleState(x, moment.s, 2 * np.pi / frequency, way.values(s))
-    nu, n = len(system.columns), len(units)
-    DP = Shooting(problem, Phase(x, np.zeros(n))).jacobian(at)[:n, :n]
+    # the first cycle is a part of the units: smaller ones until there is one of that size
+    for _ in range(SIZES - 1):
+        try:
+            return _first_cycle(problem, way, CyclePoint(s, at))
+        except SolveError:
+            problem = replace(problem, units=0.1 * problem.units)
+    return _first_cycle(problem, way, CyclePoint(s, at))
+
+
+def _first_cycle(
+    problem: CycleProblem, way: Loading, still: CyclePoint
+) -> tuple[CycleFamily, Place]:
+    """A small cycle beside an equilibrium.
+
+    Raises:
+        SolveError: there is none.
+    """
+    at, nu, n = still.at, problem.model.nu, len(problem.units)
+    DP = Shooting(problem, Phase(at.x, np.zeros(n))).jacobian(at)[:n, :n]
     plane = np.linalg.svd(DP)[2][-2:]
     k = int(np.linalg.norm(plane[:, :nu], axis=0).argmax())
     # where the coordinate that moves most turns back
     away: Array = plane[1, nu + k] * plane[0] - plane[0, nu + k] * plane[1]
-    family = CycleFamily.of(problem, way, Phase(x, np.eye(n)[nu + k]))
+    family = CycleFamily.of(problem, way, Phase(at.x, np.eye(n)[nu + k]))
     tangent = np.concatenate([away, np.zeros(2)])
     tangent /= np.sqrt(np.sum(family.weights * tangent**2))
-    still = Place(CyclePoint(s, at), tangent, 0.0, 0.0)
-    point = corrected(family, still, Reach().first)[0]
+    point = corrected(family, Place(still, tangent, 0.0, 0.0), Reach().first)[0]
     return family, place(family, point, tangent)

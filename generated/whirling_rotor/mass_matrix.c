@@ -1,0 +1,44 @@
+/*
+ * mass_matrix of whirling_rotor
+ * M: kinetic energy is 1/2 uᵀ M u
+ * formalism: composite
+ * rewrites: base_parameters
+ * passes: reassociate, schedule
+ *
+ * Sizes: out 4, work 0, w 1
+ * Operations per call: none
+ * Operations of prepare: none
+ *
+ * Input p (9): parameters, read by prepare_ only
+ *
+ * Output M (2 x 2): out[0 ... 3], row by row
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
+{
+    /* parameters as they are */
+    w[0] = p[5]; /* disk.mass [kg] */
+}
+
+#include "lanes.h"
+
+/* M: kinetic energy is 1/2 uᵀ M u */
+CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const wreal *const w = in->w;
+    (void)work;
+
+    /* results that are numbers or inputs */
+    out[0] = CARDAN_REAL(w[0]); /* M: x.u,x.u */
+    out[1] = CARDAN_REAL(0.0); /* M: x.u,y.u */
+    out[2] = CARDAN_REAL(0.0); /* M: y.u,x.u */
+    out[3] = CARDAN_REAL(w[0]); /* M: y.u,y.u */
+    return CARDAN_OK;
+}
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int mass_matrix_sizes[] = {4, 0, 1, 0, 0, 0, 0, 0, 0, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+#endif
