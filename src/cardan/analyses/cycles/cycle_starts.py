@@ -11,7 +11,7 @@ from ...arrays import Array
 from ...errors import ModelError, SolveError, brief
 from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.family import row
-from ..continuation.follow import Place, Reach, corrected, place
+from ..continuation.follow import Place, Reach, place
 from ..continuation.path_request import PathRequest
 from ..continuation.record import SpecialPointRecord
 from ..continuation.singular_point import half_branches, singular_point
@@ -28,6 +28,9 @@ from .section import section_of
 from .shooting import Phase, Shooting, solve
 
 DOUBLING = "period doubling"
+EARLY = 0.1  # of a range, within which its first cycle lies
+SMALLER = 8  # times that the first step becomes shorter
+NEWTON, CONVERGED = 12, 1e-7  # corrections, the last of which is that small beside the step
 CURE = (
     "start= takes the cycle that model.cycle(...) returns, or a special point at which some begin"
 )
@@ -215,7 +218,52 @@ def _from_equilibrium(
     away: Array = plane[1, nu + k] * plane[0] - plane[0, nu + k] * plane[1]
     family = CycleFamily.of(problem, way, Phase(x, np.eye(n)[nu + k]))
     tangent = np.concatenate([away, np.zeros(2)])
-    tangent /= np.sqrt(np.sum(family.weights * tangent**2))
-    still = Place(CyclePoint(s, at), tangent, 0.0, 0.0)
-    point = corrected(family, still, Reach().first)[0]
-    return family, place(family, point, tangent)
+    return family, _first_of(family, CyclePoint(s, at), tangent)
+
+
+def _first_of(family: CycleFamily, rest: CyclePoint, tangent: Array) -> Place:
+    """The first cycle of a path that begins at rest, so small that it is found.
+
+    What is swept may change much faster than the motion grows: no more than a part of its range.
+
+    Args:
+        family: Of which.
+        rest: The state that small cycles go around.
+        tangent: The increment (N,) to them.
+
+    Raises:
+        SolveError: there is none.
+    """
+    tangent = tangent / np.sqrt(np.sum(family.weights * tangent**2))
+    step = Reach().first
+    for _ in range(SMALLER):
+        try:
+            point = _at_distance(family, rest, step * tangent)
+            size = abs(point.s - rest.s)
+        except SolveError:
+            size = np.inf
+        if size <= EARLY:
+            return place(family, point, tangent)
+        step *= 0.25
+    raise SolveError("continuation of cycles: those that begin here were not found")
+
+
+def _at_distance(family: CycleFamily, rest: CyclePoint, dz: Array) -> CyclePoint:
+    """The cycle an increment away, up to what lies across it: by Newton's method.
+
+    Raises:
+        SolveError: it does not converge.
+    """
+    point, across = family.moved(rest, dz), row(family, dz / np.linalg.norm(dz))
+    none = np.zeros((len(dz) - 1, 0))
+    size, before = np.inf, np.inf
+    for _ in range(NEWTON):
+        bordered = family.jacobian(point, rough=True).bordered(across, none)
+        correction = bordered.solve(-family.residual(point), np.zeros(1))[0]
+        point, before = family.moved(point, correction), size
+        size = float(np.linalg.norm(correction))
+        if size < CONVERGED * float(np.linalg.norm(dz)):
+            return point
+        if not size < before:
+            break
+    raise SolveError("continuation of cycles: the corrections do not converge")
