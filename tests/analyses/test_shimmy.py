@@ -135,8 +135,8 @@ def test_a_limit_cycle_by_another_program() -> None:
 
     path = limit_cycles(trailing_wheel(WITH_SPRING, brush), 25.0)
     cycle = path[-1]
-    V, of = path["V"][-1], WITH_SPRING
-    assert V == pytest.approx(25.0, rel=1e-9)
+    speed, of = path["V"][-1], WITH_SPRING
+    assert speed == pytest.approx(25.0, rel=1e-9)
 
     def rates(t: float, y: Any) -> list[float]:
         psi, rate, a = y
@@ -145,7 +145,7 @@ def test_a_limit_cycle_by_another_program() -> None:
         trail = of["t"] * (1 - z) ** 3 / (1 - z + z**2 / 3)
         moment = (of["e"] + trail) * force
         turned = -(of["k"] * psi + of["c"] * rate + moment) / of["I"]
-        return [rate, turned, (V * (psi - a) + of["e"] * rate) / of["sigma"]]
+        return [rate, turned, (speed * (psi - a) + of["e"] * rate) / of["sigma"]]
 
     times = np.linspace(0, cycle.period, 33)
     span = (0.0, cycle.period)
