@@ -122,10 +122,11 @@ class CycleFamily:
         return self._jacobians[id(point)][1]
 
     def monodromy(self, point: CyclePoint) -> Array:
-        """Derivative of a lap across the flow (n, n), or (n - 1, n - 1) of a free period."""
+        """Derivative of a lap across the flow (n, n), less of a free period."""
         n, at = len(self.problem.units), point.at
         along = self.problem.rate(at) if self.problem.free_period else None
-        return monodromy(self._matrix(point)[:n, :n] + np.eye(n), along)
+        kept = self.problem.energy_gradient(at)
+        return monodromy(self._matrix(point)[:n, :n] + np.eye(n), along, kept)
 
     def multipliers(self, point: CyclePoint) -> Complexes:
         """Multipliers of a cycle (m,)."""

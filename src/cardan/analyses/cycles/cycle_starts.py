@@ -1,38 +1,35 @@
-"""Where paths of cycles start: at a cycle, at a Hopf point of equilibria, at a period doubling."""
+"""Where paths of cycles start: at a cycle, at rest, at a period doubling."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 
-from ...arrays import Array
 from ...errors import ModelError, SolveError, brief
 from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.family import row
-from ..continuation.follow import Place, Reach, place
+from ..continuation.follow import Place, place
 from ..continuation.path_request import PathRequest
 from ..continuation.record import SpecialPointRecord
 from ..continuation.singular_point import half_branches, singular_point
 from ..continuation.special_points import HOPF, Test
-from ..simulation.settings import settings
-from ..statics.equilibrium import read
-from ..statics.load_path import Loading, loading
-from ..statics.statics import sweepable
-from ..systems import dynamic_system_of
+from ..linear.mode_shapes import Mode
+from ..statics.load_path import Loading
 from .cycle_family import CycleFamily, CyclePoint
 from .cycle_problem import CycleProblem, CycleState
 from .cycle_record import CycleRecord
+from .energy_level import ENERGY
 from .section import section_of
 from .shooting import Phase, Shooting, solve
+from .small_cycles import from_equilibrium, from_mode
+from .swept_problem import place_of, problem_and_way
 
 DOUBLING = "period doubling"
-EARLY = 0.1  # of a range, within which its first cycle lies
-SMALLER = 8  # times that the first step becomes shorter
-NEWTON, CONVERGED = 12, 1e-7  # corrections, the last of which is that small beside the step
+ENERGIES = 9  # from that of a cycle to another one
 CURE = (
-    "start= takes the cycle that model.cycle(...) returns, or a special point at which some begin"
+    "start= takes the cycle that model.cycle(...) returns, a special point at which some begin, or "
+    "a mode, model.modes()[0]"
 )
 
 
@@ -48,13 +45,15 @@ def family_and_place(model: LoadedModel, request: PathRequest) -> tuple[CycleFam
     if _model_of(begin) not in (None, model._objects):
         raise ModelError(f"continuation of cycles: start= is of another model than '{model.name}'")
     if isinstance(begin, CycleRecord):
-        problem, way = _problem_and_way(begin.problem, begin.model, request)
+        problem, way = problem_and_way(_kept(begin.problem, begin.at), begin.model, request)
         family, at = _at_range_start(problem, way, begin.at)
         first = place(family, family.point(at, 0.0), family.along_parameter)
     elif isinstance(begin, SpecialPointRecord) and isinstance(begin.solution, CycleRecord):
         family, first = _from_doubling(begin, begin.solution, request)
     elif isinstance(begin, SpecialPointRecord) and begin.kind == HOPF:
-        family, first = _from_equilibrium(model, begin, request)
+        family, first = from_equilibrium(model, begin, request)
+    elif isinstance(begin, Mode):
+        family, first = from_mode(begin, request)
     else:
         raise ModelError(f"continuation: start={brief(begin)}: {CURE}")
     named = ", ".join(f"{name} = {value:.10g}" for name, value in family.way.values(1.0).items())
@@ -65,22 +64,17 @@ def _model_of(begin: object) -> object:
     """The compiled code of what a path starts from, with any parameters; None of something else."""
     if isinstance(begin, SpecialPointRecord):
         return begin.branch.model._objects
+    if isinstance(begin, Mode):
+        return begin.modes.model._objects
     return begin.model._objects if isinstance(begin, CycleRecord) else None
 
 
-def _problem_and_way(
-    problem: CycleProblem, model: LoadedModel, request: PathRequest
-) -> tuple[CycleProblem, Loading]:
-    """The problem with what stays, and what is swept."""
-    model = model.with_parameters(dict(request.parameters)) if request.parameters else model
-    system = dynamic_system_of(model)
-    kinds = {name: kind for name, kind in sweepable(model).items() if kind != "t"}
-    base = read(system, {}, None, None, problem.t)
-    way = loading(system, kinds, base, request.swept, {}, "continuation")
-    if way.stations is not None:
-        raise ModelError("continuation: give (start, end) of what is swept, and no values within")
-    inputs = {**problem.inputs, **(request.inputs or {})}
-    return replace(problem, model=model, system=system, inputs=inputs, _flows={}), way
+def _kept(problem: CycleProblem, at: CycleState) -> CycleProblem:
+    """The problem with the energy of a cycle, where energy is kept."""
+    level = problem.level
+    if level is None:
+        return problem
+    return replace(problem, level=replace(level, value=level.wanted(at.values)))
 
 
 def _at_range_start(
@@ -93,7 +87,10 @@ def _at_range_start(
     """
     at = replace(at, values=way.values(0.0))
     at, phase = _peak(problem, at) if problem.free_period else (at, None)
-    solution = solve(Shooting(problem, phase), at)
+    shooting = Shooting(problem, phase)
+    if problem.level is not None and ENERGY in way.swept:
+        at = _at_energy(shooting, at, problem.level.value)
+    solution = solve(shooting, at)
     if not solution.converged:
         values = ", ".join(f"{name} = {value:.6g}" for name, value in way.values(0.0).items())
         raise SolveError(
@@ -101,6 +98,15 @@ def _at_range_start(
             "start it where the cycle of start= is"
         )
     return CycleFamily.of(problem, way, phase), solution.at
+
+
+def _at_energy(shooting: Shooting, at: CycleState, energy: float) -> CycleState:
+    """A start near to the cycle with the energy that is wanted, by those in between."""
+    last = at.values[ENERGY]
+    for share in np.linspace(0, 1, ENERGIES)[1:-1]:
+        values = {**at.values, ENERGY: energy + float(share) * (last - energy)}
+        at = solve(shooting, replace(at, values=values)).at
+    return replace(at, values={**at.values, ENERGY: last})
 
 
 def _peak(problem: CycleProblem, at: CycleState) -> tuple[CycleState, Phase]:
@@ -159,111 +165,12 @@ def _from_doubling(
     """
     before = begin.branch.solutions.family
     assert isinstance(before, CycleFamily)
-    problem, way = _problem_and_way(cycle.problem, cycle.model, request)
+    problem, way = problem_and_way(cycle.problem, cycle.model, request)
     if begin.kind != DOUBLING or set(way.swept) != set(before.way.swept):
         raise ModelError(
             f"continuation of cycles: start={begin.name!r}: paths begin at period doublings, along "
             f"what was swept before: {', '.join(before.way.swept)}"
         )
     family = CycleFamily.of(problem, way, before.shooting.phase)
-    s = _place_of(way, begin.values)
+    s = place_of(way, begin.values)
     return doubled(family, family.point(begin.special.place.point.at, s))
-
-
-def _place_of(way: Loading, values: Mapping[str, float]) -> float:
-    """The place of swept values on a way."""
-    (name, ends), *_ = way.swept.items()
-    return float((values[name] - ends[0]) / (ends[-1] - ends[0]))
-
-
-def _from_equilibrium(
-    model: LoadedModel, begin: SpecialPointRecord, request: PathRequest
-) -> tuple[CycleFamily, Place]:
-    """The small cycles around an equilibrium that begin at a Hopf point.
-
-    Raises:
-        SolveError: there are none.
-    """
-    moment = begin.special.place.point.point.at
-    changed = model.with_parameters(dict(moment.parameters)) if moment.parameters else model
-    system, frequency = dynamic_system_of(changed), begin.frequency
-    units = np.concatenate(
-        [system.columns, frequency * system.columns, np.ones(len(system.internals))]
-    )
-    inputs = dict(zip(system.inputs, moment.r.tolist(), strict=True))
-    how = settings("DOP853", 1e-13, 1e-15, None, None, None)
-    problem = CycleProblem(
-        changed,
-        system,
-        how,
-        inputs,
-        moment.t,
-        100 * 2 * np.pi / frequency,
-        None,
-        None,
-        None,
-        1,
-        units,
-    )
-    problem, way = _problem_and_way(problem, changed, request)
-    problem = replace(problem, inputs={n: v for n, v in inputs.items() if n not in way.swept})
-    s = _place_of(way, begin.values)
-    x = np.concatenate([moment.q, moment.u, moment.z])
-    at = CycleState(x, moment.s, 2 * np.pi / frequency, way.values(s))
-    nu, n = len(system.columns), len(units)
-    DP = Shooting(problem, Phase(x, np.zeros(n))).jacobian(at)[:n, :n]
-    plane = np.linalg.svd(DP)[2][-2:]
-    k = int(np.linalg.norm(plane[:, :nu], axis=0).argmax())
-    # where the coordinate that moves most turns back
-    away: Array = plane[1, nu + k] * plane[0] - plane[0, nu + k] * plane[1]
-    family = CycleFamily.of(problem, way, Phase(x, np.eye(n)[nu + k]))
-    tangent = np.concatenate([away, np.zeros(2)])
-    return family, _first_of(family, CyclePoint(s, at), tangent)
-
-
-def _first_of(family: CycleFamily, rest: CyclePoint, tangent: Array) -> Place:
-    """The first cycle of a path that begins at rest, so small that it is found.
-
-    What is swept may change much faster than the motion grows: no more than a part of its range.
-
-    Args:
-        family: Of which.
-        rest: The state that small cycles go around.
-        tangent: The increment (N,) to them.
-
-    Raises:
-        SolveError: there is none.
-    """
-    tangent = tangent / np.sqrt(np.sum(family.weights * tangent**2))
-    step = Reach().first
-    for _ in range(SMALLER):
-        try:
-            point = _at_distance(family, rest, step * tangent)
-            size = abs(point.s - rest.s)
-        except SolveError:
-            size = np.inf
-        if size <= EARLY:
-            return place(family, point, tangent)
-        step *= 0.25
-    raise SolveError("continuation of cycles: those that begin here were not found")
-
-
-def _at_distance(family: CycleFamily, rest: CyclePoint, dz: Array) -> CyclePoint:
-    """The cycle an increment away, up to what lies across it: by Newton's method.
-
-    Raises:
-        SolveError: it does not converge.
-    """
-    point, across = family.moved(rest, dz), row(family, dz / np.linalg.norm(dz))
-    none = np.zeros((len(dz) - 1, 0))
-    size, before = np.inf, np.inf
-    for _ in range(NEWTON):
-        bordered = family.jacobian(point, rough=True).bordered(across, none)
-        correction = bordered.solve(-family.residual(point), np.zeros(1))[0]
-        point, before = family.moved(point, correction), size
-        size = float(np.linalg.norm(correction))
-        if size < CONVERGED * float(np.linalg.norm(dz)):
-            return point
-        if not size < before:
-            break
-    raise SolveError("continuation of cycles: the corrections do not converge")

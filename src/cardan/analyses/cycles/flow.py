@@ -111,6 +111,11 @@ class Flow:
         base, r = self._base, self.inputs(t)
         return np.asarray(base.rhs(t, x, r, s=s, parameters=self._parameters))
 
+    def mass_matrix(self, q: Array, t: float) -> Array:
+        """Mass matrix (nu, nu)."""
+        r, parameters = self.inputs(t), self._parameters
+        return np.asarray(self._base.mass_matrix(q, r=r, t=t, parameters=parameters))
+
     def end(self, x: Array, s: Array, t: float, end: float) -> tuple[Array, Array]:
         """State (nx,) and modes (ns,) at the end of a run.
 

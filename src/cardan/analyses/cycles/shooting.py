@@ -15,6 +15,7 @@ NEWTON, HALVINGS = 30, 8
 FINE = 0.02  # of the steps that differences take: runs bend more than forces do
 CHORD = 1e-6  # residuals below which the derivative of a lap stays as it is
 ROUNDING, CLOSED = 1e-9, 1e-13  # residuals of cycles, and those that are enough
+ELSEWHERE = 0.5  # of the distance from rest: what is missed of no cycle
 SINGULAR = 1e-9  # of the largest singular value: directions along which cycles form families
 
 
@@ -65,6 +66,12 @@ class Shooting:
             SolveError: the lap breaks down.
         """
         missed = self.problem.step(at.x, self.problem.lap(at).x)
+        if (along := self.problem.energy_gradient(at)) is not None:
+            # energy is kept: along its gradient nothing is missed where the rest is not
+            off = float(along @ missed)
+            if abs(off) > ELSEWHERE * self.problem.distance_from_rest(at):
+                raise SolveError("cycle: a lap leads to another state of the same energy")
+            missed = missed + along * (self.problem.energy_off(at) - off)
         if self.phase is None:
             return missed
         off = float(self.phase.normal @ self.problem.step(self.phase.x, at.x))
