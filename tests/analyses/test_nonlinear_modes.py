@@ -124,7 +124,6 @@ def test_localized_modes(pair: cd.CompiledModel) -> None:
         assert smaller[-1] < 0.5 * larger[-1]
         assert all(side.stable)
     row = path.main[-1]
-    W, m, period = jacobi(1 + 2 * COUPLING, abs(row["x"]))
     assert sum(row.multipliers).real == pytest.approx(trace(abs(row["x"])), abs=1e-6)
 
 

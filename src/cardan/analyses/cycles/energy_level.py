@@ -20,7 +20,9 @@ from ..systems.dynamic_system import DynamicSystem
 from .flow import Flow
 
 ENERGY = "energy"  # as it is swept
-NODES = 24  # of the integral of forces
+NODES = 20  # of the integral of forces, from 0 to 1
+PLACES, WEIGHTS = (0.5 * part for part in np.polynomial.legendre.leggauss(NODES))
+PLACES += 0.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,25 +49,22 @@ class EnergyLevel:
 
         The work is taken along a straight motion at no speed; it is the same along all others.
         """
-        q, u, _ = flow.model.parts_of(x)
-        start = flow.model.parts_of(self.rest)[0]
+        q, u, _ = flow.parts_of(x)
+        start = flow.parts_of(self.rest)[0]
         way = system.difference(start, q)
         kinetic = 0.5 * float(u @ flow.mass_matrix(q, t) @ u)
         if not np.any(way):
             return kinetic
-        places, weights = np.polynomial.legendre.leggauss(NODES)
-        stored = 0.0
-        for place, weight in zip(0.5 * (places + 1), 0.5 * weights, strict=True):
-            there = system.integrate(start, place * way)
-            still = np.concatenate([there, 0 * u])
-            # forces are what gives a state at rest its acceleration
-            forces = flow.mass_matrix(there, t) @ flow.rates(still, self.modes, t)[len(q) :]
-            stored -= float(weight * (forces @ way))
-        return kinetic + stored
+        there = np.array([system.integrate(start, place * way) for place in PLACES])
+        still = np.concatenate([there, np.zeros((NODES, len(u)))], axis=1)
+        # forces are what gives a state at rest its acceleration
+        accelerations = flow.rates(still, self.modes, t)[:, len(q) :]
+        work = np.einsum("kij,kj,i->k", flow.mass_matrix(there, t), accelerations, way)
+        return kinetic - float(WEIGHTS @ work)
 
     def gradient(self, flow: Flow, x: Array, t: float) -> Array:
         """The direction (n,) along which the energy grows, up to what speeds do to the inertia."""
-        q, u, _ = flow.model.parts_of(x)
+        q, u, _ = flow.parts_of(x)
         M = flow.mass_matrix(q, t)
         still = np.concatenate([q, 0 * u])
         return np.concatenate([-M @ flow.rates(still, self.modes, t)[len(q) :], M @ u])

@@ -106,13 +106,17 @@ class Flow:
         base, r = self._base, self.inputs(t)
         return np.asarray(base.events(q, u, z=z, s=s, t=t, r=r, parameters=self._parameters))
 
+    def parts_of(self, x: Array) -> tuple[Array, Array, Array]:
+        """q, u and z of a state."""
+        return self._base.parts_of(x)
+
     def rates(self, x: Array, s: Array, t: float) -> Array:
-        """xdot (nx,)."""
+        """xdot (nx,), or those of several states (k, nx)."""
         base, r = self._base, self.inputs(t)
         return np.asarray(base.rhs(t, x, r, s=s, parameters=self._parameters))
 
     def mass_matrix(self, q: Array, t: float) -> Array:
-        """Mass matrix (nu, nu)."""
+        """Mass matrix (nu, nu), or those of several positions (k, nu, nu)."""
         r, parameters = self.inputs(t), self._parameters
         return np.asarray(self._base.mass_matrix(q, r=r, t=t, parameters=parameters))
 
