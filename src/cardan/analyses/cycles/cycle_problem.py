@@ -212,12 +212,12 @@ class CycleProblem:
         """The energy of a start over the one that it has to have, in large ones."""
         assert self.level is not None
         energy = self.level.energy(self.system, self.flow(at.values), at.x, self.t)
-        return (energy - self.level.wanted(at.values)) / self.level.size
+        return (energy - self.level.target(at.values)) / self.level.size
 
-    def distance_from_rest(self, at: CycleState) -> float:
+    def amplitude(self, at: CycleState) -> float:
         """Size of the increment from the state of rest."""
         assert self.level is not None
-        return float(np.linalg.norm(self.step(self.level.rest, at.x)))
+        return float(np.linalg.norm(self.step(self.level.equilibrium, at.x)))
 
     def energy_gradient(self, at: CycleState) -> Array | None:
         """The direction (n,) along which the energy grows, of length 1; None where none is kept."""

@@ -16,14 +16,13 @@ from ..continuation.singular_point import half_branches, singular_point
 from ..continuation.special_points import HOPF, Test
 from ..linear.mode_shapes import Mode
 from ..statics.load_path import Loading
-from .cycle_family import CycleFamily, CyclePoint
+from .cycle_family import CycleFamily, CyclePoint, place_of, problem_and_way
 from .cycle_problem import CycleProblem, CycleState
 from .cycle_record import CycleRecord
 from .energy_level import ENERGY
 from .section import section_of
 from .shooting import Phase, Shooting, solve
 from .small_cycles import from_equilibrium, from_mode
-from .swept_problem import place_of, problem_and_way
 
 DOUBLING = "period doubling"
 ENERGIES = 9  # from that of a cycle to another one
@@ -45,7 +44,7 @@ def family_and_place(model: LoadedModel, request: PathRequest) -> tuple[CycleFam
     if _model_of(begin) not in (None, model._objects):
         raise ModelError(f"continuation of cycles: start= is of another model than '{model.name}'")
     if isinstance(begin, CycleRecord):
-        problem, way = problem_and_way(_kept(begin.problem, begin.at), begin.model, request)
+        problem, way = problem_and_way(_with_energy(begin.problem, begin.at), begin.model, request)
         family, at = _at_range_start(problem, way, begin.at)
         first = place(family, family.point(at, 0.0), family.along_parameter)
     elif isinstance(begin, SpecialPointRecord) and isinstance(begin.solution, CycleRecord):
@@ -69,12 +68,12 @@ def _model_of(begin: object) -> object:
     return begin.model._objects if isinstance(begin, CycleRecord) else None
 
 
-def _kept(problem: CycleProblem, at: CycleState) -> CycleProblem:
+def _with_energy(problem: CycleProblem, at: CycleState) -> CycleProblem:
     """The problem with the energy of a cycle, where energy is kept."""
     level = problem.level
     if level is None:
         return problem
-    return replace(problem, level=replace(level, value=level.wanted(at.values)))
+    return replace(problem, level=replace(level, value=level.target(at.values)))
 
 
 def _at_range_start(

@@ -30,17 +30,17 @@ class EnergyLevel:
     """Energies over that of a state of rest.
 
     Attributes:
-        rest, modes: State (nx,) and modes (ns,) whose energy is 0.
+        equilibrium, modes: State (nx,) and modes (ns,) whose energy is 0.
         size: An energy [J] that is large.
         value: The energy [J] where it is not swept.
     """
 
-    rest: Array
+    equilibrium: Array
     modes: Array
     size: float
     value: float
 
-    def wanted(self, values: Mapping[str, float]) -> float:
+    def target(self, values: Mapping[str, float]) -> float:
         """The energy [J] that a cycle has to have."""
         return values.get(ENERGY, self.value)
 
@@ -50,7 +50,7 @@ class EnergyLevel:
         The work is taken along a straight motion at no speed; it is the same along all others.
         """
         q, u, _ = flow.parts_of(x)
-        start = flow.parts_of(self.rest)[0]
+        start = flow.parts_of(self.equilibrium)[0]
         way = system.difference(start, q)
         kinetic = 0.5 * float(u @ flow.mass_matrix(q, t) @ u)
         if not np.any(way):

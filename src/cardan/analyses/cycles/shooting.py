@@ -59,6 +59,11 @@ class Shooting:
             raise SolveError("cycle: the start is at rest; start= from a state that moves")
         return cls(problem, Phase(at.x, rate / size))
 
+    @property
+    def fine(self) -> float:
+        """Increments that differences take; those of a mode have the units of large motions."""
+        return FINE if self.problem.level is None else 0.25 * FINE
+
     def residual(self, at: CycleState) -> Array:
         """What a lap misses its start by (n,), and the distance from the phase.
 
@@ -69,7 +74,7 @@ class Shooting:
         if (along := self.problem.energy_gradient(at)) is not None:
             # energy is kept: along its gradient nothing is missed where the rest is not
             off = float(along @ missed)
-            if abs(off) > ELSEWHERE * self.problem.distance_from_rest(at):
+            if abs(off) > ELSEWHERE * self.problem.amplitude(at):
                 raise SolveError("cycle: a lap leads to another state of the same energy")
             missed = missed + along * (self.problem.energy_off(at) - off)
         if self.phase is None:
@@ -90,7 +95,9 @@ class Shooting:
             SolveError: a lap breaks down.
         """
         count = len(self.problem.units) + self.problem.free_period
-        return by_differences(lambda dz: self.residual(self.moved(at, dz)), np.full(count, FINE))
+        return by_differences(
+            lambda dz: self.residual(self.moved(at, dz)), np.full(count, self.fine)
+        )
 
 
 @dataclass(frozen=True, eq=False)

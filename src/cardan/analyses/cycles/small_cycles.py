@@ -21,21 +21,20 @@ from ..linear.mode_shapes import Mode
 from ..simulation.settings import settings
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import Moment
-from .cycle_family import CycleFamily, CyclePoint
+from .cycle_family import CycleFamily, CyclePoint, place_of, problem_and_way
 from .cycle_problem import CycleProblem, CycleState
 from .energy_level import ENERGY, EnergyLevel
 from .shooting import Phase, Shooting
-from .swept_problem import place_of, problem_and_way
 
 EARLY = 0.1  # of a range, within which its first cycle lies
 SMALLER = 8  # times that the first step becomes shorter
 NEWTON, CONVERGED = 12, 1e-7  # corrections, the last of which is that small beside the step
 PERIODS = 100  # within which a lap ends
 UNDAMPED = 1e-9  # decay, as a part of the frequency, that is rounding
-KEPT = 1e-8  # of the energy: what a lap changes
+LOST = 1e-8  # of the energy: what a lap changes
 
 
-def _problem_at_rest(
+def _problem_around(
     model: LoadedModel, moment: Moment, frequency: float, size: Array
 ) -> CycleProblem:
     """Cycles next to a state, in units of a motion.
@@ -67,7 +66,7 @@ def from_equilibrium(
     """
     moment: Moment = begin.special.place.point.point.at
     columns, frequency = dynamic_system_of(model).columns, begin.frequency
-    problem = _problem_at_rest(model, moment, frequency, columns)
+    problem = _problem_around(model, moment, frequency, columns)
     problem, way = problem_and_way(problem, problem.model, request)
     free = {n: v for n, v in problem.inputs.items() if n not in way.swept}
     problem = replace(problem, inputs=free)
@@ -102,7 +101,7 @@ def from_mode(mode: Mode, request: PathRequest) -> tuple[CycleFamily, Place]:
     shape = shape * shape[first].conjugate() / abs(shape[first])
     # modal mass is 1: the amplitude at the highest energy, if forces were linear
     largest = np.sqrt(2 * highest) / frequency * abs(shape[first]) / columns[first]
-    problem = _problem_at_rest(model, moment, frequency, largest * columns)
+    problem = _problem_around(model, moment, frequency, largest * columns)
     x = np.concatenate([moment.q, moment.u, moment.z])
     problem = replace(problem, level=EnergyLevel(x, moment.s, highest, 0.0))
     problem, way = problem_and_way(problem, problem.model, request)
@@ -153,21 +152,21 @@ def _refuse_losses(problem: CycleProblem, at: CycleState) -> None:
     motion, flow = problem.motion(at), problem.flow(at.values)
     times = np.linspace(motion.t[0], motion.t[-1], 8)
     energies = [level.energy(problem.system, flow, x, problem.t) for x in motion.at(times)]
-    if np.ptp(energies) > KEPT * max(energies):
+    if np.ptp(energies) > LOST * max(energies):
         raise ModelError(
             f"continuation of cycles: '{problem.model.name}' does not keep its energy: over a lap "
             f"it changes between {brief(min(energies))} J and {brief(max(energies))} J"
         )
 
 
-def _first_of(family: CycleFamily, rest: CyclePoint, tangent: Array) -> Place:
+def _first_of(family: CycleFamily, around: CyclePoint, tangent: Array) -> Place:
     """The first cycle of a path that begins at rest, so small that it is found.
 
     What is swept may change much faster than the motion grows: no more than a part of its range.
 
     Args:
         family: Of which.
-        rest: The state that small cycles go around.
+        around: The state that small cycles go around.
         tangent: The increment (N,) to them.
 
     Raises:
@@ -177,8 +176,8 @@ def _first_of(family: CycleFamily, rest: CyclePoint, tangent: Array) -> Place:
     step = Reach().first
     for _ in range(SMALLER):
         try:
-            point = _at_distance(family, rest, step * tangent)
-            size = abs(point.s - rest.s)
+            point = _at_distance(family, around, step * tangent)
+            size = abs(point.s - around.s)
         except SolveError:
             size = np.inf
         if size <= EARLY:
@@ -187,13 +186,13 @@ def _first_of(family: CycleFamily, rest: CyclePoint, tangent: Array) -> Place:
     raise SolveError("continuation of cycles: those that begin here were not found")
 
 
-def _at_distance(family: CycleFamily, rest: CyclePoint, dz: Array) -> CyclePoint:
+def _at_distance(family: CycleFamily, around: CyclePoint, dz: Array) -> CyclePoint:
     """The cycle an increment away, up to what lies across it: by Newton's method.
 
     Raises:
         SolveError: it does not converge.
     """
-    point, across = family.moved(rest, dz), row(family, dz / np.linalg.norm(dz))
+    point, across = family.moved(around, dz), row(family, dz / np.linalg.norm(dz))
     none = np.zeros((len(dz) - 1, 0))
     size, before = np.inf, np.inf
     for _ in range(NEWTON):
