@@ -16,7 +16,7 @@ from .section import section_of
 
 SMALL = 1e-6  # ranges that are nothing beside the largest of their kind
 SHIFTS = (0.377, 1.913, 4.111)  # of time, in periods or [s]: forces that it drives would differ
-CARRIED = 1e-11  # of units: what does not depend on a sample
+MEMORY = 1e-11  # of units: what does not depend on a sample
 DRIVEN = 1e-9  # relative difference of rates there
 
 
@@ -78,7 +78,7 @@ def refuse_memory(problem: CycleProblem, at: CycleState) -> None:
         return
     changed = replace(at, s=np.where(sampled, at.s + 1e-3 * (1 + np.abs(at.s)), at.s))
     off = problem.step(problem.lap(at).x, problem.lap(changed).x)
-    if np.abs(off).max(initial=0.0) > CARRIED:
+    if np.abs(off).max(initial=0.0) > MEMORY:
         names = [name for name, one in zip(problem.model.mode_names, sampled, strict=True) if one]
         raise ModelError(
             f"cycle: a lap depends on what controllers hold before it ({', '.join(names)}). Begin "
