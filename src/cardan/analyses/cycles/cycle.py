@@ -19,7 +19,7 @@ from .cycle_record import CycleRecord, record_of
 from .multipliers import monodromy, multipliers_of
 from .named_states import symmetry_map
 from .period import period_rule
-from .preparation import first_state, prepared, refuse_forcing, scaled
+from .preparation import first_state, prepared, refuse_forcing, refuse_memory, scaled
 from .section import section_of
 from .shooting import Shooting, Solved, solve
 
@@ -108,6 +108,7 @@ def cycle(
     at = first_state(system, problem, start, forcing.first(t))
     refuse_forcing(problem, at)
     problem, at = prepared(problem, at, guess, settle)
+    refuse_memory(problem, at)
     record = recorded(problem, solve(Shooting.of(problem, at), at))
     if not record.converged:
         if check:

@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import final
 
 import numpy as np
 
 from ...arrays import Array
-from ...errors import SolveError
+from ...errors import ModelError, SolveError
+from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.family import DenseJacobian, Jacobian
-from ..statics.load_path import Loading
+from ..continuation.path_request import PathRequest
+from ..statics.equilibrium import read
+from ..statics.load_path import Loading, loading
+from ..statics.statics import sweepable
+from ..systems import dynamic_system_of
 from ..systems.central_differences import by_differences
 from .cycle_problem import CycleProblem, CycleState
+from .energy_level import ENERGY
 from .multipliers import Complexes, monodromy, multipliers_of
-from .shooting import FINE, Phase, Shooting
+from .shooting import Phase, Shooting
 
 ROUGH = 1e-5  # increments of differences that steer Newton's method
 CACHED = 12  # derivatives, each of many runs
@@ -112,7 +119,8 @@ class CycleFamily:
     def _matrix(self, point: CyclePoint) -> Array:
         if id(point) not in self._jacobians:
             matrix = by_differences(
-                lambda dz: self.residual(self.moved(point, dz)), np.full(len(self.weights), FINE)
+                lambda dz: self.residual(self.moved(point, dz)),
+                np.full(len(self.weights), self.shooting.fine),
             )
             if not np.isfinite(matrix).all():
                 raise SolveError("cycle: derivatives of a lap are not finite")
@@ -122,10 +130,11 @@ class CycleFamily:
         return self._jacobians[id(point)][1]
 
     def monodromy(self, point: CyclePoint) -> Array:
-        """Derivative of a lap across the flow (n, n), or (n - 1, n - 1) of a free period."""
+        """Derivative of a lap across the flow (n, n), less of a free period."""
         n, at = len(self.problem.units), point.at
         along = self.problem.rate(at) if self.problem.free_period else None
-        return monodromy(self._matrix(point)[:n, :n] + np.eye(n), along)
+        gradient = self.problem.energy_gradient(at)
+        return monodromy(self._matrix(point)[:n, :n] + np.eye(n), along, gradient)
 
     def multipliers(self, point: CyclePoint) -> Complexes:
         """Multipliers of a cycle (m,)."""
@@ -139,3 +148,39 @@ class CycleFamily:
         problem, at = self.problem, point.at
         period = at.period if problem.free_period else problem.lap(at).period
         return replace(at, x=problem.on_section(at), period=period)
+
+
+def problem_and_way(
+    problem: CycleProblem, model: LoadedModel, request: PathRequest
+) -> tuple[CycleProblem, Loading]:
+    """The problem with what stays, and what is swept.
+
+    Raises:
+        ModelError: an unknown name, values between the ends, an energy that is not told.
+    """
+    model = model.with_parameters(dict(request.parameters)) if request.parameters else model
+    system = dynamic_system_of(model)
+    kinds = {name: kind for name, kind in sweepable(model).items() if kind != "t"}
+    level = problem.level
+    if level is not None:
+        kinds[ENERGY] = ENERGY
+    elif ENERGY in request.swept and ENERGY not in kinds:
+        raise ModelError(
+            "continuation of cycles: energy= is swept from a mode, start=model.modes()[0], or from "
+            "a cycle of such a path"
+        )
+    base = read(system, {}, None, None, problem.t)
+    way = loading(system, kinds, base, request.swept, {}, "continuation")
+    if way.stations is not None:
+        raise ModelError("continuation: give (start, end) of what is swept, and no values within")
+    if level is not None and ENERGY in way.swept:
+        level = replace(level, size=float(np.ptp(way.swept[ENERGY])))
+    inputs = {**problem.inputs, **(request.inputs or {})}
+    problem = replace(problem, model=model, system=system, inputs=inputs, level=level, _flows={})
+    return problem, way
+
+
+def place_of(way: Loading, values: Mapping[str, float]) -> float:
+    """The place of swept values on a way."""
+    (name, ends), *_ = way.swept.items()
+    return float((values[name] - ends[0]) / (ends[-1] - ends[0]))

@@ -25,6 +25,7 @@ from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..simulation.events import event_table_of
 from ..simulation.settings import Settings
 from ..systems.dynamic_system import DynamicSystem, Moment, dense
+from .energy_level import ENERGY, EnergyLevel
 from .flow import Flow
 from .named_states import StateMap
 from .section import Section
@@ -72,6 +73,7 @@ class CycleProblem:
         units: Of increments (n,).
         normal: The increment that moves starts off the section (n,), by 1 of what passes zero
             there; None where they need not lie on it.
+        level: The energy that a cycle has to have; None where energy is not kept.
     """
 
     model: LoadedModel
@@ -86,6 +88,7 @@ class CycleProblem:
     laps: int
     units: Array
     normal: Array | None = None
+    level: EnergyLevel | None = None
     _flows: dict[tuple[tuple[str, float], ...], Flow] = field(default_factory=dict)
 
     @property
@@ -112,13 +115,16 @@ class CycleProblem:
             section = self.section
             table = section.event_table if section else event_table_of(self.model, None)
             self._flows[()] = Flow(self.model, self.how, self.inputs, table)
-        key = tuple(sorted(values.items()))
+        key = tuple(sorted((n, v) for n, v in values.items() if not self._is_energy(n)))
         if key not in self._flows:
             while len(self._flows) >= FLOWS:
                 # the first one is that of the problem itself
                 del self._flows[[*self._flows][1]]
-            self._flows[key] = self._flows[()].changed(values)
+            self._flows[key] = self._flows[()].changed(dict(key))
         return self._flows[key]
+
+    def _is_energy(self, name: str) -> bool:
+        return self.level is not None and name == ENERGY
 
     # increments
 
@@ -199,6 +205,26 @@ class CycleProblem:
         rates = flow.rates(at.x, at.s, time)
         rates = np.concatenate([self.model.parts_of(at.x)[1], rates[self.model.nq :]])
         return np.asarray(rates / self.units)
+
+    # the energy
+
+    def energy_off(self, at: CycleState) -> float:
+        """The energy of a start over the one that it has to have, in large ones."""
+        assert self.level is not None
+        energy = self.level.energy(self.system, self.flow(at.values), at.x, self.t)
+        return (energy - self.level.target(at.values)) / self.level.size
+
+    def amplitude(self, at: CycleState) -> float:
+        """Size of the increment from the state of rest."""
+        assert self.level is not None
+        return float(np.linalg.norm(self.step(self.level.equilibrium, at.x)))
+
+    def energy_gradient(self, at: CycleState) -> Array | None:
+        """The direction (n,) along which the energy grows, of length 1; None where none is kept."""
+        if self.level is None:
+            return None
+        gradient = self.level.gradient(self.flow(at.values), at.x, self.t) * self.units
+        return np.asarray(gradient / (np.linalg.norm(gradient) or 1.0))
 
     # the section
 

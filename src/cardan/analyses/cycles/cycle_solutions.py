@@ -19,7 +19,7 @@ from .cycle_family import CycleFamily, CyclePoint
 from .cycle_quantities import quantity
 from .cycle_record import CycleRecord, record_of
 from .cycle_starts import DOUBLING, doubled, family_and_place
-from .multipliers import REAL, unstable
+from .multipliers import NEUTRAL, REAL, unstable
 
 TORUS = "torus point"
 EDGE = 1e-9  # moduli that much above 1 count on a path
@@ -67,7 +67,9 @@ class CycleSolutions:
 
     def count(self, place: Place) -> int | None:
         """Same as :meth:`.Solutions.count`."""
-        return int(np.sum(np.abs(self.family.multipliers(place.point)) > 1 + EDGE))
+        # where energy is kept all moduli are 1, up to the rounding of differences
+        edge = EDGE if self.family.problem.level is None else NEUTRAL
+        return int(np.sum(np.abs(self.family.multipliers(place.point)) > 1 + edge))
 
     def growth(self, place: Place) -> tuple[float, float]:
         """Same as :meth:`.Solutions.growth`: of a pair, from lap to lap.

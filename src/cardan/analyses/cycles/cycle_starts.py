@@ -1,36 +1,34 @@
-"""Where paths of cycles start: at a cycle, at a Hopf point of equilibria, at a period doubling."""
+"""Where paths of cycles start: at a cycle, at rest, at a period doubling."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 
-from ...arrays import Array
 from ...errors import ModelError, SolveError, brief
 from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.family import row
-from ..continuation.follow import Place, Reach, corrected, place
+from ..continuation.follow import Place, place
 from ..continuation.path_request import PathRequest
 from ..continuation.record import SpecialPointRecord
 from ..continuation.singular_point import half_branches, singular_point
 from ..continuation.special_points import HOPF, Test
-from ..simulation.settings import settings
-from ..statics.equilibrium import read
-from ..statics.load_path import Loading, loading
-from ..statics.statics import sweepable
-from ..systems import dynamic_system_of
-from .cycle_family import CycleFamily, CyclePoint
+from ..linear.mode_shapes import Mode
+from ..statics.load_path import Loading
+from .cycle_family import CycleFamily, CyclePoint, place_of, problem_and_way
 from .cycle_problem import CycleProblem, CycleState
 from .cycle_record import CycleRecord
+from .energy_level import ENERGY
 from .section import section_of
 from .shooting import Phase, Shooting, solve
+from .small_cycles import from_equilibrium, from_mode
 
 DOUBLING = "period doubling"
-SIZES = 8  # units of cycles that are tried at a Hopf point, each a tenth of those before
+ENERGIES = 9  # from that of a cycle to another one
 CURE = (
-    "start= takes the cycle that model.cycle(...) returns, or a special point at which some begin"
+    "start= takes the cycle that model.cycle(...) returns, a special point at which some begin, or "
+    "a mode, model.modes()[0]"
 )
 
 
@@ -46,13 +44,15 @@ def family_and_place(model: LoadedModel, request: PathRequest) -> tuple[CycleFam
     if _model_of(begin) not in (None, model._objects):
         raise ModelError(f"continuation of cycles: start= is of another model than '{model.name}'")
     if isinstance(begin, CycleRecord):
-        problem, way = _problem_and_way(begin.problem, begin.model, request)
+        problem, way = problem_and_way(_with_energy(begin.problem, begin.at), begin.model, request)
         family, at = _at_range_start(problem, way, begin.at)
         first = place(family, family.point(at, 0.0), family.along_parameter)
     elif isinstance(begin, SpecialPointRecord) and isinstance(begin.solution, CycleRecord):
         family, first = _from_doubling(begin, begin.solution, request)
     elif isinstance(begin, SpecialPointRecord) and begin.kind == HOPF:
-        family, first = _from_equilibrium(model, begin, request)
+        family, first = from_equilibrium(model, begin, request)
+    elif isinstance(begin, Mode):
+        family, first = from_mode(begin, request)
     else:
         raise ModelError(f"continuation: start={brief(begin)}: {CURE}")
     named = ", ".join(f"{name} = {value:.10g}" for name, value in family.way.values(1.0).items())
@@ -63,22 +63,17 @@ def _model_of(begin: object) -> object:
     """The compiled code of what a path starts from, with any parameters; None of something else."""
     if isinstance(begin, SpecialPointRecord):
         return begin.branch.model._objects
+    if isinstance(begin, Mode):
+        return begin.modes.model._objects
     return begin.model._objects if isinstance(begin, CycleRecord) else None
 
 
-def _problem_and_way(
-    problem: CycleProblem, model: LoadedModel, request: PathRequest
-) -> tuple[CycleProblem, Loading]:
-    """The problem with what stays, and what is swept."""
-    model = model.with_parameters(dict(request.parameters)) if request.parameters else model
-    system = dynamic_system_of(model)
-    kinds = {name: kind for name, kind in sweepable(model).items() if kind != "t"}
-    base = read(system, {}, None, None, problem.t)
-    way = loading(system, kinds, base, request.swept, {}, "continuation")
-    if way.stations is not None:
-        raise ModelError("continuation: give (start, end) of what is swept, and no values within")
-    inputs = {**problem.inputs, **(request.inputs or {})}
-    return replace(problem, model=model, system=system, inputs=inputs, _flows={}), way
+def _with_energy(problem: CycleProblem, at: CycleState) -> CycleProblem:
+    """The problem with the energy of a cycle, where energy is kept."""
+    level = problem.level
+    if level is None:
+        return problem
+    return replace(problem, level=replace(level, value=level.target(at.values)))
 
 
 def _at_range_start(
@@ -91,7 +86,10 @@ def _at_range_start(
     """
     at = replace(at, values=way.values(0.0))
     at, phase = _peak(problem, at) if problem.free_period else (at, None)
-    solution = solve(Shooting(problem, phase), at)
+    shooting = Shooting(problem, phase)
+    if problem.level is not None and ENERGY in way.swept:
+        at = _at_energy(shooting, at, problem.level.value)
+    solution = solve(shooting, at)
     if not solution.converged:
         values = ", ".join(f"{name} = {value:.6g}" for name, value in way.values(0.0).items())
         raise SolveError(
@@ -99,6 +97,15 @@ def _at_range_start(
             "start it where the cycle of start= is"
         )
     return CycleFamily.of(problem, way, phase), solution.at
+
+
+def _at_energy(shooting: Shooting, at: CycleState, energy: float) -> CycleState:
+    """A start near to the cycle with the energy that is wanted, by those in between."""
+    last = at.values[ENERGY]
+    for share in np.linspace(0, 1, ENERGIES)[1:-1]:
+        values = {**at.values, ENERGY: energy + float(share) * (last - energy)}
+        at = solve(shooting, replace(at, values=values)).at
+    return replace(at, values={**at.values, ENERGY: last})
 
 
 def _peak(problem: CycleProblem, at: CycleState) -> tuple[CycleState, Phase]:
@@ -157,82 +164,12 @@ def _from_doubling(
     """
     before = begin.branch.solutions.family
     assert isinstance(before, CycleFamily)
-    problem, way = _problem_and_way(cycle.problem, cycle.model, request)
+    problem, way = problem_and_way(cycle.problem, cycle.model, request)
     if begin.kind != DOUBLING or set(way.swept) != set(before.way.swept):
         raise ModelError(
             f"continuation of cycles: start={begin.name!r}: paths begin at period doublings, along "
             f"what was swept before: {', '.join(before.way.swept)}"
         )
     family = CycleFamily.of(problem, way, before.shooting.phase)
-    s = _place_of(way, begin.values)
+    s = place_of(way, begin.values)
     return doubled(family, family.point(begin.special.place.point.at, s))
-
-
-def _place_of(way: Loading, values: Mapping[str, float]) -> float:
-    """The place of swept values on a way."""
-    (name, ends), *_ = way.swept.items()
-    return float((values[name] - ends[0]) / (ends[-1] - ends[0]))
-
-
-def _from_equilibrium(
-    model: LoadedModel, begin: SpecialPointRecord, request: PathRequest
-) -> tuple[CycleFamily, Place]:
-    """The small cycles around an equilibrium that begin at a Hopf point.
-
-    Raises:
-        SolveError: there are none.
-    """
-    moment = begin.special.place.point.point.at
-    changed = model.with_parameters(dict(moment.parameters)) if moment.parameters else model
-    system, frequency = dynamic_system_of(changed), begin.frequency
-    units = np.concatenate(
-        [system.columns, frequency * system.columns, np.ones(len(system.internals))]
-    )
-    inputs = dict(zip(system.inputs, moment.r.tolist(), strict=True))
-    how = settings("DOP853", 1e-13, 1e-15, None, None, None)
-    problem = CycleProblem(
-        changed,
-        system,
-        how,
-        inputs,
-        moment.t,
-        100 * 2 * np.pi / frequency,
-        None,
-        None,
-        None,
-        1,
-        units,
-    )
-    problem, way = _problem_and_way(problem, changed, request)
-    problem = replace(problem, inputs={n: v for n, v in inputs.items() if n not in way.swept})
-    s = _place_of(way, begin.values)
-    x = np.concatenate([moment.q, moment.u, moment.z])
-    at = CycleState(x, moment.s, 2 * np.pi / frequency, way.values(s))
-    # the first cycle is a part of the units: smaller ones until there is one of that size
-    for _ in range(SIZES - 1):
-        try:
-            return _first_cycle(problem, way, CyclePoint(s, at))
-        except SolveError:
-            problem = replace(problem, units=0.1 * problem.units)
-    return _first_cycle(problem, way, CyclePoint(s, at))
-
-
-def _first_cycle(
-    problem: CycleProblem, way: Loading, still: CyclePoint
-) -> tuple[CycleFamily, Place]:
-    """A small cycle beside an equilibrium.
-
-    Raises:
-        SolveError: there is none.
-    """
-    at, nu, n = still.at, problem.model.nu, len(problem.units)
-    DP = Shooting(problem, Phase(at.x, np.zeros(n))).jacobian(at)[:n, :n]
-    plane = np.linalg.svd(DP)[2][-2:]
-    k = int(np.linalg.norm(plane[:, :nu], axis=0).argmax())
-    # where the coordinate that moves most turns back
-    away: Array = plane[1, nu + k] * plane[0] - plane[0, nu + k] * plane[1]
-    family = CycleFamily.of(problem, way, Phase(at.x, np.eye(n)[nu + k]))
-    tangent = np.concatenate([away, np.zeros(2)])
-    tangent /= np.sqrt(np.sum(family.weights * tangent**2))
-    point = corrected(family, Place(still, tangent, 0.0, 0.0), Reach().first)[0]
-    return family, place(family, point, tangent)

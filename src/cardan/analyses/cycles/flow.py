@@ -25,6 +25,7 @@ from ..simulation.signals import Signals, signals
 from ..simulation.simulate import driven, runner_of
 from ..simulation.times import Span
 
+FEW = 6  # calls with parameters of their own, behind which a model is bound to them
 STEPS = 16  # of a run, behind which its events are looked at
 
 
@@ -76,6 +77,8 @@ class Flow:
         self._runner.want(None, dense=False)
         self._begun = bytes(self._runner.record)
         self._prepared: dict[str, Array] = {}
+        self._calls = 0
+        self._bound: LoadedModel | None = model
 
     def changed(self, values: Mapping[str, float]) -> Flow:
         """The same with other parameters and inputs; what runs is shared."""
@@ -90,6 +93,7 @@ class Flow:
             return Flow(model, self._how, inputs, self.event_table)
         other = copy(self)
         other._parameters = parameters or None
+        other._calls, other._bound = 0, None if parameters else self._base
         other._inputs = signals(self._base.manifest.inputs, inputs, None, (0.0, 0.0))
         p = self._base._parameters.changed(parameters)
         other._prepared = {name: one.prepared(p) for name, one in _called(self._runner).items()}
@@ -98,18 +102,36 @@ class Flow:
     @property
     def model(self) -> LoadedModel:
         """The model, with its parameters."""
-        return self._base.with_parameters(self._parameters) if self._parameters else self._base
+        if self._bound is None:
+            self._bound = self._base.with_parameters(self._parameters or {})
+        return self._bound
+
+    def _called(self) -> tuple[LoadedModel, dict[str, float] | None]:
+        """What answers a call, and its parameters: the first calls of a model take long."""
+        self._calls += 1
+        if self._calls > FEW or self._bound is not None:
+            return self.model, None
+        return self._base, self._parameters
 
     def event_values(self, x: Array, s: Array, t: float) -> Array:
         """Numbers (ne,) of the events of the model, which pass 0."""
         q, u, z = self._base.parts_of(x)
-        base, r = self._base, self.inputs(t)
-        return np.asarray(base.events(q, u, z=z, s=s, t=t, r=r, parameters=self._parameters))
+        model, more = self._called()
+        return np.asarray(model.events(q, u, z=z, s=s, t=t, r=self.inputs(t), parameters=more))
+
+    def parts_of(self, x: Array) -> tuple[Array, Array, Array]:
+        """q, u and z of a state."""
+        return self._base.parts_of(x)
 
     def rates(self, x: Array, s: Array, t: float) -> Array:
-        """xdot (nx,)."""
-        base, r = self._base, self.inputs(t)
-        return np.asarray(base.rhs(t, x, r, s=s, parameters=self._parameters))
+        """xdot (nx,), or those of several states (k, nx)."""
+        model, more = self._called()
+        return np.asarray(model.rhs(t, x, self.inputs(t), s=s, parameters=more))
+
+    def mass_matrix(self, q: Array, t: float) -> Array:
+        """Mass matrix (nu, nu), or those of several positions (k, nu, nu)."""
+        model, more = self._called()
+        return np.asarray(model.mass_matrix(q, r=self.inputs(t), t=t, parameters=more))
 
     def end(self, x: Array, s: Array, t: float, end: float) -> tuple[Array, Array]:
         """State (nx,) and modes (ns,) at the end of a run.
@@ -174,9 +196,10 @@ class Flow:
 
     def _passage(self, row: Array) -> Passage:
         """A row of the log of events."""
-        nx, first = self._base.nx, 1 + len(self.event_table.rows)
-        x, s, x_after, s_after = np.split(row[first:], np.cumsum([nx, self._base.ns, nx]).tolist())
-        return Passage(float(row[0]), row[1:first] != 0, x, s, x_after, s_after)
+        first, width = 1 + len(self.event_table.rows), self._base.nx
+        before, after = first + width, first + width + self._base.ns
+        x, s, x_after = row[first:before], row[before:after], row[after : after + width]
+        return Passage(float(row[0]), row[1:first] != 0, x, s, x_after, row[after + width :])
 
 
 def _called(runner: Runner) -> dict[str, LoadedFunction]:

@@ -14,20 +14,22 @@ REAL = 1e-9  # imaginary parts, as parts of the modulus, that are rounding
 NEUTRAL = 1e-6  # moduli that much above 1 are 1
 
 
-def monodromy(DP: Array, along: Array | None) -> Array:
+def monodromy(DP: Array, along: Array | None, gradient: Array | None = None) -> Array:
     """The derivative of a lap across the flow.
 
     Args:
         DP: The derivative (n, n).
         along: Direction (n,) of the flow, which a lap leaves as it is; None where laps end at a
             section or at a time.
+        gradient: That (n,) of what a lap keeps, such as an energy; None without.
 
     Returns:
-        (n, n), or (n - 1, n - 1) across.
+        (n, n), or less across.
     """
-    if along is None or not np.any(along):
+    rows = [row for row in (along, gradient) if row is not None and np.any(row)]
+    if not rows:
         return DP
-    across = np.linalg.svd(along[None, :])[2][1:].T
+    across = np.linalg.svd(np.array(rows))[2][len(rows) :].T
     return np.asarray(across.T @ DP @ across)
 
 

@@ -16,6 +16,7 @@ from .section import section_of
 
 SMALL = 1e-6  # ranges that are nothing beside the largest of their kind
 SHIFTS = (0.377, 1.913, 4.111)  # of time, in periods or [s]: forces that it drives would differ
+MEMORY = 1e-11  # of units: what does not depend on a sample
 DRIVEN = 1e-9  # relative difference of rates there
 
 
@@ -64,6 +65,25 @@ def refuse_forcing(problem: CycleProblem, at: CycleState) -> None:
                 f"cycle: period={period:.10g}: what forces '{problem.model.name}' at known times "
                 "does not have this period"
             )
+
+
+def refuse_memory(problem: CycleProblem, at: CycleState) -> None:
+    """Refuse values that controllers hold from lap to lap: they are no unknowns.
+
+    Raises:
+        ModelError: a lap depends on them.
+    """
+    sampled = np.array([not row.labels for row in problem.model.manifest.s], dtype=bool)
+    if not sampled.any():
+        return
+    changed = replace(at, s=np.where(sampled, at.s + 1e-3 * (1 + np.abs(at.s)), at.s))
+    off = problem.step(problem.lap(at).x, problem.lap(changed).x)
+    if np.abs(off).max(initial=0.0) > MEMORY:
+        names = [name for name, one in zip(problem.model.mode_names, sampled, strict=True) if one]
+        raise ModelError(
+            f"cycle: a lap depends on what controllers hold before it ({', '.join(names)}). Begin "
+            "it at a sample, by t=, and let their states be continuous"
+        )
 
 
 def prepared(

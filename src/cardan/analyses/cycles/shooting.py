@@ -15,6 +15,7 @@ NEWTON, HALVINGS = 30, 8
 FINE = 0.02  # of the steps that differences take: runs bend more than forces do
 CHORD = 1e-6  # residuals below which the derivative of a lap stays as it is
 ROUNDING, CLOSED = 1e-9, 1e-13  # residuals of cycles, and those that are enough
+ELSEWHERE = 0.5  # of the distance from rest: what is missed of no cycle
 SINGULAR = 1e-9  # of the largest singular value: directions along which cycles form families
 
 
@@ -58,6 +59,11 @@ class Shooting:
             raise SolveError("cycle: the start is at rest; start= from a state that moves")
         return cls(problem, Phase(at.x, rate / size))
 
+    @property
+    def fine(self) -> float:
+        """Increments that differences take; those of a mode have the units of large motions."""
+        return FINE if self.problem.level is None else 0.25 * FINE
+
     def residual(self, at: CycleState) -> Array:
         """What a lap misses its start by (n,), and the distance from the phase.
 
@@ -65,6 +71,12 @@ class Shooting:
             SolveError: the lap breaks down.
         """
         missed = self.problem.step(at.x, self.problem.lap(at).x)
+        if (along := self.problem.energy_gradient(at)) is not None:
+            # energy is kept: along its gradient nothing is missed where the rest is not
+            off = float(along @ missed)
+            if abs(off) > ELSEWHERE * self.problem.amplitude(at):
+                raise SolveError("cycle: a lap leads to another state of the same energy")
+            missed = missed + along * (self.problem.energy_off(at) - off)
         if self.phase is None:
             return missed
         off = float(self.phase.normal @ self.problem.step(self.phase.x, at.x))
@@ -83,7 +95,9 @@ class Shooting:
             SolveError: a lap breaks down.
         """
         count = len(self.problem.units) + self.problem.free_period
-        return by_differences(lambda dz: self.residual(self.moved(at, dz)), np.full(count, FINE))
+        return by_differences(
+            lambda dz: self.residual(self.moved(at, dz)), np.full(count, self.fine)
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,6 +137,13 @@ def solve(shooting: Shooting, start: CycleState) -> Solved:
             break
     s = shooting.problem.lap(at).s
     settled = bool((s == at.s).all())
+    if not settled:
+        # what a controller holds is set anew where a lap begins
+        again = replace(at, s=s)
+        after = shooting.problem.lap(again).s
+        close = np.abs(after - s) <= ROUNDING * (1 + np.abs(s))
+        settled = bool(close.all()) and _size(shooting.residual(again)) <= ROUNDING
+        at = again if settled else at
     period = at.period if shooting.problem.free_period else shooting.problem.lap(at).period
     at = replace(at, x=shooting.problem.on_section(at), period=period)
     return Solved(at, tuple(sizes), sizes[-1] <= ROUNDING and settled)

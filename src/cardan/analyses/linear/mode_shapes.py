@@ -59,6 +59,12 @@ class ModesRecord:
     def __len__(self) -> int:
         return len(self.values)
 
+    @checked
+    def __getitem__(self, k: int) -> Mode:
+        """A single mode, at which a family of cycles may start."""
+        number = self._number(k)
+        return Mode(self, number if number >= 0 else number + len(self))
+
     @property
     def frequencies(self) -> Array:
         """Frequencies of the oscillations (k,) [Hz]; 0 for motions that do not oscillate."""
@@ -142,6 +148,28 @@ class ModesRecord:
             value = shape[i] if np.isrealobj(shape) else size[i]
             entries.append(f"{self.increments[i]} {value:.3g}{phase}")
         return ", ".join(entries)
+
+
+@dataclass(frozen=True, eq=False)
+class Mode:
+    """One of several modes.
+
+    Attributes:
+        modes: All of them.
+        number: Which.
+    """
+
+    modes: ModesRecord
+    number: int
+
+    @property
+    def shape(self) -> dict[str, complex]:
+        """See :meth:`ModesRecord.shape`."""
+        return self.modes.shape(self.number)
+
+    def __repr__(self) -> str:
+        frequency = self.modes.frequencies[self.number]
+        return f"mode {self.number} of '{self.modes.model.name}', {frequency:.8g} Hz"
 
 
 @checked

@@ -115,7 +115,10 @@ def _stand(problem: Problem, point: Point, load: Load, constrained: Load) -> Sta
         stability = replace(stability, side=side, signed=side)
     elif system.internals:
         stability = replace(stability, side=lowest.negative, signed=lowest.signed)
-    return stability if values is None else _by_eigenvalues(stability, values, not potential)
+    if values is None:
+        return stability
+    # internal states lag behind, and feed a motion that stiffness and damping hold
+    return _by_eigenvalues(stability, values, not potential or bool(system.internals))
 
 
 def _damped(system: DynamicSystem, at: Moment) -> bool:

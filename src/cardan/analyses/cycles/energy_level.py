@@ -1,0 +1,70 @@
+"""The energy of motions that keep it, by which their cycles are told apart.
+
+A system that keeps its energy has a family of cycles for every mode, all with the same parameters.
+Laps then leave one equation less: what a lap misses along the gradient of the energy follows from
+the rest. The energy of the start takes its place.
+
+Source: F. J. Munoz-Almaraz, E. Freire, J. Galan, E. Doedel, A. Vanderbauwhede, Physica D 181
+(2003), 1-38 (continuation of periodic orbits in conservative systems).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...arrays import Array
+from ..systems.dynamic_system import DynamicSystem
+from .flow import Flow
+
+ENERGY = "energy"  # as it is swept
+NODES = 20  # of the integral of forces, from 0 to 1
+PLACES, WEIGHTS = (0.5 * part for part in np.polynomial.legendre.leggauss(NODES))
+PLACES += 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class EnergyLevel:
+    """Energies over that of a state of rest.
+
+    Attributes:
+        equilibrium, modes: State (nx,) and modes (ns,) whose energy is 0.
+        size: An energy [J] that is large.
+        value: The energy [J] where it is not swept.
+    """
+
+    equilibrium: Array
+    modes: Array
+    size: float
+    value: float
+
+    def target(self, values: Mapping[str, float]) -> float:
+        """The energy [J] that a cycle has to have."""
+        return values.get(ENERGY, self.value)
+
+    def energy(self, system: DynamicSystem, flow: Flow, x: Array, t: float) -> float:
+        """Energy [J] of a state: that of its speeds and the work of forces up to the rest.
+
+        The work is taken along a straight motion at no speed; it is the same along all others.
+        """
+        q, u, _ = flow.parts_of(x)
+        start = flow.parts_of(self.equilibrium)[0]
+        way = system.difference(start, q)
+        kinetic = 0.5 * float(u @ flow.mass_matrix(q, t) @ u)
+        if not np.any(way):
+            return kinetic
+        there = np.array([system.integrate(start, place * way) for place in PLACES])
+        still = np.concatenate([there, np.zeros((NODES, len(u)))], axis=1)
+        # forces are what gives a state at rest its acceleration
+        accelerations = flow.rates(still, self.modes, t)[:, len(q) :]
+        work = np.einsum("kij,kj,i->k", flow.mass_matrix(there, t), accelerations, way)
+        return kinetic - float(WEIGHTS @ work)
+
+    def gradient(self, flow: Flow, x: Array, t: float) -> Array:
+        """The direction (n,) along which the energy grows, up to what speeds do to the inertia."""
+        q, u, _ = flow.parts_of(x)
+        M = flow.mass_matrix(q, t)
+        still = np.concatenate([q, 0 * u])
+        return np.concatenate([-M @ flow.rates(still, self.modes, t)[len(q) :], M @ u])
