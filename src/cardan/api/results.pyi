@@ -67,7 +67,7 @@ class Continuation(ContinuationRecord):
     ) -> Figure:
         """Draw a path and its branches as a Matplotlib figure, written to ``file`` if given.
 
-        Unstable solutions are dashed, all else are lines; special points carry their names.
+        Unstable solutions are thin and dashed, all else are lines; special points carry their names.
 
         Args:
             along, up: Names of the histories on the axes, such as ``"P"`` and ``"elbow"``.

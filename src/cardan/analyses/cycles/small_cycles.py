@@ -69,13 +69,13 @@ def from_equilibrium(
     # the first cycle is a part of the units: smaller ones until there is one of that size
     for k in range(SIZES - 1):
         try:
-            return _beside(model, begin, request, 0.1**k * columns)
+            return _of_size(model, begin, request, 0.1**k * columns)
         except SolveError:
             continue
-    return _beside(model, begin, request, 0.1 ** (SIZES - 1) * columns)
+    return _of_size(model, begin, request, 0.1 ** (SIZES - 1) * columns)
 
 
-def _beside(
+def _of_size(
     model: LoadedModel, begin: SpecialPointRecord, request: PathRequest, size: Array
 ) -> tuple[CycleFamily, Place]:
     """The same for motions of a size, by speeds (nu,).
