@@ -186,6 +186,16 @@ def test_small_limit_cycles_begin_too() -> None:
     assert abs(path["x"][-1]) == pytest.approx(2.008619860874844e-4, rel=1e-7)
 
 
+def test_paths_that_begin_within_their_range_end_at_its_start() -> None:
+    """They left it, and went on for as many points as they may have."""
+    model = oscillator(lambda scene, x, v: (scene.parameter("mu", -0.5) - x**2) * v - x)
+    point = model.continuation(mu=(-0.5, 0.5)).point("Hopf point 1")
+    path = model.continuation(mu=(0.5, -0.5), of="cycles", start=point)
+    assert path.success
+    assert path.message.endswith("reached the start")
+    assert path["mu"][-1] == pytest.approx(0.5, abs=1e-10)
+
+
 def test_relaxation_oscillations() -> None:
     """Van der Pol at mu = 10: the return by another program, and the integral of the trace."""
     from scipy.integrate import solve_ivp

@@ -7,7 +7,7 @@ is an unknown like the position, and turns back.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from numpy.typing import ArrayLike
 
@@ -25,6 +25,7 @@ from .solutions import Solutions
 from .special_points import Test
 
 POINTS = 300
+WITHIN = 1e-2  # of a range: a path that starts there ends at either end
 # where paths of a kind of solutions start
 STARTS: Mapping[str, Callable[[LoadedModel, PathRequest], PathStart]] = {
     "equilibria": equilibrium_solutions.start,
@@ -114,7 +115,7 @@ def continuation(
     longest = {} if step is None else {"longest": step, "first": min(step, Reach().first)}
 
     def tests(of: Solutions) -> list[Test]:
-        return _tests(of, begin.end, until, bounds, events)
+        return _tests(of, [*_ends(begin)], until, bounds, events)
 
     run = Tracer(tests, points, search, Reach(**longest))
     depth = 99 if branches is True else int(branches)
@@ -149,9 +150,17 @@ def _refuse_nonsense(
                 raise ArgumentError(f"continuation: {said}={{'{name}': {value}}}: give a number")
 
 
+def _ends(begin: PathStart) -> Iterator[Test]:
+    """Ends of the range; of one within which the path starts both."""
+    yield begin.end
+    family = begin.solutions.family
+    if family.parameter(begin.place.point) > WITHIN:
+        yield Test("the start", lambda at: family.parameter(at.point), ends=True)
+
+
 def _tests(
     solutions: Solutions,
-    end: Test,
+    ends: list[Test],
     until: Mapping[str, float] | None,
     bounds: Mapping[str, tuple[float, float]] | None,
     events: Mapping[str, float] | None,
@@ -162,7 +171,7 @@ def _tests(
         of = solutions.quantity(name)
         return Test(f"{name} = {value:.10g}", lambda at: of(at.point) - value, ends)
 
-    tests = [end, *(test(name, float(value), True) for name, value in (until or {}).items())]
+    tests = [*ends, *(test(name, float(value), True) for name, value in (until or {}).items())]
     for name, limits in (bounds or {}).items():
         tests += [test(name, float(value), True) for value in limits]
     return tests + [test(name, float(value), False) for name, value in (events or {}).items()]
