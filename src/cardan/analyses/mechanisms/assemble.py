@@ -80,9 +80,12 @@ def assemble_by_constraints(
     if starts < 1:
         raise ModelError(f"starts={starts}: at least one search is needed")
     begin = _begin(model, start)
+    angles = np.array([row.unit == "rad" for row in model.manifest.coordinates], dtype=bool)
     for goal in goals:
-        if goal.kind == "coordinate" and goal.weight is None:
-            begin[goal.place] = goal.value
+        # of angles that differ by full turns the one that was named
+        if goal.kind == "coordinate":
+            turns = np.round((goal.value - begin[goal.place]) / (2 * np.pi))
+            begin[goal.place] += 2 * np.pi * turns * angles[goal.place]
     candidates = search(m, goals, begin, starts, seed)
     met = [one for one in candidates if one.met]
     if not met:
