@@ -30,13 +30,15 @@ def arch() -> cd.CompiledModel:
 
 def test_behind_a_limit_load_the_path_is_kept() -> None:
     model = arch()
-    with pytest.warns(cd.SolveWarning, match=r"beyond P = .*the stiffness gives way there"):
+    with pytest.warns(cd.SolveWarning, match=r"beyond P = .*at the limit point P = 1639\.5"):
         path = model.statics(P=(0, 1e5), steps=5)
     assert not path.success
     # before it snaps it buckles to one side; both as a path of short steps has them
-    (buckling,) = path.critical()
+    buckling, limit = path.critical()
     assert buckling["P"] == pytest.approx(1376.56, rel=1e-5)
-    assert path["P"][-1] == pytest.approx(1639.5, rel=1e-3)
+    fold = model.continuation(P=(0, 2000)).point("fold 1")
+    assert limit["P"] == pytest.approx(fold["P"], rel=1e-9)
+    assert path["P"][-1] == pytest.approx(limit["P"], rel=1e-3)
     last = path[-1]
     assert last.converged
     assert 0 < path["P"][-1] < 1e5
