@@ -260,7 +260,8 @@ class Sparse:
             return Dense().lowest(K.toarray(), G.toarray())
         n, largest = K.shape[0], float(np.abs(K.data).max(initial=0.0))
         half = csr_array(0.5 * (K + K.T))
-        unit, shift = diags_array(np.ones(n)), -1e-9 * largest
+        # far from 0 those of slender beams look alike, and are not told apart in thousands of steps
+        unit, shift = diags_array(np.ones(n)), -FREE_TOL * largest
         skew = skewness(K, G, self.factored) / max(largest, 1e-300)
         symmetric = skew <= SKEW
         below, sign = self.counted(half if symmetric else K, G, symmetric)
