@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
+from time import perf_counter
 
 import numpy as np
 
@@ -152,11 +153,11 @@ class Tracer:
 
     def _traced(self, name: str, of: Solutions, first: Place, show: Show) -> Curve:
         """The curve through a place."""
-        curve = Curve(of.family, [first])
-        tests = self.tests(of)
+        started, tests = perf_counter(), self.tests(of)
         if name.startswith(OTHER):
             # what no path leads to from the start of the range ends there
             tests.append(Test("the start", lambda at: of.family.parameter(at.point), ends=True))
+        curve = Curve(of.family, [first], reach=self.reach, tests=tests)
         watch = Watch(
             of.count, of.growth, of.oscillation, of.onsets, tests, self.points,
             corner=of.corner, ends=[*self._ends(of)],
@@ -171,6 +172,7 @@ class Tracer:
             curve.status, curve.ended = "interrupted", "interrupted; what was computed is kept"
             raise
         finally:
+            curve.seconds = perf_counter() - started
             self.branches[name] = BranchRecord.of(name, curve, of)
         return curve
 
