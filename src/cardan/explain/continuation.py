@@ -91,16 +91,14 @@ def document(
 
 def _lead(path: ContinuationRecord) -> Iterator[d.Paragraph]:
     """What the path is, how it ended, and all that is not certain."""
+    main, swept = path.main, ", ".join(path.main.values)
     count, points = len(path.branches), sum(map(len, path.branches.values()))
-    swept = ", ".join(path.main.values)
-    kind, main = path.main.solutions.kind, path.main
-    yield d.Paragraph(
-        (
-            f"The {kind} of {path.model.name} as {swept} changes, followed along their curve: "
-            f"{counted(count, 'branch', 'branches')} with {counted(points, 'point')}. "
-            f"{main.message[0].upper()}{main.message[1:]}.",
-        )
+    said = (
+        f"The {main.solutions.kind} of {path.model.name} as {swept} changes, followed along their "
+        f"curve: {counted(count, 'branch', 'branches')} with {counted(points, 'point')}. "
+        f"{main.message[0].upper()}{main.message[1:]}."
     )
+    yield d.Paragraph((said,))
     for doubt in _doubts(path):
         yield d.Paragraph((f"Note: {doubt}",))
 
@@ -206,7 +204,7 @@ def _moving(path: ContinuationRecord, along: str) -> str:
         solutions.family.way.kinds.get(along) == "locked"
     ):
         return f"{along}.holding_force"
-    swept = set(path.main.values)
+    swept = path.main.values
     names = [name for name in model.coordinates if name not in swept] or [*model.coordinates]
     if solutions.kind == "cycles":
         motion = path.main[-1].motion  # type: ignore[attr-defined]
@@ -220,12 +218,8 @@ def _moving(path: ContinuationRecord, along: str) -> str:
 def _overview(branches: list[BranchRecord]) -> Iterator[d.Block]:
     """All branches as a table."""
     rows = tuple(
-        (
-            branch.name, float(len(branch)), float(branch.iterations), float(branch.refused),
-            branch.status,
-        )
-        for branch in branches
-    )  # fmt: skip
+        (b.name, float(len(b)), float(b.iterations), float(b.refused), b.status) for b in branches
+    )
     yield d.Table(("branch", "points", "linear systems", "steps halved", "status"), rows)
     statuses = dict.fromkeys(branch.status for branch in branches)
     yield d.Listing(tuple((f"{status}: {ENDS[status]}.",) for status in statuses))
@@ -272,32 +266,30 @@ def _postbuckling(point: SpecialPointRecord) -> Iterator[d.Block]:
         return
     system = solutions.family.problem.system
     sizes = {name: np.abs(point.tangents[:, k]).max() for name, (_, k) in system.places.items()}
-    name = max(sizes, key=sizes.__getitem__, default="")
     try:
-        coefficients = point.postbuckling(name) if name else {}
-    except (ModelError, SolveError):
-        # the load is 0 there, and coefficients are parts of it
+        name = max(sizes, key=sizes.__getitem__)
+        coefficients = point.postbuckling(name)
+    except (ModelError, SolveError, ValueError):
+        # the load is 0 there, and coefficients are parts of it; or nothing has a name
         return
-    rows = tuple(
-        (branch, float(a) * _counts(a, b) + 0.0, float(b), _meaning(a, b))
-        for branch, (a, b) in coefficients.items()
-    )
+    rows = [(branch, _rounded(a, b), float(b)) for branch, (a, b) in coefficients.items()]
+    cells = tuple((branch, a, b, _meaning(a, b)) for branch, a, b in rows)
     load = next(iter(point.values))
     said = f"Koiter's coefficients at {point.name}, x = {name}: {load} = "
     yield d.Paragraph((f"{said}{point.values[load]:.6g} (1 + a x + b x²) along the branch.",))
-    yield d.Table(("branch", "a", "b", "with imperfections"), rows)
+    yield d.Table(("branch", "a", "b", "with imperfections"), cells)
 
 
-def _counts(a: float, b: float) -> bool:
-    """True of a slope that is more than rounding beside the curvature."""
-    return not abs(a) <= LEVEL * max(1.0, abs(b))
+def _rounded(a: float, b: float) -> float:
+    """A slope that is more than rounding beside the curvature, or 0."""
+    return 0.0 if abs(a) <= LEVEL * max(1.0, abs(b)) else float(a)
 
 
 def _meaning(a: float, b: float) -> str:
     """The fate of an imperfect structure next to a branch."""
     if not (np.isfinite(a) and np.isfinite(b)):
         return "x does not change at first"
-    if _counts(a, b):
+    if a:
         return "asymmetric: a limit load for one sign of the imperfection"
     if b > 0:
         return "stable symmetric: the load goes on rising"

@@ -56,45 +56,36 @@ def _(of: EquilibriumSolutions) -> Iterator[d.Block]:
     system, way = family.problem.system, family.way
     moving = way.base.u is not None
     locked = [*way.base.locked, *(n for n, kind in way.kinds.items() if kind == "locked")]
-    what = "A steady motion" if moving else "An equilibrium"
-    yield d.Paragraph((f"{what} is where",))
-    bound = " + G.T @ lam" * bool(system.multipliers)
-    prescribed = " + tau" * bool(locked)
-    left = "M @ udot + h" if moving else "h"
-    items: list[d.Text] = [
-        (
-            *equation(left, f"f{bound}{prescribed}"),
-            ": forces balance. h are velocity products and gravity, f the applied forces of the "
-            "model: springs, loads, controllers",
-        )
-    ]
+    yield d.Paragraph((f"{'A steady motion' if moving else 'An equilibrium'} is where",))
+    forces = "f" + " + G.T @ lam" * bool(system.multipliers) + " + tau" * bool(locked)
+    said = (
+        ": forces balance. h are velocity products and gravity, f the applied forces of the "
+        "model: springs, loads, controllers"
+    )
+    many = counted(len(system.multipliers), "multiplier")
+    loops = f": loops are closed. G is the Jacobian of these conditions, λ has {many}"
+    places = f": what is held has its values: {', '.join(locked)}. The forces τ hold it there"
+    rows_of = (
+        (True, "M @ udot + h" if moving else "h", forces, said),
+        (system.multipliers, "g", "0", loops),
+        (system.internals, "zdot", "0", f": internal states rest: {', '.join(system.internals)}"),
+        (locked, "q_k", "c_k", places),
+    )
+    items: list[d.Text] = [(*equation(a, b), text) for present, a, b, text in rows_of if present]
     if moving:
-        items.append(
-            (
-                "the speeds u that are named have their values, as seen by an observer who turns "
-                "along; the others and their rates follow from the position",
-            )
+        said = (
+            "the speeds u that are named have their values, as seen by an observer who turns "
+            "along; the others and their rates follow from the position"
         )
-    if system.multipliers:
-        many = counted(len(system.multipliers), "multiplier")
-        said = f": loops are closed. G is the Jacobian of these conditions, λ has {many}"
-        items.append((*equation("g", "0"), said))
-    if system.internals:
-        said = f": internal states rest: {', '.join(system.internals)}"
-        items.append((*equation("zdot", "0"), said))
-    if locked:
-        said = f": what is held has its values: {', '.join(locked)}. The forces τ hold it there"
-        items.append((*equation("q_k", "c_k"), said))
+        items.append((said,))
     yield d.Listing(tuple(items))
     yield _load()
     if family.free.shape[1]:
         many = counted(family.free.shape[1], "direction")
-        yield d.Paragraph(
-            (f"Nothing resists {many} at the start. Along them positions stay as they are.",)
-        )
-    count = len(system.columns)
+        said = f"Nothing resists {many} at the start. Along them positions stay as they are."
+        yield d.Paragraph((said,))
     rows = (
-        ("motion: radians, lengths in sizes", count, family.weights[0]),
+        ("motion: radians, lengths in sizes", len(system.columns), family.weights[0]),
         ("internal states", len(system.internals), family.weights[0]),
         ("constraint forces and holding forces", len(system.multipliers) + len(locked), 0.0),
         ("place σ of the load", 1, 1.0),
@@ -105,18 +96,15 @@ def _(of: EquilibriumSolutions) -> Iterator[d.Block]:
 @equations.register(PositionSolutions)
 def _(of: PositionSolutions) -> Iterator[d.Block]:
     """Conditions of loops, drivers and locks, or combinations of them."""
-    family = of.family
-    drivers, count = family.drivers, family.positions
-    conditions = len(of.family.drivers.slopes)
+    family, drivers, count = of.family, of.family.drivers, of.family.positions
+    conditions = len(drivers.slopes)
     yield d.Paragraph(("A position is where",))
-    combined = conditions != count
     said = f": {counted(conditions, 'condition')} for {counted(count, 'motion')} of the joints"
-    items: list[d.Text] = [
-        (*equation("C.T @ g", "0"), said, ", some of which follow from others. C holds "
-         f"{counted(count, 'combination')} of them, orthonormal, carried along the path")
-        if combined
-        else (*equation("g", "0"), said)
-    ]  # fmt: skip
+    more = (
+        f", some of which follow from others. C holds {counted(count, 'combination')} of them, "
+        "orthonormal, carried along the path"
+    ) * (conditions != count)
+    items: list[d.Text] = [(*equation("C.T @ g" if more else "g", "0"), said + more)]
     items.append(("g contains the closure of the loops",))
     if drivers.locked:
         items.append((f"what is locked, and stays: {', '.join(drivers.locked)}",))
@@ -131,22 +119,18 @@ def _(of: PositionSolutions) -> Iterator[d.Block]:
         ("place σ of the drivers", 1, family.weights[-1]),
     )
     yield from _unknowns(rows, drivers.m.size)
-    yield d.Paragraph(("Angles that differ by full turns are the same position.",), quiet=True)
 
 
 @equations.register(CycleSolutions)
 def _(of: CycleSolutions) -> Iterator[d.Block]:
     """Shooting: the state behind a lap is the one before it."""
-    family = of.family
-    problem = family.problem
+    family, problem = of.family, of.family.problem
     image = problem.symmetry is not None
     yield d.Paragraph(("A cycle is where",))
     behind = " up to the symmetry S" * image
     laps = f" {counted(problem.laps, 'lap')}" if problem.laps > 1 else " a lap"
-    items: list[d.Text] = [
-        (*(equation("S(x_T)", "x_0") if image else equation("x_T", "x_0")),
-         f": the state behind{laps} is that at its start{behind}. Laps are runs of the model")
-    ]  # fmt: skip
+    said = f": the state behind{laps} is that at its start{behind}. Laps are runs of the model"
+    items: list[d.Text] = [(*equation("S(x_T)" if image else "x_T", "x_0"), said)]
     if problem.section is not None:
         items.append((f"a lap ends at the event '{problem.section.name}', behind what it changes",))
     elif problem.period is not None:
@@ -165,10 +149,9 @@ def _(of: CycleSolutions) -> Iterator[d.Block]:
          "differences of runs, through all events. Multipliers μ are the eigenvalues of the "
          "derivative of ", *formula("x_T"), " by ", *formula("x_0"), ".")
     )  # fmt: skip
-    free = int(problem.free_period)
     rows = (
         ("state, in ranges of the motion", len(problem.units), family.weights[0]),
-        ("period, as a part of itself", free, 1.0),
+        ("period, as a part of itself", int(problem.free_period), 1.0),
         ("place σ of what is swept", 1, 1.0),
     )
     yield from _unknowns(rows, None)
@@ -176,15 +159,12 @@ def _(of: CycleSolutions) -> Iterator[d.Block]:
 
 def _load() -> d.Block:
     """What is swept, as an unknown."""
-    return d.Paragraph(
-        (
-            "All this at ",
-            *equation("p", "(1 - sigma) * p_0 + sigma * p_1"),
-            ": what is swept has its first values where σ = 0 and its last ones where σ = 1, and "
-            "goes straight on beyond. σ is an unknown like the others, so that it may turn back. "
-            "There is one unknown more than there are equations: solutions are curves.",
-        )
+    said = (
+        ": what is swept has its first values where σ = 0 and its last ones where σ = 1, and goes "
+        "straight on beyond. σ is an unknown like the others, so that it may turn back. There is "
+        "one unknown more than there are equations: solutions are curves."
     )
+    return d.Paragraph(("All this at ", *equation("p", "(1 - sigma) * p_0 + sigma * p_1"), said))
 
 
 def _unknowns(rows: tuple[tuple[str, int, float], ...], size: float | None) -> Iterator[d.Block]:

@@ -12,7 +12,6 @@ from . import content as d
 
 NEAR = 1e-9  # of a step: rows that are special points
 LABELS = {True: "stable", False: "unstable", None: "not known"}
-DIRECTIONS = {"cycles": "multipliers outside"}
 
 
 def stability(branch: BranchRecord) -> Iterator[d.Block]:
@@ -38,8 +37,8 @@ def stability(branch: BranchRecord) -> Iterator[d.Block]:
                 changed.append(f"between {start} and {end} ({heading}) from {at} on")
         rows.append((start, end, float(len(numbers)), *texts, _counts([*counts[numbers]])))
     heads = tuple(heading for heading, _ in columns)
-    directions = "unstable directions" + ", held" * prescribed
-    directions = DIRECTIONS.get(solutions.kind, directions)
+    cycles = solutions.kind == "cycles"
+    directions = "multipliers outside" if cycles else "unstable directions" + ", held" * prescribed
     yield d.Table(("from", "to", "points", *heads, directions), tuple(rows))
     if prescribed:
         said = "Under its load: dead weight in place of what prescribes displacements."

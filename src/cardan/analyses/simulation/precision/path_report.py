@@ -115,12 +115,17 @@ def report(path: ContinuationRecord) -> PathReport:
     """
     from rich.console import Console
 
+    result = measured(path)
+    Console().print(result.table())
+    return result
+
+
+def measured(path: ContinuationRecord) -> PathReport:
+    """The report of a path, which is not printed."""
     rows = tuple(_measured(branch) for branch in path.branches.values())
     solutions = path.main.solutions
     note = f"residual: {solutions.residual_description}"
-    result = PathReport(path.model.name, solutions.kind, rows, note)
-    Console().print(result.table())
-    return result
+    return PathReport(path.model.name, solutions.kind, rows, note)
 
 
 def _measured(branch: BranchRecord) -> BranchCost:
