@@ -86,7 +86,7 @@ def test_equilibria_say_what_was_solved_and_where_they_are_stable(tmp_path: Path
     # cardan's own sentences
     assert "2 branches (1a, 1b) along 'aside'; mirror images: 1a and 1b" in text
     assert "It leaves branch point 1 of 'main'. From P = 0.24" in text
-    assert "| 1a | 0 | -0.0959857 | unstable symmetric: a limit load below |" in text
+    assert "| 1a | 0 | -0.0959857 | falls |" in text
     assert "Note: not complete (singular): '2a', '2b', '3a', '3b'" in text
     # 4a and 4b are the other end of 1a
     assert "not followed" not in text

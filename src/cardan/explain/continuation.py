@@ -277,7 +277,9 @@ def _postbuckling(point: SpecialPointRecord) -> Iterator[d.Block]:
     load = next(iter(point.values))
     said = f"Koiter's coefficients at {point.name}, x = {name}: {load} = "
     yield d.Paragraph((f"{said}{point.values[load]:.6g} (1 + a x + b x²) along the branch.",))
-    yield d.Table(("branch", "a", "b", "with imperfections"), cells)
+    yield d.Table(("branch", "a", "b", "size of the load"), cells)
+    said = "Where the path is stable before, a load that falls along any branch means that small "
+    yield d.Paragraph((f"{said}imperfections lower the largest load.",), quiet=True)
 
 
 def _rounded(a: float, b: float) -> float:
@@ -286,11 +288,9 @@ def _rounded(a: float, b: float) -> float:
 
 
 def _meaning(a: float, b: float) -> str:
-    """The fate of an imperfect structure next to a branch."""
+    """The load along a branch, away from its point."""
     if not (np.isfinite(a) and np.isfinite(b)):
         return "x does not change at first"
     if a:
-        return "asymmetric: a limit load for one sign of the imperfection"
-    if b > 0:
-        return "stable symmetric: the load goes on rising"
-    return "unstable symmetric: a limit load below"
+        return "rises to one side, falls to the other"
+    return "rises" if b > 0 else "falls"
