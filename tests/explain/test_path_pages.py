@@ -84,11 +84,11 @@ def test_equilibria_say_what_was_solved_and_where_they_are_stable(tmp_path: Path
     assert "its null space has 2 directions" in text
     assert "$frac{dsigma}{ds}$ $=$ 0" in text
     # cardan's own sentences
-    assert "2 branches (1a, 1b) along 'aside'; mirror images: 1a and 1b" in text
-    assert "It leaves branch point 1 of 'main'. From P = 0.24" in text
+    assert "2 branches (2a, 2b) along 'aside'; mirror images: 2a and 2b" in text
+    assert "It leaves branch point 1 of 'main' and branch point 4 of 'main'. From P = 0.24" in text
     assert "| 1a | 0 | -0.0959857 | falls |" in text
     assert "Note: not complete (singular): '2a', '2b', '3a', '3b'" in text
-    # 4a and 4b are the other end of 1a
+    # 1a passes branch points 1 and 4, at both of their sides
     assert "not followed" not in text
 
 

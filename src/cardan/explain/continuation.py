@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 
-from ..analyses.continuation.branches import PARALLEL
 from ..analyses.continuation.diagram import plot
 from ..analyses.continuation.equilibrium_solutions import EquilibriumSolutions
 from ..analyses.continuation.record import BranchRecord, ContinuationRecord, SpecialPointRecord
@@ -123,21 +122,8 @@ def _doubts(path: ContinuationRecord) -> Iterator[str]:
 
 
 def _not_followed(path: ContinuationRecord, point: SpecialPointRecord) -> list[str]:
-    """Branches that leave a point and are not on the path, also not as the end of another one."""
-    weights = point.branch.solutions.family.weights
-    label = f"{point.name} of '{point.branch.name}'"
-    tangents = [
-        other.special.place.tangent
-        for branch in path.branches.values()
-        for other in branch.points
-        if other.special.label == label
-    ]
-    missing = [
-        name
-        for name, half in zip(point.branches, point.special.halves, strict=True)
-        if name not in path.branches
-        and not any(abs(float(half.tangent @ (weights * t))) > PARALLEL for t in tangents)
-    ]
+    """What leaves a point and is not on the path; one branch may pass at both of its sides."""
+    missing = [name for name in point.branches if name not in path.branches]
     prefix = "" if point.branch is path.main else f"{point.branch.name}."
     if point.kind == DOUBLING and f"{prefix}{point.name}" not in path.branches:
         missing.append("cycles of twice the period")
@@ -227,8 +213,9 @@ def _overview(branches: list[BranchRecord]) -> Iterator[d.Block]:
 
 def _branch(path: ContinuationRecord, branch: BranchRecord) -> Iterator[d.Block]:
     """Where a branch starts and ends, what lies on it, and where it is stable."""
-    leaves = [p for b in path.branches.values() for p in b.points if branch.name in p.branches]
-    begins = "".join(f"It leaves {p.name} of '{p.branch.name}'. " for p in leaves)
+    points = [p for b in path.branches.values() for p in b.points if b is not branch]
+    leaves = [f"{p.name} of '{p.branch.name}'" for p in points if branch.name in p.branches]
+    begins = f"It leaves {' and '.join(leaves)}. " * bool(leaves)
     first = ", ".join(f"{name} = {column[0]:.6g}" for name, column in branch.values.items())
     last = ", ".join(f"{name} = {column[-1]:.6g}" for name, column in branch.values.items())
     ended = branch.curve.ended or "it is not finished"

@@ -10,8 +10,8 @@ Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), sections
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.optimize import brentq
@@ -30,6 +30,7 @@ NEAR = 2.0  # widths of a bracket within which a point must lie
 MOST_LOST = 3  # of the rank
 # length of increments that rounding leaves of a singular point; halvings that tell it better
 UNCERTAIN, BISECTED = 1e-10, 40
+UNDAMPED = 1e-9  # decay, as a part of the frequency, that is rounding
 JUMP = 2.0  # distance of the ends of a part of a step, over its length
 SURE = 1e-5  # steps that are not shortened where they seem to lead to another curve
 Count = Callable[[Place], int | None]
@@ -80,6 +81,7 @@ class Special:
             others.
         accurate: False where it is only known to lie within a short step.
         jump: True where the step leads to another curve.
+        followed: Names of the curves that follow the halves, by their numbers.
     """
 
     kind: str
@@ -92,6 +94,7 @@ class Special:
     frequency: float = np.nan
     accurate: bool = True
     jump: bool = False
+    followed: Mapping[int, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)
@@ -315,8 +318,8 @@ def _hopf(family: Family, watch: Watch, step: Step, interval: Interval, number: 
     low, high, count = interval.low, interval.high, interval.counts[0]
     frequency = np.nan
     try:
-        ends = [growth(place)[0] for place in (interval.before, interval.after)]
-        if ends[0] * ends[1] < 0:
+        (before, slow), (after, fast) = map(growth, (interval.before, interval.after))
+        if before * after < 0 and min(abs(before / slow), abs(after / fast)) > UNDAMPED:
 
             def rate(part: float) -> float:
                 return growth(step.at(family, part))[0]
