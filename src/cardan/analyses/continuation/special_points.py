@@ -44,11 +44,35 @@ class Test:
         name: Of the event.
         value: The number.
         ends: Whether the curve ends there.
+        parameter: Value of the parameter at which that is so; None where it depends on more.
     """
 
     name: str
     value: Callable[[Place], float]
     ends: bool = False
+    parameter: float | None = None
+
+    @classmethod
+    def at(cls, name: str, parameter: float, family: Family) -> Test:
+        """The end of a curve at a value of its parameter."""
+        return cls(name, lambda at: family.parameter(at.point) - parameter, True, parameter)
+
+    def within(self, family: Family, step: Step, last: float) -> tuple[Place, float]:
+        """Where it passes 0 within a step, and at which part of that.
+
+        Args:
+            family, step: Of what, within which step.
+            last: Its value at the end of the step.
+
+        Raises:
+            SolveError: it is not found.
+        """
+        if last == 0:
+            return step.after, 1.0
+        if self.parameter is not None and (found := step.at_parameter(family, self.parameter)):
+            return found
+        part = float(brentq(lambda part: self.value(step.at(family, part)), 0.0, 1.0, xtol=EXACT))
+        return step.at(family, part), part
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
-from scipy.optimize import brentq
-
 from ...errors import SolveError
 from .curve import Curve
 from .family import length
 from .follow import End, Place, Reach, Step, steps
-from .special_points import BRANCH, EVENT, EXACT, FOLD, SURE, Corner, Special, Test, Watch, within
+from .special_points import BRANCH, EVENT, FOLD, SURE, Corner, Special, Test, Watch, within
 
 SAME = 1e-6  # lengths of increments between branch points that are one
 ROOT, LEVEL = 1e-3, 1e-9  # the same of a fold at a branch point, and the difference of loads
@@ -153,13 +151,8 @@ def _tested(
     for test, low, high in zip(tests, before, after, strict=True):
         if low == 0 or not low * high <= 0:
             continue
-
-        def value(part: float, test: Test = test) -> float:
-            return test.value(step.at(curve.family, part))
-
         try:
-            part = 1.0 if high == 0 else float(brentq(value, 0, 1, xtol=EXACT))
-            place, accurate = step.at(curve.family, part), True
+            (place, part), accurate = test.within(curve.family, step, high), True
         except SolveError:
             part, place, accurate = 1.0, step.after, False
         events.append(Special(EVENT, test.name, place, number, part, accurate=accurate))
