@@ -28,7 +28,9 @@ class Continuation(ContinuationRecord):
     """Equilibria, positions or cycles along a path, and branches that leave it."""
 
     animate = verb("cardan.analyses.snapshots:animate")
+    explain = verb("cardan.explain.continuation:explain")
     plot = verb("cardan.analyses.continuation.diagram:plot")
+    report = verb("cardan.analyses.simulation.precision.path_report:report")
     save = verb("cardan.analyses.continuation.path_file:save")
     table = verb("cardan.analyses.continuation.path_file:table")
 

@@ -20,6 +20,7 @@ from ..analyses.linear.steady_motion import SteadyMotionRecord
 from ..analyses.mechanisms.assembly import AssemblyRecord
 from ..analyses.mechanisms.sweep import SweepRecord
 from ..analyses.mechanisms.workspace import WorkspaceRecord
+from ..analyses.simulation.precision.path_report import PathReport
 from ..analyses.simulation.precision.work_precision import PrecisionRecord
 from ..analyses.statics.equilibrium import EquilibriumRecord
 from ..analyses.statics.static_path import StaticPathRecord
@@ -59,6 +60,25 @@ class Continuation(ContinuationRecord):
             ModelError, ArgumentError: as :meth:`.Trajectory.animate`; or there are no positions, or
                 histories of a single one.
         """
+    def explain(
+        self,
+        file: str | Path,
+        along: str | None = None,
+        up: str | None = None,
+    ) -> Path:
+        """Write a page on a path: its equations, steps, branches, special points and stability.
+
+        Args:
+            file: Its ending says how: ``.html``, ``.tex`` or ``.md``.
+            along, up: Names of the histories on the axes of the diagram, as for ``plot``; what is swept
+                and what moves most by default.
+
+        Returns:
+            The file.
+
+        Raises:
+            DerivationError: another ending. ModelError: unknown names.
+        """
     def plot(
         self,
         along: str,
@@ -76,6 +96,15 @@ class Continuation(ContinuationRecord):
         Raises:
             ModelError: unknown names, or a file that is not a picture.
             ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+    def report(
+        self,
+    ) -> PathReport:
+        """Measure a path: what every branch took and what its points miss; prints a table.
+
+        Residuals are computed anew from the coordinates, forces and loads of every point, special ones
+        among them: of equilibria by a system of its own for the parameters there, of positions over all
+        conditions of the loops, of cycles by laps of another method. Times are of the following alone.
         """
     def save(
         self,

@@ -43,10 +43,19 @@ def explain(
         DerivationError: another ending.
     """
     path = Path(path)
+    ending_of(path)
+    return published(document(equations, progress), path)
+
+
+def published(page: Document, path: Path) -> Path:
+    """The file of a page, written.
+
+    Raises:
+        DerivationError: there is no writer for its ending.
+    """
     ending = ending_of(path)
     from .writers import WRITERS
 
-    page = document(equations, progress)
     for suffix, text in WRITERS[ending].write(page, path).items():
         publish(path if suffix == ending else path.with_suffix(suffix), text)
     return path

@@ -163,7 +163,8 @@ def done(figure: Figure, title: str, path: str | Path | None) -> Figure:
     Raises:
         ModelError: no path, or one whose ending says no format.
     """
-    figure.suptitle(title)
+    # a title is a name, and a dollar sign in it none of a formula
+    figure.suptitle(title, parse_math=False)
     if path is None:
         return figure
     if not isinstance(path, str | PathLike):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import partial
+from time import perf_counter
 
 import numpy as np
 
@@ -185,7 +186,9 @@ class Tracer:
 
     def _trace(self, name: str, of: Solutions, curve: Curve, show: Show) -> None:
         """Follow a curve from its first places."""
+        started = perf_counter()
         tests = [*self.tests(of), *_outside(name, of.family)]
+        curve.reach, curve.tests = self.reach, tests
         watch = Watch(
             of.count, of.growth, of.oscillation, of.onsets, tests, self.points,
             corner=of.corner, ends=[*self._ends(of)],
@@ -201,6 +204,7 @@ class Tracer:
             curve.status, curve.ended = "interrupted", "interrupted; what was computed is kept"
             raise
         finally:
+            curve.seconds += perf_counter() - started
             self.branches[name] = BranchRecord.of(name, curve, of)
 
     def _ends(self, of: Solutions) -> Iterator[tuple[str, Place]]:

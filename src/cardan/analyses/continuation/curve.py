@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from .family import Family
-from .follow import Place
-from .special_points import Special
+from .follow import Place, Reach
+from .special_points import Special, Test
 
 
 @dataclass(eq=False)
@@ -21,6 +22,10 @@ class Curve:
         status: ``"finished"``, ``"closed"``, ``"joined"``, ``"budget"``, ``"singular"`` or
             ``"interrupted"``.
         corrections, refused: Linear systems solved, steps that were halved.
+        contraction: The largest of the corrections of a step.
+        seconds: Time spent.
+        reach: Controls of its steps.
+        tests: Ends and events that were looked for.
     """
 
     family: Family
@@ -30,3 +35,7 @@ class Curve:
     status: str = "budget"
     corrections: int = 0
     refused: int = 0
+    contraction: float = 0.0
+    seconds: float = 0.0
+    reach: Reach = field(default_factory=Reach)
+    tests: Sequence[Test] = ()

@@ -54,8 +54,12 @@ def plot(path: ContinuationRecord, along: str, up: str, file: str | Path | None 
             continue
         labels.append(at)
         axis.plot(*at, MARKERS.get(point.kind, OTHER), color="black", markersize=5)
-        axis.annotate(point.name, (at[0], at[1]), (4, 4), textcoords="offset points", fontsize=8)
-    axis.set(xlabel=along, ylabel=up)
+        axis.annotate(
+            point.name, (at[0], at[1]), (4, 4), textcoords="offset points", fontsize=8,
+            parse_math=False,
+        )  # fmt: skip
+    axis.set_xlabel(along, parse_math=False)
+    axis.set_ylabel(up, parse_math=False)
     axis.grid(alpha=0.3)
     return done(figure, path.model.name, file)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import final
 
 import numpy as np
@@ -13,6 +13,7 @@ from ...errors import ModelError, SolveError
 from ...runtime.models.loaded_model import LoadedModel
 from ..statics.equilibrium import WAYS, EquilibriumRecord, missed, read
 from ..statics.equilibrium import record as equilibrium_record
+from ..statics.force_balance import UNITS, balance
 from ..statics.load_path import loading
 from ..statics.newton import Search
 from ..statics.settling import settled
@@ -64,6 +65,33 @@ class EquilibriumSolutions:
         search = Search(point.point, 0, True, np.zeros(0))
         stability = self.stabilities.stability(point)
         return equilibrium_record(self.model, self.family.problem, search, point.load, stability)
+
+    @property
+    def kind(self) -> str:
+        """Same as :attr:`.Solutions.kind`."""
+        return "equilibria" if self.family.way.base.u is None else "steady motions"
+
+    def independent_residual(self, point: Loaded) -> tuple[Array, Array]:
+        """Same as :meth:`.Solutions.independent_residual`: by a system with these parameters."""
+        parameters = point.load.parameters
+        model = self.model.with_parameters(dict(parameters)) if parameters else self.model
+        problem, load = Problem(dynamic_system_of(model)), replace(point.load, parameters=None)
+        at = problem.under(point.point, load)
+        tangent = problem.tangent(at, load)
+        forces = balance(problem, at, load, tangent)
+        # where forces are 0 by symmetry, those of a motion of the size of the mechanism
+        moved = abs(tangent[0]) @ np.ones(len(forces.left))
+        sizes = np.maximum(forces.rounding / UNITS, moved)
+        gaps = np.abs(problem.residual(at, load)[1])
+        return np.append(forces.left, gaps), np.append(sizes, np.ones(len(gaps)))
+
+    @property
+    def residual_description(self) -> str:
+        """Same as :attr:`.Solutions.residual_description`."""
+        return (
+            "forces that are left, over the largest that meet in their row on the branch or that a "
+            "radian or the size of the mechanism makes; what loops miss, over that size"
+        )
 
     def coordinates(self, point: Loaded) -> Array:
         """Same as :meth:`.Solutions.coordinates`."""

@@ -169,6 +169,7 @@ class Step:
         ds: Its length along the tangent at its start.
         corrections: Linear systems solved, refused steps among them.
         refused: Steps that were halved.
+        contraction: Of the corrections at its end.
     """
 
     before: Place
@@ -176,6 +177,7 @@ class Step:
     ds: float
     corrections: int
     refused: int
+    contraction: float = 0.0
 
     def shortened(self, after: Place, part: float) -> Step:
         """The step up to a place at a part of it."""
@@ -278,7 +280,7 @@ def steps(
             except SolveError as error:
                 spent += 1
                 turn, reason = math.inf, f": {error}"
-            if turn <= SHARP and accept(step := Step(here, there, ds, spent, refused)):
+            if turn <= SHARP and accept(step := Step(here, there, ds, spent, refused, theta)):
                 break
             refused += 1
             ds *= 0.5

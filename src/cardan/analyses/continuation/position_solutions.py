@@ -79,6 +79,27 @@ class PositionSolutions:
             gaps=m.gaps(point.q), unreached={}, freedoms=0, solutions=None, starts=1,
         )  # fmt: skip
 
+    @property
+    def kind(self) -> str:
+        """Same as :attr:`.Solutions.kind`."""
+        return "positions"
+
+    def independent_residual(self, point: Configuration) -> tuple[Array, Array]:
+        """Same as :meth:`.Solutions.independent_residual`: of all conditions, dependent ones too.
+
+        Loops count by the functions of the model as well, which the path does not call.
+        """
+        drivers = self.family.drivers
+        conditions = drivers.residual(point.s, point.q)
+        loops = drivers.mechanism(point.s).residuals(point.q)
+        missed = np.abs(np.concatenate([conditions, loops]))
+        return missed, np.ones(len(missed))
+
+    @property
+    def residual_description(self) -> str:
+        """Same as :attr:`.Solutions.residual_description`."""
+        return "what loops, drivers and locks miss, over the size of the mechanism or in radians"
+
     def coordinates(self, point: Configuration) -> Array:
         """Same as :meth:`.Solutions.coordinates`."""
         return point.q

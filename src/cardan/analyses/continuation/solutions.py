@@ -23,6 +23,10 @@ class Solutions(Protocol):
         """The model."""
 
     @property
+    def kind(self) -> str:
+        """Solutions of this kind, in words."""
+
+    @property
     def family(self) -> Family:
         """The equations, and how their unknowns change."""
 
@@ -38,6 +42,17 @@ class Solutions(Protocol):
 
     def record(self, point: Point) -> Solution:
         """A solution as users take it."""
+
+    def independent_residual(self, point: Point) -> tuple[Array, Array]:
+        """Sizes of what a solution misses its equations by, computed anew, and of what meets there.
+
+        Raises:
+            SolveError: the equations cannot be evaluated there.
+        """
+
+    @property
+    def residual_description(self) -> str:
+        """The residual of these solutions, in a sentence."""
 
     def coordinates(self, point: Point) -> Array:
         """Coordinates (nq,) of a solution."""

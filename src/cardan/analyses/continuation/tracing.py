@@ -90,6 +90,7 @@ def _traced(
         step, corner = look.shortened(long_step), look.corner
         curve.corrections += step.corrections
         curve.refused += step.refused
+        curve.contraction = max(curve.contraction, step.contraction)
         after = [test.value(step.after) for test in watch.tests]
         end = _tested(curve, watch.tests, step, values, after)
         curve.special += [s for s in look.special if end is None or s.part <= end.part]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import final
 
 import numpy as np
@@ -11,17 +12,21 @@ import numpy as np
 from ...arrays import Array
 from ...errors import SolveError
 from ...runtime.models.loaded_model import LoadedModel
+from ...schema.integrators import INTEGRATORS
 from ..continuation.follow import Place, Step
 from ..continuation.path_request import PathRequest, PathStart
 from ..continuation.solutions import Quantity, Solutions
 from ..continuation.special_points import FOLD, Corner, Onset, Special
 from .cycle_family import CycleFamily, CyclePoint
+from .cycle_problem import CycleProblem
 from .cycle_quantities import quantity
 from .cycle_record import CycleRecord, record_of
 from .cycle_starts import DOUBLING, doubled, family_and_place
 from .multipliers import NEUTRAL, REAL, unstable
 
 TORUS = "torus point"
+CHECKED_BY = (("DOP853", "RK45"), ("RK45", "DOP853"))  # methods that check each other
+LOOSER = 10.0  # tolerance of these runs, of that of the path
 EDGE = 1e-9  # moduli that much above 1 count on a path
 
 
@@ -52,6 +57,34 @@ class CycleSolutions:
         left = float(np.abs(family.residual(point)).max(initial=0.0))
         at, values = family.finished(point), family.multipliers(point)
         return record_of(family.problem, at, values, (left,), True, "a cycle of a path")
+
+    @property
+    def kind(self) -> str:
+        """Same as :attr:`.Solutions.kind`."""
+        return "cycles"
+
+    @cached_property
+    def _other_runs(self) -> CycleProblem:
+        """The problem with runs by another method, explicit or implicit as that of the path."""
+        problem, how = self.family.problem, self.family.problem.how
+        other = next((new for old, new in CHECKED_BY if old == how.method.name), how.method.name)
+        how = replace(how, method=INTEGRATORS[other], rtol=LOOSER * how.rtol)
+        return replace(problem, how=how, _flows={})
+
+    def independent_residual(self, point: CyclePoint) -> tuple[Array, Array]:
+        """Same as :meth:`.Solutions.independent_residual`: of a lap by another method."""
+        problem, at = self._other_runs, self.family.finished(point)
+        missed = np.abs(problem.step(at.x, problem.lap(at).x))
+        return missed, np.ones(len(missed))
+
+    @property
+    def residual_description(self) -> str:
+        """Same as :attr:`.Solutions.residual_description`."""
+        how = self._other_runs.how
+        return (
+            f"what a lap by {how.method.name} at rtol={how.rtol:.0e} misses its start by, over the "
+            "ranges of the motion"
+        )
 
     def coordinates(self, point: CyclePoint) -> Array:
         """Same as :meth:`.Solutions.coordinates`."""

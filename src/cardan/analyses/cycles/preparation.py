@@ -68,7 +68,7 @@ def refuse_forcing(problem: CycleProblem, at: CycleState) -> None:
 
 
 def refuse_memory(problem: CycleProblem, at: CycleState) -> None:
-    """Refuse values that controllers hold from lap to lap: they are no unknowns.
+    """Refuse values that controllers hold from lap to lap: they are not unknowns.
 
     Raises:
         ModelError: a lap depends on them.

@@ -1,7 +1,7 @@
 """Small cycles around a state of rest: at a Hopf point, and of a mode of what keeps its energy.
 
 Source: A. M. Lyapunov, The General Problem of the Stability of Motion (1892): every mode whose
-frequency is no multiple of another one's continues as a family of cycles, by their energy.
+frequency is not a multiple of another one's continues as a family of cycles, by their energy.
 """
 
 from __future__ import annotations
