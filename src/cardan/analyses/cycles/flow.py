@@ -142,6 +142,19 @@ class Flow:
         self._run(x, s, t, end, lambda _: False)
         return self._state(), self._runner.views["s"].copy()
 
+    def closed(self, x: Array, s: Array, t: float) -> Array:
+        """The state (nx,) on the constraints from which a run from a state goes.
+
+        Raises:
+            SolveError: the constraints cannot be fulfilled next to it.
+        """
+        if not self._runner.closing.rows:
+            return x
+        answer = self._begin(x, s, t, t + 1.0)
+        if answer not in (abi.DONE, abi.MORE):
+            raise SolveError(explain(self._runner, answer, Span(t, t + 1.0))[1])
+        return self._state()
+
     def passage(
         self, x: Array, s: Array, t: float, end: float, match: Callable[[Passage], bool]
     ) -> Passage | None:
@@ -172,8 +185,8 @@ class Flow:
     def _state(self) -> Array:
         return self._runner.views["y"][: self._base.nx].copy()
 
-    def _run(self, x: Array, s: Array, t: float, end: float, stop: Callable[[Array], bool]) -> None:
-        """Go from a state to a time, or until the log of events says that it is enough."""
+    def _begin(self, x: Array, s: Array, t: float, end: float) -> int:
+        """Set the state at the start of a run. Returns the answer of the kernels."""
         runner, run = self._runner, self._runner.record
         ctypes.memmove(ctypes.addressof(run), self._begun, len(self._begun))
         for name, w in self._prepared.items():
@@ -183,7 +196,12 @@ class Flow:
         runner.adjust()
         runner.views["s"][:] = s
         jumping = self.model if jumps(self._base) else self._base
-        answer = runner.start(t, x, stops_of(jumping, self._inputs, t, end)) or abi.MORE
+        return runner.start(t, x, stops_of(jumping, self._inputs, t, end)) or abi.MORE
+
+    def _run(self, x: Array, s: Array, t: float, end: float, stop: Callable[[Array], bool]) -> None:
+        """Go from a state to a time, or until the log of events says that it is enough."""
+        runner, run = self._runner, self._runner.record
+        answer = self._begin(x, s, t, end)
         while answer in (abi.MORE, abi.FULL):
             run.count = 0
             answer = runner.drive(STEPS)
