@@ -43,11 +43,13 @@ class Test:
         name: Of the event.
         value: The number.
         ends: Whether the curve ends there.
+        kind: Of the special point; where it is no event the equations are singular there.
     """
 
     name: str
     value: Callable[[Place], float]
     ends: bool = False
+    kind: str = EVENT
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,6 +24,7 @@ from .multipliers import Complexes, monodromy, multipliers_of
 from .shooting import Phase, Shooting
 
 CACHED = 12  # derivatives, each of many runs
+MOTIONLESS = 1e-9  # of units: a motion that is none
 NODE = 6  # increments: lengths do not grow with the system
 
 
@@ -90,8 +91,15 @@ class CycleFamily:
         return point.s
 
     def residual(self, point: CyclePoint) -> Array:
-        """Same as :meth:`.Family.residual`."""
-        return self.shooting.residual(point.at)
+        """Same as :meth:`.Family.residual`.
+
+        Raises:
+            SolveError: as there; the point is at rest, which repeats with any period.
+        """
+        at, problem = point.at, self.problem
+        if problem.free_period and at.period * np.linalg.norm(problem.rate(at)) < MOTIONLESS:
+            raise SolveError("cycle: the motion shrinks to rest")
+        return self.shooting.residual(at)
 
     def moved(self, point: CyclePoint, dz: Array) -> CyclePoint:
         """Same as :meth:`.Family.moved`."""
