@@ -214,11 +214,6 @@ def test_two_freedoms_and_two_drivers() -> None:
             "determine the whole position",
         ),
         (
-            lambda m: m.continuation(A=(0, 1), of="positions", q={"B": 0, "D": 0}),
-            ModelError,
-            "the start is a singular position, where branches meet. Start beside it",
-        ),
-        (
             lambda m: m.continuation(A=(0.4, 1), of="positions", until={"E": 1}, q={"D": 0.4}),
             ModelError,
             "there is no 'E' to watch",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
@@ -12,13 +13,15 @@ from .curve import Curve
 from .deflation import new_solutions
 from .family import Family, Point, length
 from .follow import Place, Reach, place
+from .path_request import PathStart
 from .record import BranchRecord, ContinuationRecord
 from .solutions import Solutions
-from .special_points import BRANCH, Special, Test, Watch
+from .special_points import BRANCH, EVENT, Special, Test, Watch
 from .tracing import trace
 
 MAIN, OTHER = "main", "other"
 SAME = 1e-6  # lengths of increments between points that are one
+STILL = 1e-12  # parts of a tangent that do not move the system
 PARALLEL = 0.999  # cosine of directions that are one
 SEARCHES = 60  # for a solution to which no branch leads
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
@@ -30,36 +33,43 @@ class _Junction:
 
     Attributes:
         name: ``"branch point 1 of 'main'"``.
-        special: The point.
-        family: Whose.
-        followed: Numbers of the branches.
+        curve, number: The curve that came to it first, and its number there.
     """
 
     name: str
-    special: Special
-    family: Family
-    followed: set[int] = field(default_factory=set)
+    curve: Curve
+    number: int
 
     def is_at(self, family: Family, special: Special) -> bool:
         """True when a point of a curve is this one."""
-        if family is not self.family:
+        if family is not self.curve.family:
             return False
         return length(family, family.step(self.special.place.point, special.place.point)) < SAME
 
-    def passed(self, family: Family, special: Special) -> None:
+    @property
+    def special(self) -> Special:
+        """The point."""
+        return self.curve.special[self.number]
+
+    def _follow(self, k: int, name: str) -> None:
+        """Note that a branch is followed by the curve of a name."""
+        followed = {**self.special.followed, k: name}
+        self.curve.special[self.number] = replace(self.special, followed=followed)
+
+    def passed(self, name: str, special: Special) -> None:
         """Note that a curve passes here: what it comes and leaves along is followed."""
         for k, half in enumerate(self.special.halves):
-            along = float(half.tangent @ (family.weights * special.place.tangent))
+            along = float(half.tangent @ (self.curve.family.weights * special.place.tangent))
             if abs(along) > PARALLEL:
-                self.followed.add(k)
+                self._follow(k, name)
 
-    def leave(self, k: int) -> Place | None:
-        """The first place of a branch; None where it was followed."""
-        if k in self.followed:
+    def leave(self, k: int, name: str) -> Place | None:
+        """The first place of a branch under a name; None where it was followed."""
+        if k in self.special.followed:
             return None
-        self.followed.add(k)
+        self._follow(k, name)
         half = self.special.halves[k]
-        return place(self.family, half.point, half.direction)
+        return place(self.curve.family, half.point, half.direction)
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,18 +78,44 @@ class _Waiting:
 
     Attributes:
         name: Its name.
-        first: The solutions that it consists of, and its first place; None where it was followed.
+        first: The solutions that it consists of, and its first places; None where it was followed.
         generations: How many may follow, with it.
     """
 
     name: str
-    first: Callable[[], tuple[Solutions, Place] | None]
+    first: Callable[[], tuple[Solutions, Curve] | None]
     generations: int
 
 
-def _started(solutions: Solutions, first: Place) -> Callable[[], tuple[Solutions, Place]]:
-    """A branch that starts at a place, whatever was followed."""
-    return lambda: (solutions, first)
+def _started(solutions: Solutions, *places: Place) -> tuple[Solutions, Curve]:
+    """The first places of a branch."""
+    return solutions, Curve(solutions.family, [*places])
+
+
+def _outside(name: str, family: Family) -> Iterator[Test]:
+    """Where branches end that leave the range at its start."""
+
+    def beyond(length: float) -> Callable[[Place], float]:
+        return lambda at: family.parameter(at.point) + length
+
+    if name.startswith(OTHER):
+        # no path leads there from the start of the range
+        yield Test("the start", beyond(0.0), ends=True)
+    elif name != MAIN and family.weights[-1] > 0:
+        yield Test("a range before the start", beyond(1.0), ends=True)
+
+
+def _noted(of: Solutions, curve: Curve) -> str:
+    """What users should know of a curve besides why it ended."""
+    moving = of.moving(curve.places[-1].tangent)
+    if curve.status == "singular" and moving:
+        return f"; most of all it moves along {moving} there"
+    if all(special.kind == EVENT for special in curve.special) and not any(
+        np.abs(of.motion(place.tangent)).max(initial=0.0) > STILL for place in curve.places
+    ):
+        names = " and ".join(of.values(curve.places[0].point))
+        return f"; nothing moves on the way: nothing depends on {names} here"
+    return ""
 
 
 @dataclass(eq=False)
@@ -102,12 +138,12 @@ class Tracer:
     branches: dict[str, BranchRecord] = field(default_factory=dict)
     junctions: list[_Junction] = field(default_factory=list)
 
-    def all_of(
-        self, solutions: Solutions, begin: Place, depth: int, show: Show
-    ) -> ContinuationRecord:
-        """The curve through a place, and the branches that leave it, each once."""
+    def all_of(self, start: PathStart, depth: int, show: Show) -> ContinuationRecord:
+        """The curve from a start, and the branches that leave it, each once."""
+        solutions, begin = start.solutions, start.places[0]
+        main = Curve(solutions.family, [*start.places], [*start.special])
         try:
-            self._follow(_Waiting(MAIN, lambda: (solutions, begin), depth + 1), show)
+            self._follow(_Waiting(MAIN, lambda: (solutions, main), depth + 1), show)
             for k in range(self.search):
                 value = (k + 1) / self.search
                 for number, point in enumerate(self._disconnected(solutions, begin, value), 1):
@@ -116,8 +152,8 @@ class Tracer:
                         toward[-1] = sign
                         first = place(solutions.family, point, toward)
                         name = f"{OTHER} {k + 1}.{number}{letter}"
-                        start = _Waiting(name, _started(solutions, first), depth + 1)
-                        self._follow(start, show)
+                        begun = partial(_started, solutions, first)
+                        self._follow(_Waiting(name, begun, depth + 1), show)
         except KeyboardInterrupt:
             if not self.branches:
                 raise
@@ -128,11 +164,12 @@ class Tracer:
         waiting = [branch]
         while waiting:
             branch = waiting.pop(0)
-            start = branch.first() if branch.generations > 0 else None
-            if start is None:
+            first = branch.first() if branch.generations > 0 else None
+            if first is None:
                 continue
-            curve = self._traced(branch.name, *start, show)
-            waiting += self._leaving(branch, start[0], curve)
+            of, curve = first
+            self._trace(branch.name, of, curve, show)
+            waiting += self._leaving(branch, of, curve)
 
     def _disconnected(self, of: Solutions, begin: Place, value: float) -> Iterator[Point]:
         """Solutions within the bounds at a value of the parameter, to which no branch leads."""
@@ -150,13 +187,9 @@ class Tracer:
                 return
             yield point
 
-    def _traced(self, name: str, of: Solutions, first: Place, show: Show) -> Curve:
-        """The curve through a place."""
-        curve = Curve(of.family, [first])
-        tests = self.tests(of)
-        if name.startswith(OTHER):
-            # what no path leads to from the start of the range ends there
-            tests.append(Test("the start", lambda at: of.family.parameter(at.point), ends=True))
+    def _trace(self, name: str, of: Solutions, curve: Curve, show: Show) -> None:
+        """Follow a curve from its first places."""
+        tests = [*self.tests(of), *_outside(name, of.family)]
         watch = Watch(
             of.count, of.growth, of.oscillation, of.onsets, tests, self.points,
             corner=of.corner, ends=[*self._ends(of)],
@@ -167,12 +200,12 @@ class Tracer:
 
         try:
             trace(curve, watch, self.reach, on_step)
+            curve.ended += _noted(of, curve)
         except KeyboardInterrupt:
             curve.status, curve.ended = "interrupted", "interrupted; what was computed is kept"
             raise
         finally:
             self.branches[name] = BranchRecord.of(name, curve, of)
-        return curve
 
     def _ends(self, of: Solutions) -> Iterator[tuple[str, Place]]:
         """Ends of the curves so far: where one leads to them the other was followed from there."""
@@ -193,24 +226,28 @@ class Tracer:
             number = numbers[special.kind] = numbers.get(special.kind, 0) + 1
             if special.kind != BRANCH:
 
-                def begin(special: Special = special) -> tuple[Solutions, Place] | None:
-                    return of.beginning(special)
+                def begin(special: Special = special) -> tuple[Solutions, Curve] | None:
+                    first = of.beginning(special)
+                    return None if first is None else _started(*first)
 
                 name = f"{prefix}{special.kind} {number}"
                 leaving.append(_Waiting(name, begin, generations - 1))
                 continue
             there = (one for one in self.junctions if one.is_at(of.family, special))
             if (junction := next(there, None)) is not None:
-                junction.passed(of.family, special)
+                junction.passed(branch.name, special)
                 curve.special[k] = replace(special, halves=(), label=junction.name)
                 continue
-            junction = _Junction(f"branch point {number} of '{branch.name}'", special, of.family)
+            junction = _Junction(f"{BRANCH} {number} of '{branch.name}'", curve, k)
             self.junctions.append(junction)
             for i, letter in enumerate(LETTERS[: len(special.halves)]):
+                name = f"{prefix}{number}{letter}"
 
-                def leave(i: int = i, at: _Junction = junction) -> tuple[Solutions, Place] | None:
-                    first = at.leave(i)
-                    return None if first is None else (of, first)
+                def leave(
+                    i: int = i, at: _Junction = junction, name: str = name
+                ) -> tuple[Solutions, Curve] | None:
+                    first = at.leave(i, name)
+                    return None if first is None else _started(of, first)
 
-                leaving.append(_Waiting(f"{prefix}{number}{letter}", leave, generations - 1))
+                leaving.append(_Waiting(name, leave, generations - 1))
         return leaving

@@ -130,11 +130,17 @@ class Drivers:
             pass
         return (off(SHORT_STEP) - off(0.0)) / SHORT_STEP
 
+    def lost(self, q: Array) -> Array:
+        """Combinations (m, k) of conditions that are dependent at a position, and beside it not."""
+        combinations = lost_conditions(self.m, q)
+        rows = self.solver(0.0).record.hard - len(combinations)
+        return np.concatenate([combinations, np.zeros((rows, combinations.shape[1]))])
+
     def check(self, q: Array) -> None:
         """Refuse a start from which the drivers do not say where to go.
 
         Raises:
-            ModelError: freedoms are left, or conditions contradict one another, or branches meet.
+            ModelError: freedoms are left, or conditions contradict one another.
         """
         J, m = self.jacobian(0.0, q), self.m
         nu, rank = m.nu, rank_of(np.linalg.svd(J, compute_uv=False))
@@ -145,10 +151,8 @@ class Drivers:
             )
         if rank == nu:
             return
-        if lost_conditions(m, q).size:
-            raise ModelError(
-                "the start is a singular position, where branches meet. Start beside it"
-            )
+        if rank + self.lost(q).shape[1] == nu:
+            return
         free = np.abs(np.linalg.svd(J)[2][rank:, :nu]).max(axis=0)
         rows = np.array([str(row.joint or row.name) for row in m.model.manifest.speeds])
         names = ", ".join(dict.fromkeys(rows[free > MOVES].tolist()))
@@ -203,10 +207,14 @@ class ConfigurationFamily:
 
     def start(self, q: Array) -> Configuration:
         """A position at the start of the ranges."""
-        G = self.drivers.jacobian(0.0, q)
-        if G.shape[0] == self.positions:
-            return Configuration(0.0, q, np.eye(self.positions))
-        return Configuration(0.0, q, np.linalg.svd(G)[0][:, : self.positions])
+        J, count = self.drivers.jacobian(0.0, q), self.positions
+        if J.shape[0] == count:
+            return Configuration(0.0, q, np.eye(count))
+        U, values, _ = np.linalg.svd(J)
+        dependent, lost = U[:, rank_of(values) :], self.drivers.lost(q)
+        redundant = np.linalg.svd(dependent - lost @ (lost.T @ dependent))[0]
+        redundant = redundant[:, : dependent.shape[1] - lost.shape[1]]
+        return Configuration(0.0, q, np.linalg.svd(redundant)[0][:, -count:])
 
     def forward(self, at: Configuration) -> Array:
         """The tangent (N,) along which the drivers go from the start to the end of their ranges."""

@@ -108,7 +108,7 @@ def continuation(
         raise ModelError("continuation: locked= and what is swept go by name, such as P=(0, 10)")
     if of not in STARTS:
         raise ModelError(f"continuation: of='{of}' does not exist.{near(of, STARTS)}")
-    _refuse_nonsense(branches, step, until, events)
+    _refuse_nonsense(branches, points, step, until, events)
     moved = {**(swept or {}), **named}
     request = PathRequest(moved, q, locked or {}, u, inputs, parameters, t, start)
     begin = STARTS[of](model, request)
@@ -120,7 +120,7 @@ def continuation(
     run = Tracer(tests, points, search, Reach(**longest))
     depth = 99 if branches is True else int(branches)
     with showing(progress, f"continuation of '{model.name}'") as show:
-        record = run.all_of(begin.solutions, begin.place, depth, show)
+        record = run.all_of(begin, depth, show)
     ended = record.branches[MAIN]
     if ended.status not in ("finished", "closed"):
         if check:
@@ -131,6 +131,7 @@ def continuation(
 
 def _refuse_nonsense(
     branches: int | bool,
+    points: int,
     step: float | None,
     until: Mapping[str, float] | None,
     events: Mapping[str, float] | None,
@@ -142,6 +143,8 @@ def _refuse_nonsense(
     """
     if branches < 0:
         raise ArgumentError(f"continuation: branches={branches}: give 0 or more, or True for all")
+    if points < 2:
+        raise ArgumentError(f"continuation: points={points}: a path has 2 at least")
     if step is not None and not step > 0:
         raise ArgumentError(f"continuation: step={step}: give a length above 0, such as 0.1")
     for said, values in (("until", until), ("events", events)):
@@ -154,7 +157,7 @@ def _ends(begin: PathStart) -> Iterator[Test]:
     """Ends of the range; of one within which the path starts both."""
     yield begin.end
     family = begin.solutions.family
-    if family.parameter(begin.place.point) > WITHIN:
+    if family.parameter(begin.places[0].point) > WITHIN:
         yield Test("the start", lambda at: family.parameter(at.point), ends=True)
 
 

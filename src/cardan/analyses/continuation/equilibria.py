@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, final
 
 import numpy as np
@@ -17,10 +17,13 @@ from ..systems.saddle_point import FULL, RANK, Matrix, Sparse
 from ..systems.sparse_saddle_point import SparseSaddle
 from .block_elimination import SaddleJacobian
 from .family import DenseJacobian, Jacobian
+from .singular_point import singular_point
 
 # of the range of the load: steps of differences of order 2, where those leave the domain of order 1
 LOAD_STEP, SHORT_STEP = 1e-4, 1e-7
 FREE = 1e-11  # of the largest stiffness: what is free still
+# increments that tell whether something pushes along free directions, and pushes that are rounding
+TRIED, PUSH = 0.02, 1e-10
 NODE = 6  # speeds of a node: lengths of increments count nodes, and do not grow with the mesh
 
 
@@ -78,7 +81,26 @@ class EquilibriumFamily:
         free = system.saddle.lowest(K[:nu, :nu], G[:, :nu]).free_directions
         position = np.full(nu + nz, 1.0 / max(1.0, nu / NODE))
         weights = np.concatenate([position, np.zeros(m + len(load.locked)), [1.0]])
-        return cls(problem, way, unit, weights, free, *_units(_array(K[:, nu:]), K, nu, unit))
+        units = _units(_array(K[:, nu:]), K, nu, unit)
+        family = cls(problem, way, unit, weights, free[:, :0], *units)
+        if free.shape[1] and family._indifferent(family.start(point, s), free.shape[1]):
+            return replace(family, free=free, _last=[])
+        return family
+
+    def _indifferent(self, at: Loaded, count: int) -> bool:
+        """True when nothing pushes along directions in which K is singular, however far they go.
+
+        Where something does, the load is a critical one, and curves cross or turn back.
+        """
+        if self.jacobian(at).weakest(count)[0].max() > PUSH:
+            return False
+        axes = np.eye(count + 1)
+        try:
+            singular = singular_point(self, at, count)
+            pushes = [singular.surface(TRIED * a)[1] for a in (*axes, *(axes[:-1] + 1.0))]
+        except SolveError:
+            return True
+        return bool(np.abs(pushes).max() <= PUSH)
 
     @property
     def along_parameter(self) -> Array:

@@ -21,7 +21,8 @@ from ..statics.static_problem import Problem
 from ..statics.statics import sweepable
 from ..systems import dynamic_system_of
 from .equilibria import EquilibriumFamily, Loaded
-from .follow import Place, Step, place
+from .first_places import first_places
+from .follow import Place, Step
 from .mode_changes import corner_within
 from .path_request import PathRequest, PathStart
 from .quantities import quantity
@@ -154,6 +155,6 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
     named = ", ".join(f"{name} = {value:.10g}" for name, value in way.values(1.0).items())
     return PathStart(
         EquilibriumSolutions.of(model, family),
-        place(family, family.start(first.point), family.along_parameter),
+        *first_places(family, family.start(first.point), family.along_parameter),
         Test(named, lambda at: at.point.s - 1.0, ends=True),
     )

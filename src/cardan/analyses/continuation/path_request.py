@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from ...arguments import LockedValues
 from .follow import Place
 from .solutions import Solutions
-from .special_points import Test
+from .special_points import Special, Test
 
 
 @dataclass(frozen=True)
@@ -43,10 +43,12 @@ class PathStart:
 
     Attributes:
         solutions: What it consists of.
-        place: Its first place.
+        places: Its first places.
+        special: The first one, where curves cross there.
         end: Where it ends.
     """
 
     solutions: Solutions
-    place: Place
+    places: Sequence[Place]
+    special: Sequence[Special]
     end: Test

@@ -22,7 +22,8 @@ from ..statics.load_path import column
 from ..statics.stability_at_equilibrium import largest_of
 from ..statics.statics import sweepable
 from .configurations import COORDINATE, Configuration, ConfigurationFamily, Drivers
-from .follow import Place, Step, place
+from .first_places import first_places
+from .follow import Place, Step
 from .path_request import PathRequest, PathStart
 from .solutions import Quantity, Solutions
 from .special_points import HOPF, Corner, Onset, Special, Test
@@ -142,8 +143,8 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
     """The first position of a path.
 
     Raises:
-        ModelError: unknown names, freedoms that nothing drives or locks, a start where branches
-            meet. ArgumentError: values of a wrong shape.
+        ModelError: unknown names, freedoms that nothing drives or locks. ArgumentError: values of
+            a wrong shape. SolveError: no position is found next to the start.
     """
     refuse_nodes(model, "continuation of positions")
     if any(joint.solved for joint in model.manifest.joints):
@@ -162,7 +163,7 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
     named = ", ".join(f"{name} = {value:.10g}" for name, value in drivers.values(1.0).items())
     return PathStart(
         PositionSolutions(model, family),
-        place(family, point, family.forward(point)),
+        *first_places(family, point, family.forward(point)),
         Test(named, lambda at: at.point.s - 1.0, ends=True),
     )
 

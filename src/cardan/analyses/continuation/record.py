@@ -36,7 +36,7 @@ class SpecialPointRecord:
         tangents: Directions of the branches that leave it (branches, nu + nz + 1): increments
             without units, then that of the load as a part of its range.
         symmetric: Names of pairs of branches that are mirror images.
-        branches: Names of the branches that leave it.
+        branches: Names of the branches that leave it; one that passes it is named twice.
         frequency: Of the oscillation that begins at a Hopf point [rad/s]; the angle from lap to
             lap at a torus point [rad].
         accurate: False where it is only known to lie in a short step, which the description says.
@@ -186,10 +186,14 @@ class BranchRecord:
             [np.append(of.motion(half.tangent), half.tangent[-1]) for half in special.halves]
         )
         prefix = f"{number}" if self.name == "main" else f"{self.name}.{number}"
-        names = tuple(f"{prefix}{chr(ord('a') + k)}" for k in range(len(tangents)))
+        names = tuple(
+            special.followed.get(k, f"{prefix}{chr(ord('a') + k)}") for k in range(len(tangents))
+        )
         values = of.values(special.place.point)
         name = special.label if special.kind == EVENT else f"{special.kind} {number}"
-        pairs = tuple((names[i], names[j]) for i, j in mirrored(of, special))
+        pairs = tuple(
+            (names[i], names[j]) for i, j in mirrored(of, special) if names[i] != names[j]
+        )
         return SpecialPointRecord(
             name, special.kind, values, kernel,
             tangents.reshape(len(names), len(kernel) + 1), names, pairs,
@@ -221,7 +225,7 @@ class BranchRecord:
             dict.fromkeys(self.solutions.moving(half.tangent) for half in special.halves)
         )
         mirror = "; mirror images: " + ", ".join(f"{a} and {b}" for a, b in pairs) if pairs else ""
-        listed = ", ".join(names)
+        listed = ", ".join(dict.fromkeys(names))
         many = counted(len(names), "branch", "branches")
         return f"{where}; {many} ({listed}) along {moving}{mirror}"
 

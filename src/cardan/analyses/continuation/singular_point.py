@@ -27,12 +27,14 @@ from .family import Bordered, Family, Point, length
 
 NEWTON, TIGHT, NOISE = 14, 1e-11, 1e-5
 FAR = 0.5  # increments that lead away from where the search began
+DEPENDENT = 1e-8  # slopes of the part of J that follow from others
 DIFFERENCE = 1e-4  # increments over which J is differentiated: it only steers Newton's method
 # of the smallest singular value that is not 0: those that are, and unfolding parameters above which
 # curves pass each other; and what rounding leaves of either
 SINGULAR, UNFOLDED = 1e-4, 1e-9
 ROUNDING = 1e-14
-RADIUS = 0.02  # of the sphere
+RADIUS, RADII = 0.02, 6  # of the sphere; how many, each a tenth of that before
+CROSSING, STRAIGHT = 4, 0.03  # half-branches of two curves, and their turn [rad] from 0
 CHORD, CLOSED, SLOW = 30, 1e-14, 0.3  # iterations on the surface, what may be left, contraction
 SAMPLES, STARTS = 36, 120  # on a circle, on spheres of more dimensions
 SAME = 1e-3  # directions nearer than this are one
@@ -122,7 +124,7 @@ def singular_point(family: Family, start: Point, k: int) -> SingularPoint:
             return np.asarray(-psi.T @ np.subtract(*ends) / (2 * h))
 
         slopes = np.stack([curved(v).ravel() for v in V.T], axis=1)
-        c = np.linalg.lstsq(slopes, -(g + curved(dz)).ravel(), 1e-8)[0]
+        c = _least(slopes, -(g + curved(dz)).ravel())
         dz = dz + V @ c
         size = length(family, dz)
         gone += size
@@ -136,6 +138,17 @@ def singular_point(family: Family, start: Point, k: int) -> SingularPoint:
         B = np.linalg.qr(psi)[0]
         rows = V.T / np.linalg.norm(V, axis=0)[:, None]
     raise SolveError("no singular point next to the start")
+
+
+def _least(A: Array, b: Array) -> Array:
+    """The least solution of A x = b next to it, with rows and columns of A made equal in size."""
+    rows = np.abs(A).max(axis=1)
+    rows[rows == 0] = 1.0
+    A = A / rows[:, None]
+    columns = np.abs(A).max(axis=0)
+    columns[columns == 0] = 1.0
+    x: Array = np.linalg.lstsq(A / columns, b / rows, DEPENDENT)[0] / columns
+    return x
 
 
 def _orthonormal(
@@ -179,23 +192,51 @@ class HalfBranch:
     direction: Array
 
 
-def half_branches(at: SingularPoint, radius: float = RADIUS) -> list[HalfBranch]:
+def half_branches(at: SingularPoint) -> list[HalfBranch]:
     """All curves that leave a singular point, each direction once.
+
+    The sphere becomes smaller until two curves cross it, and nearly straight.
 
     Raises:
         SolveError: they could not be told apart.
     """
-    for _ in range(6):
+    most, radius = list[list[Array]](), RADIUS
+    for _ in range(RADII):
         try:
-            directions = [list(_directions(at, radius))]
-            for _ in range(LEVELS - 1):
-                radius *= 0.5
-                directions.append([_near(at, radius, d) for d in directions[-1]])
+            levels = _levels(at, radius)
         except SolveError:
-            radius *= 0.5
+            levels = []
+        radius *= 0.1
+        if not levels:
             continue
-        return [_half_branch(at, directions, i) for i in range(len(directions[0]))]
-    raise SolveError("the curves that meet at a singular point could not be told apart")
+        if len(levels[0]) >= CROSSING and _turn(levels) <= STRAIGHT:
+            most = levels
+            break
+        if not most or len(levels[0]) > len(most[0]):
+            most = levels
+    if not most:
+        raise SolveError("the curves that meet at a singular point could not be told apart")
+    return [_half_branch(at, most, i) for i in range(len(most[0]))]
+
+
+def _levels(at: SingularPoint, radius: float) -> list[list[Array]]:
+    """Where curves cross a sphere, and those of halved radii.
+
+    Raises:
+        SolveError: they could not be told apart.
+    """
+    levels = [list(_directions(at, radius))]
+    for _ in range(LEVELS - 1):
+        radius *= 0.5
+        levels.append([_near(at, radius, d) for d in levels[-1]])
+    return levels
+
+
+def _turn(levels: list[list[Array]]) -> float:
+    """By how much curves turn between the first two spheres [rad]."""
+    pairs = zip(*levels[:2], strict=True)
+    units = [(a / np.linalg.norm(a), b / np.linalg.norm(b)) for a, b in pairs]
+    return max((float(np.linalg.norm(a - b)) for a, b in units), default=0.0)
 
 
 def _half_branch(at: SingularPoint, levels: list[list[Array]], i: int) -> HalfBranch:
@@ -253,12 +294,28 @@ def _on_circle(at: SingularPoint, radius: float) -> Iterator[Array]:
         return float(at.surface(radius * np.array([np.cos(angle), np.sin(angle)]))[1][0])
 
     angles = np.linspace(0, 2 * np.pi, SAMPLES, endpoint=False) + 0.01
-    values = [over(angle) for angle in angles]
-    for k in range(SAMPLES):
-        low, high = angles[k], angles[k] + 2 * np.pi / SAMPLES
-        if values[k] * values[(k + 1) % SAMPLES] < 0:
+    values = np.array([over(angle) for angle in angles])
+    halfway = _halfway(angles, values)
+    angles = np.concatenate([angles, halfway])
+    values = np.concatenate([values, [over(angle) for angle in halfway]])
+    order = np.argsort(angles)
+    angles, values = np.append(angles[order], angles[order[0]] + 2 * np.pi), values[order]
+    for k, (low, high) in enumerate(pairwise(angles)):
+        if values[k] * values[(k + 1) % len(values)] < 0:
             angle = brentq(over, low, high, xtol=1e-15)
             yield radius * np.array([np.cos(angle), np.sin(angle)])
+
+
+def _halfway(angles: Array, values: Array) -> Array:
+    """Angles halfway between those at which the quadratic form of values on a circle is 0.
+
+    Curves whose directions differ by less than the samples do cross on either side of one of them.
+    """
+    harmonics = np.stack([np.ones_like(angles), np.cos(2 * angles), np.sin(2 * angles)], axis=1)
+    _, c, s = np.linalg.lstsq(harmonics, values)[0]
+    # a constant and a second harmonic, which is largest or smallest halfway between zeros
+    first = 0.5 * np.arctan2(s, c)
+    return np.asarray(np.mod(first + 0.5 * np.pi * np.arange(4) - 0.01, 2 * np.pi) + 0.01)
 
 
 def _near(at: SingularPoint, radius: float, start: Array) -> Array:

@@ -10,8 +10,8 @@ Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), sections
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.optimize import brentq
@@ -26,10 +26,14 @@ from .singular_point import HalfBranch, SingularPoint, half_branches, singular_p
 FOLD, BRANCH, HOPF, EVENT = "fold", "branch point", "Hopf point", "event"
 EXACT = 1e-13  # of a step: places of test functions
 NARROW, THIN = 0.05, 2.0**-30  # of a step: where points are looked for, and given up
+SINGLE = 1e-6  # of a step: oscillations that begin so near to one another count as one
 NEAR = 2.0  # widths of a bracket within which a point must lie
 MOST_LOST = 3  # of the rank
 # length of increments that rounding leaves of a singular point; halvings that tell it better
 UNCERTAIN, BISECTED = 1e-10, 40
+# decay, as a part of the frequency, behind which growth may lie; looks for it; unknowns at most
+LIGHT, PEAKS, SMALL = 0.05, 6, 60
+UNDAMPED = 1e-9  # decay, as a part of the frequency, that is rounding
 JUMP = 2.0  # distance of the ends of a part of a step, over its length
 SURE = 1e-5  # steps that are not shortened where they seem to lead to another curve
 Count = Callable[[Place], int | None]
@@ -82,6 +86,7 @@ class Special:
             others.
         accurate: False where it is only known to lie within a short step.
         jump: True where the step leads to another curve.
+        followed: Names of the curves that follow the halves, by their numbers.
     """
 
     kind: str
@@ -94,6 +99,7 @@ class Special:
     frequency: float = np.nan
     accurate: bool = True
     jump: bool = False
+    followed: Mapping[int, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,7 +149,51 @@ def within(family: Family, number: int, watch: Watch, step: Step) -> Iterator[Sp
     counts = watch.count(ends[0]), watch.count(ends[1])
     onsets = _signs(watch, ends[0]), _signs(watch, ends[1])
     interval = Interval.of(family, (0.0, 1.0), *ends, counts, onsets)
+    if interval.quiet and (peak := _oscillation_inside(family, watch, step)) is not None:
+        middle, part = peak
+        between = watch.count(middle), _signs(watch, middle)
+        for span, before, after in (
+            ((0.0, part), (ends[0], counts[0], onsets[0]), (middle, *between)),
+            ((part, 1.0), (middle, *between), (ends[1], counts[1], onsets[1])),
+        ):
+            (one, low, first), (other, high, last) = before, after
+            half = Interval.of(family, span, one, other, (low, high), (first, last))
+            yield from _searched(family, number, watch, step, half)
+        return
     yield from _searched(family, number, watch, step, interval)
+
+
+def _oscillation_inside(family: Family, watch: Watch, step: Step) -> tuple[Place, float] | None:
+    """The place and the part of a step at which an oscillation grows, though not at its ends.
+
+    Looked for along parabolas through decay rates where little damping is left. A growth within a
+    part of the step over which decay is not a parabola is not seen, and none of large systems.
+    """
+    if watch.growth is None or watch.oscillation != HOPF or len(family.weights) > SMALL:
+        return None
+    try:
+        ends = [watch.growth(place) for place in (step.before, step.after)]
+        ratios = [rate / turns for rate, turns in ends]
+        if not all(UNDAMPED < -ratio for ratio in ratios) or max(ratios) < -LIGHT:
+            return None
+        rates, part = [rate for rate, _ in ends], 0.5
+        parts = [0.0, 1.0]
+        for _ in range(PEAKS):
+            place = step.at(family, part)
+            rate = watch.growth(place)[0]
+            if rate > 0:
+                return place, part
+            parts, rates = [*parts, part], [*rates, rate]
+            nearest = np.argsort(-np.array(rates))[:3]
+            bend, slope, _ = np.polyfit(np.array(parts)[nearest], np.array(rates)[nearest], 2)
+            top = -0.5 * slope / bend if bend < 0 else -1.0
+            new = min(abs(top - one) for one in parts)
+            if not 0 < top < 1 or new < THIN or max(rates) < rates[0] + rates[1]:
+                return None
+            part = float(top)
+    except SolveError:
+        pass
+    return None
 
 
 def _signs(watch: Watch, place: Place) -> Array:
@@ -175,7 +225,9 @@ def _searched(
             yield crossing
             return
         counted = watch.growth is not None and None not in interval.counts
-        if counted and not interval.crosses and interval.unexplained % 2 == 0:
+        even = not interval.crosses and interval.unexplained % 2 == 0
+        # of several oscillations that begin the step is halved until one of them is left
+        if counted and even and (interval.unexplained <= 2 or width <= SINGLE):
             yield _hopf(family, watch, step, interval, number)
             return
     middle = 0.5 * (interval.low + interval.high)
@@ -317,8 +369,8 @@ def _hopf(family: Family, watch: Watch, step: Step, interval: Interval, number: 
     low, high, count = interval.low, interval.high, interval.counts[0]
     frequency = np.nan
     try:
-        ends = [growth(place)[0] for place in (interval.before, interval.after)]
-        if ends[0] * ends[1] < 0:
+        (before, slow), (after, fast) = map(growth, (interval.before, interval.after))
+        if before * after < 0 and min(abs(before / slow), abs(after / fast)) > UNDAMPED:
 
             def rate(part: float) -> float:
                 return growth(step.at(family, part))[0]

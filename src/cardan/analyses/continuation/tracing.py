@@ -11,9 +11,10 @@ from ...errors import SolveError
 from .curve import Curve
 from .family import length
 from .follow import End, Place, Reach, Step, steps
-from .special_points import BRANCH, EVENT, EXACT, SURE, Corner, Special, Test, Watch, within
+from .special_points import BRANCH, EVENT, EXACT, FOLD, SURE, Corner, Special, Test, Watch, within
 
 SAME = 1e-6  # lengths of increments between branch points that are one
+ROOT, LEVEL = 1e-3, 1e-9  # the same of a fold at a branch point, and the difference of loads
 AT_END = 1e-3  # of a step: a fold that is the end of the curve
 PASSED = 1e-3  # of a number at the end of a step: as near to 0 as equations are regular
 HALVED = 30  # parts of steps beside points at which equations are singular
@@ -54,17 +55,26 @@ class _Look:
         smooth = self.shortened(step)
         number = len(self.curve.places) - 1
         self.special = list[Special]()
-        for special in within(self.curve.family, number, self.watch, smooth):
+        passed = [*within(self.curve.family, number, self.watch, smooth)]
+        passed.sort(key=lambda special: special.kind != BRANCH)
+        for special in passed:
             if not any(self._is_at(s, special) for s in self.special + self.curve.special[-1:]):
                 self.special.append(special)
         return step.ds < SURE or not any(s.jump for s in self.special)
 
     def _is_at(self, one: Special, other: Special) -> bool:
-        """True of one branch point, on which a step or a part of it ends: both sides find it."""
-        if {one.kind, other.kind} != {BRANCH} or None in (one.singular, other.singular):
+        """True where a point is a branch point: on which a step ends, or where the load turns."""
+        if one.kind != BRANCH or one.singular is None or other.kind not in (BRANCH, FOLD):
             return False
-        family = self.curve.family
-        return length(family, family.step(one.place.point, other.place.point)) < SAME
+        if other.kind == BRANCH and other.singular is None:
+            return False
+        family, points = self.curve.family, (one.place.point, other.place.point)
+        away = length(family, family.step(*points))
+        if other.kind == BRANCH:
+            return away < SAME
+        # the rate of the load is 0 there up to rounding, so that its place is as good as a root
+        here, there = map(family.parameter, points)
+        return away < ROOT and abs(here - there) < LEVEL
 
     def shortened(self, step: Step) -> Step:
         """The step up to its first corner."""
@@ -118,21 +128,29 @@ def _is_before(special: Special, end: Special) -> bool:
 def _ends(curve: Curve, watch: Watch, step: Step) -> bool:
     """True when a curve is closed, comes to an end of another one, or has all its places."""
     start = curve.places[0]
-    if start is not step.before and step.passes(curve.family, start)[1] > 0:
-        curve.status, curve.ended = "closed", "closed: it leads back to its start"
-        return True
+    if start is not step.before:
+        part, along = step.passes(curve.family, start)
+        if along > 0:
+            _cut(curve, step, part)
+            curve.status, curve.ended = "closed", "closed: it leads back to its start"
+            return True
     for name, end in watch.ends:
         part, along = step.passes(curve.family, end)
         if along:
-            number = len(curve.places) - 2
-            curve.places[-1] = step.at(curve.family, part)
-            curve.special = [s for s in curve.special if s.after < number or s.part <= part]
+            _cut(curve, step, part)
             curve.status, curve.ended = "joined", f"reached {name}"
             return True
     if len(curve.places) >= watch.most:
         curve.ended = f"after {watch.most} points, the most that points= allows"
         return True
     return False
+
+
+def _cut(curve: Curve, step: Step, part: float) -> None:
+    """End a curve within its last step."""
+    number = len(curve.places) - 2
+    curve.places[-1] = step.at(curve.family, part)
+    curve.special = [s for s in curve.special if s.after < number or s.part <= part]
 
 
 def _tested(

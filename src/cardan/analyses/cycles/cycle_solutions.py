@@ -161,4 +161,4 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
         ModelError: nothing to start from, unknown names. SolveError: no cycle at the start.
     """
     family, place, end = family_and_place(model, request)
-    return PathStart(CycleSolutions(family.problem.model, family), place, end)
+    return PathStart(CycleSolutions(family.problem.model, family), [place], [], end)
