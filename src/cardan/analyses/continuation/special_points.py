@@ -33,6 +33,7 @@ MOST_LOST = 3  # of the rank
 UNCERTAIN, BISECTED = 1e-10, 40
 # decay, as a part of the frequency, behind which growth may lie; looks for it; unknowns at most
 LIGHT, PEAKS, SMALL = 0.05, 6, 60
+PROMISING = 0.5  # of the least decay: what a parabola leaves of it where growth may lie
 UNDAMPED = 1e-9  # decay, as a part of the frequency, that is rounding
 JUMP = 2.0  # distance of the ends of a part of a step, over its length
 SURE = 1e-5  # steps that are not shortened where they seem to lead to another curve
@@ -151,10 +152,10 @@ def within(family: Family, number: int, watch: Watch, step: Step) -> Iterator[Sp
     interval = Interval.of(family, (0.0, 1.0), *ends, counts, onsets)
     if interval.quiet and (peak := _oscillation_inside(family, watch, step)) is not None:
         middle, part = peak
-        between = watch.count(middle), _signs(watch, middle)
+        inside = watch.count(middle), _signs(watch, middle)
         for span, before, after in (
-            ((0.0, part), (ends[0], counts[0], onsets[0]), (middle, *between)),
-            ((part, 1.0), (middle, *between), (ends[1], counts[1], onsets[1])),
+            ((0.0, part), (ends[0], counts[0], onsets[0]), (middle, *inside)),
+            ((part, 1.0), (middle, *inside), (ends[1], counts[1], onsets[1])),
         ):
             (one, low, first), (other, high, last) = before, after
             half = Interval.of(family, span, one, other, (low, high), (first, last))
@@ -167,30 +168,30 @@ def _oscillation_inside(family: Family, watch: Watch, step: Step) -> tuple[Place
     """The place and the part of a step at which an oscillation grows, though not at its ends.
 
     Looked for along parabolas through decay rates where little damping is left. A growth within a
-    part of the step over which decay is not a parabola is not seen, and none of large systems.
+    part of the step over which decay is not a parabola is not seen, as where one oscillation begins
+    and another one ends, and none of large systems.
     """
     if watch.growth is None or watch.oscillation != HOPF or len(family.weights) > SMALL:
         return None
     try:
         ends = [watch.growth(place) for place in (step.before, step.after)]
-        ratios = [rate / turns for rate, turns in ends]
-        if not all(UNDAMPED < -ratio for ratio in ratios) or max(ratios) < -LIGHT:
+        side = np.sign(ends[0][0])
+        margins = [side * rate / turns for rate, turns in ends]
+        if min(margins) < UNDAMPED or min(margins) > LIGHT:
             return None
-        rates, part = [rate for rate, _ in ends], 0.5
-        parts = [0.0, 1.0]
+        parts, rates, part = [0.0, 1.0], [side * rate for rate, _ in ends], 0.5
         for _ in range(PEAKS):
             place = step.at(family, part)
-            rate = watch.growth(place)[0]
-            if rate > 0:
+            rate = side * watch.growth(place)[0]
+            if rate < 0:
                 return place, part
             parts, rates = [*parts, part], [*rates, rate]
-            nearest = np.argsort(-np.array(rates))[:3]
-            bend, slope, _ = np.polyfit(np.array(parts)[nearest], np.array(rates)[nearest], 2)
-            top = -0.5 * slope / bend if bend < 0 else -1.0
-            new = min(abs(top - one) for one in parts)
-            if not 0 < top < 1 or new < THIN or max(rates) < rates[0] + rates[1]:
+            nearest = np.argsort(rates)[:3]
+            parabola = np.polyfit(np.array(parts)[nearest], np.array(rates)[nearest], 2)
+            bottom = -0.5 * parabola[1] / parabola[0] if parabola[0] > 0 else -1.0
+            if not 0 < bottom < 1 or np.polyval(parabola, bottom) > PROMISING * min(rates):
                 return None
-            part = float(top)
+            part = float(bottom)
     except SolveError:
         pass
     return None
