@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
@@ -160,20 +161,29 @@ class CycleProblem:
     def _is_energy(self, name: str) -> bool:
         return self.level is not None and name == ENERGY
 
+    @cached_property
+    def _ends(self) -> tuple[int, int]:
+        """Ends of q and u in a state."""
+        return self.model.nq, self.model.nq + self.model.nu
+
+    def _parts_of(self, x: Array) -> tuple[Array, Array, Array]:
+        """q, u and z of a state, unchecked."""
+        nq, end = self._ends
+        return x[:nq], x[nq:end], x[end:]
+
     # increments
 
     def moved(self, x: Array, dx: Array) -> Array:
         """The state (nx,) an increment (n,) away."""
-        model, nu = self.model, self.model.nu
-        q, u, z = model.parts_of(x)
-        step = dx * self.units
+        q, u, z = self._parts_of(x)
+        step, nu = dx * self.units, len(u)
         place = self.system.integrate(q, step[:nu]) if step[:nu].any() else q
         return np.concatenate([place, u + step[nu : 2 * nu], z + step[2 * nu :]])
 
     def step(self, before: Array, after: Array) -> Array:
         """The increment (n,) from one state to another."""
-        q0, u0, z0 = self.model.parts_of(before)
-        q, u, z = self.model.parts_of(after)
+        q0, u0, z0 = self._parts_of(before)
+        q, u, z = self._parts_of(after)
         step = np.concatenate([self.system.difference(q0, q), u - u0, z - z0])
         return np.asarray(step / self.units)
 
