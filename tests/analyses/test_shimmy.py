@@ -157,3 +157,16 @@ def test_a_limit_cycle_by_another_program() -> None:
     # a start beside it comes nearer: the cycle attracts
     beside = solve_ivp(rates, (0, 200 * cycle.period), 1.1 * cycle.x, "DOP853", rtol=1e-9)
     assert np.abs(beside.y[0, -200:]).max() == pytest.approx(size[0], rel=1e-3)
+
+
+def test_shimmy_ends_at_a_higher_speed() -> None:
+    """Where the other Hopf point is, the cycle is at rest again."""
+    rest = trailing_wheel(WITH_SPRING, smooth).continuation(V=(1.0, 80.0))
+    path = rest.model.continuation(
+        V=(15.0, 80.0), of="cycles", start=rest.point("Hopf point 1"), check=True
+    )
+    low, high = shimmy_speeds(WITH_SPRING)
+    assert "reached a Hopf point: the cycle shrinks to rest" in path.main.message
+    assert path["V"][0] == pytest.approx(low, rel=1e-2)
+    assert path["V"][-1] == pytest.approx(high, rel=1e-7)
+    assert path["steer.max"].max() > 100 * abs(path["steer.max"][-1])

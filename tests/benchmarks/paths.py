@@ -1,8 +1,8 @@
 """Paths of solutions: time of a point beside its error, from 6 to 96,000 unknowns.
 
 Measures a cantilever that is bent far by a force at its tip (elastica), by the number of elements;
-the full turn of a four-bar; and passive gaits of a walker. Times are those of the processor in one process, the least of several,
-with the start of the path and without it. Writes docs/performance/paths.md and prints its tables.
+the full turn of a four-bar; and passive gaits of a walker. Times are those of the processor in one
+process, the least of several, with the start of the path and without it. Writes docs/performance/paths.md and prints its tables.
 Times are reported, never asserted.
 
 usage: paths.py [--quick]
@@ -48,8 +48,8 @@ machine that others used too; the start is the first equilibrium, before any poi
 """
 NOTES = """
 Errors: of the cantilever the place of its tip at P L^2 / EI = 10 against the elastica; of the
-four-bar the loop that it should close; of the walker the slope at which its period doubles. A cantilever of 1,000 elements should take 30 ms, and one of 16,000 at most 20
-times that.
+four-bar the loop that it should close; of the walker the slope at which its period doubles. A
+cantilever of 1,000 elements should take 30 ms, and one of 16,000 at most 20 times that.
 """
 
 

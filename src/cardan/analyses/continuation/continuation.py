@@ -115,7 +115,7 @@ def continuation(
     longest = {} if step is None else {"longest": step, "first": min(step, Reach().first)}
 
     def tests(of: Solutions) -> list[Test]:
-        return _tests(of, [*_ends(begin)], until, bounds, events)
+        return _tests(of, [*_ends(begin), *of.ends], until, bounds, events)
 
     run = Tracer(tests, points, search, Reach(**longest))
     depth = 99 if branches is True else int(branches)

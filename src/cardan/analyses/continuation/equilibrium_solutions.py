@@ -129,6 +129,11 @@ class EquilibriumSolutions:
         """Same as :meth:`.Solutions.onsets`: there are none."""
         return ()
 
+    @property
+    def ends(self) -> Sequence[Test]:
+        """Same as :meth:`.Solutions.ends`: nowhere."""
+        return ()
+
     def beginning(self, special: Special) -> tuple[Solutions, Place] | None:
         """Same as :meth:`.Solutions.beginning`: limit cycles have paths of their own."""
         return None

@@ -134,6 +134,11 @@ class PositionSolutions:
         """Same as :meth:`.Solutions.onsets`: there are none."""
         return ()
 
+    @property
+    def ends(self) -> Sequence[Test]:
+        """Same as :meth:`.Solutions.ends`: nowhere."""
+        return ()
+
     def beginning(self, special: Special) -> tuple[Solutions, Place] | None:
         """Same as :meth:`.Solutions.beginning`: none begin."""
         return None

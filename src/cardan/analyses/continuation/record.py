@@ -29,7 +29,7 @@ class SpecialPointRecord:
     Attributes:
         name: ``"fold 1"``, ``"branch point 2"``, ``"Hopf point 1"``, or the event.
         kind: ``"fold"``, ``"branch point"``, ``"Hopf point"``, ``"period doubling"``, ``"torus
-            point"`` or ``"event"``.
+            point"``, ``"state of rest"`` or ``"event"``.
         values: What is swept, by name.
         kernel: Increments (nu + nz, k + 1) without units that leave a branch point in equilibrium
             to first order; the direction (nu + nz, 1) of the path elsewhere.

@@ -9,7 +9,7 @@ from ...arrays import Array
 from ...runtime.models.loaded_model import LoadedModel
 from .family import Family, Point
 from .follow import Place, Step
-from .special_points import Corner, Onset, Special
+from .special_points import Corner, Onset, Special, Test
 
 Quantity: TypeAlias = Callable[[Point], float]
 Solution: TypeAlias = object  # as users take it: an equilibrium, a position, a cycle
@@ -88,6 +88,10 @@ class Solutions(Protocol):
     @property
     def onsets(self) -> Sequence[Onset]:
         """Changes of stability besides those at folds, branch points and of oscillations."""
+
+    @property
+    def ends(self) -> Sequence[Test]:
+        """Where curves end besides their range."""
 
     def beginning(self, special: Special) -> tuple[Solutions, Place] | None:
         """Solutions of another kind that begin at a point, such as those of twice the period.

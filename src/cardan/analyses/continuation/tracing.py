@@ -5,14 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
+from scipy.optimize import brentq
+
 from ...errors import SolveError
 from .curve import Curve
 from .family import length
 from .follow import End, Place, Reach, Step, steps
-from .special_points import BRANCH, EVENT, FOLD, SURE, Corner, Special, Test, Watch, within
+from .special_points import BRANCH, EVENT, EXACT, FOLD, SURE, Corner, Special, Test, Watch, within
 
 SAME = 1e-6  # lengths of increments between branch points that are one
 ROOT, LEVEL = 1e-3, 1e-9  # the same of a fold at a branch point, and the difference of loads
+AT_END = 1e-3  # of a step: a fold that is the end of the curve
+PASSED = 1e-3  # of a number at the end of a step: as near to 0 as equations are regular
+HALVED = 30  # parts of steps beside points at which equations are singular
+JUMPED = 1e-2  # of a number at the ends of a step: what is left of it where it passes 0
 
 
 def trace(
@@ -93,7 +99,7 @@ def _traced(
         curve.contraction = max(curve.contraction, step.contraction)
         after = [test.value(step.after) for test in watch.tests]
         end = _tested(curve, watch.tests, step, values, after)
-        curve.special += [s for s in look.special if end is None or s.part <= end.part]
+        curve.special += [s for s in look.special if end is None or _is_before(s, end)]
         if end is not None:
             curve.special.append(end)
             curve.places.append(end.place)
@@ -113,6 +119,11 @@ def _traced(
         if _ends(curve, watch, step):
             return None
     return None
+
+
+def _is_before(special: Special, end: Special) -> bool:
+    """True of a point in front of an end: one of its own kind of place is a fold as well."""
+    return special.part <= end.part - (0.0 if end.kind == EVENT else AT_END)
 
 
 def _ends(curve: Curve, watch: Watch, step: Step) -> bool:
@@ -151,14 +162,53 @@ def _tested(
     for test, low, high in zip(tests, before, after, strict=True):
         if low == 0 or not low * high <= 0:
             continue
-        try:
-            (place, part), accurate = test.within(curve.family, step, high), True
-        except SolveError:
-            part, place, accurate = 1.0, step.after, False
-        events.append(Special(EVENT, test.name, place, number, part, accurate=accurate))
+        part, place, accurate = _passage(curve, test, step, 1.0 if high == 0 else None)
+        # where a sign alone changes nothing is passed
+        left = abs(test.value(place)) if test.kind != EVENT else 0.0
+        if left <= JUMPED * max(abs(low), abs(high)):
+            events.append(Special(test.kind, test.name, place, number, part, accurate=accurate))
     ends = {test.name for test in tests if test.ends}
     last = min((s for s in events if s.label in ends), key=lambda s: s.part, default=None)
     curve.special += [
         s for s in events if s.label not in ends and (last is None or s.part <= last.part)
     ]
     return last
+
+
+def _passage(curve: Curve, test: Test, step: Step, part: float | None) -> tuple[float, Place, bool]:
+    """The part of a step at which a number passes 0, the place there, and whether it is exact.
+
+    Where the equations are singular there the nearest place at which they can be solved.
+    """
+    if part is None and test.parameter is not None:
+        at_value = step.at_parameter(curve.family, test.parameter)
+        if at_value is not None:
+            return at_value[1], at_value[0], True
+    nearest = 1.0, step.after
+    before, smallest = test.value(step.before), abs(test.value(step.after))
+    small = PASSED * smallest if test.kind != EVENT else 0.0
+
+    def value(part: float) -> float:
+        nonlocal nearest, smallest
+        place = step.at(curve.family, part)
+        number = test.value(place)
+        if abs(number) <= smallest:
+            nearest, smallest = (part, place), abs(number)
+        return 0.0 if abs(number) <= small else number
+
+    try:
+        if part is None:
+            part = float(brentq(value, 0, 1, xtol=EXACT))
+        return part, step.at(curve.family, part), True
+    except SolveError:
+        if test.kind == EVENT:
+            return 1.0, step.after, False
+    low, high = 0.0, 1.0
+    for _ in range(HALVED):
+        middle = 0.5 * (low + high)
+        try:
+            beyond = value(middle) * before <= 0
+        except SolveError:
+            beyond = True
+        low, high = (low, middle) if beyond else (middle, high)
+    return *nearest, True

@@ -18,14 +18,13 @@ from ..statics.equilibrium import read
 from ..statics.load_path import Loading, loading
 from ..statics.statics import sweepable
 from ..systems import dynamic_system_of
-from ..systems.central_differences import by_differences
 from .cycle_problem import CycleProblem, CycleState
 from .energy_level import ENERGY
 from .multipliers import Complexes, monodromy, multipliers_of
 from .shooting import Phase, Shooting
 
-ROUGH = 1e-5  # increments of differences that steer Newton's method
 CACHED = 12  # derivatives, each of many runs
+MOTIONLESS = 1e-9  # of units: a motion that is none
 NODE = 6  # increments: lengths do not grow with the system
 
 
@@ -92,8 +91,15 @@ class CycleFamily:
         return point.s
 
     def residual(self, point: CyclePoint) -> Array:
-        """Same as :meth:`.Family.residual`."""
-        return self.shooting.residual(point.at)
+        """Same as :meth:`.Family.residual`.
+
+        Raises:
+            SolveError: as there; the point is at rest, which repeats with any period.
+        """
+        at, problem = point.at, self.problem
+        if problem.free_period and at.period * np.linalg.norm(problem.rate(at)) < MOTIONLESS:
+            raise SolveError("cycle: the motion shrinks to rest")
+        return self.shooting.residual(at)
 
     def moved(self, point: CyclePoint, dz: Array) -> CyclePoint:
         """Same as :meth:`.Family.moved`."""
@@ -118,18 +124,16 @@ class CycleFamily:
         """Same as :meth:`.Family.jacobian`; rough of second order, by half of the laps."""
         if not rough or id(point) in self._jacobians:
             return DenseJacobian(self._matrix(point))
-        columns = [
-            self.residual(self.moved(point, step)) - self.residual(self.moved(point, -step))
-            for step in ROUGH * np.eye(len(self.weights))
-        ]
-        return DenseJacobian(np.stack(columns, axis=1) / (2 * ROUGH))
+        return DenseJacobian(self._differences(point, rough=True))
+
+    def _differences(self, point: CyclePoint, rough: bool) -> Array:
+        return self.shooting.derivative(
+            point.at, lambda dz: self.residual(self.moved(point, dz)), len(self.weights), rough
+        )
 
     def _matrix(self, point: CyclePoint) -> Array:
         if id(point) not in self._jacobians:
-            matrix = by_differences(
-                lambda dz: self.residual(self.moved(point, dz)),
-                np.full(len(self.weights), self.shooting.fine),
-            )
+            matrix = self._differences(point, rough=False)
             if not np.isfinite(matrix).all():
                 raise SolveError("cycle: derivatives of a lap are not finite")
             while len(self._jacobians) >= CACHED:

@@ -13,10 +13,12 @@ pass jumps of the state: differences of runs contain them).
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
+from scipy.linalg import block_diag, null_space
 
 from ...arrays import Array
 from ...errors import SolveError
@@ -24,6 +26,7 @@ from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..simulation.events import event_table_of
 from ..simulation.settings import Settings
+from ..systems.central_differences import by_differences
 from ..systems.dynamic_system import DynamicSystem, Moment, dense
 from .energy_level import ENERGY, EnergyLevel
 from .flow import Flow
@@ -37,6 +40,7 @@ RESOLUTION = 1e-9  # of the longest lap: an event so soon is that at which a lap
 ON_SECTION = 1e-6  # of the change along a unit: a value that is 0
 PROJECTIONS, CLOSE = 60, 1e-15
 RANK = 1e-9  # rows of constraints that say nothing new
+NEARBY = 0.02  # of the steps of differences
 SLOPE = 1e-5  # of units: differences of the value at a section
 
 
@@ -96,18 +100,49 @@ class CycleProblem:
         """True where the period is an unknown."""
         return self.section is None and self.period is None
 
+    @property
+    def constrained(self) -> bool:
+        """True where runs begin on constraints, wherever they are begun."""
+        return len(self.system.rows) > 0 and self.model.manifest.projected
+
     def lost(self, at: CycleState) -> int:
         """Number of increments that constraints and the section take away."""
         section = int(self.section is not None)
-        if not len(self.system.rows) or not self.model.manifest.projected:
+        if not self.constrained:
             return section
-        q, u, z = self.model.parts_of(at.x)
-        parameters = {n: v for n, v in at.values.items() if n not in self.model.inputs}
-        r, lam = self.flow(at.values).inputs(self.t), np.zeros(len(self.system.rows))
-        moment = Moment(self.t, q, u, 0 * u, lam, r, z, at.s, parameters or None)
-        G = dense(self.system.tangents(moment).G)
+        G = dense(self.system.tangents(self.moment(at)).G)
         ranks = (np.linalg.matrix_rank(rows, RANK) for rows in (G, G[self.system.positions]))
         return section + sum(int(rank) for rank in ranks)
+
+    def allowed(self, at: CycleState) -> tuple[Array, Array] | None:
+        """Increments of starts that lead along the constraints; None where all do.
+
+        Returns:
+            Those increments (n, d), and the parts of them (d, n) that any increment moves the start
+            of a run by.
+        """
+        if not self.constrained or self.normal is not None:
+            return None
+        nu, n = self.model.nu, len(self.units)
+        G = dense(self.system.tangents(self.moment(at)).G) / self.system.rows[:, None]
+        places = null_space(G[self.system.positions] * self.units[:nu], RANK)
+        speeds = null_space(G * self.units[nu : 2 * nu], RANK)
+        ways = block_diag(places, speeds, np.eye(n - 2 * nu))
+        flow = self.flow(at.values)
+
+        def begun(dx: Array) -> Array:
+            return self.step(at.x, flow.closed(self.moved(at.x, dx), at.s, self.t))
+
+        onto = by_differences(begun, np.full(n, NEARBY))
+        return ways, np.linalg.lstsq(onto @ ways, onto)[0]
+
+    def moment(self, at: CycleState) -> Moment:
+        """The start of a lap, without accelerations and multipliers."""
+        q, u, z = self.model.parts_of(at.x)
+        names = self.model.parameters
+        parameters = {name: value for name, value in at.values.items() if name in names}
+        r, lam = self.flow(at.values).inputs(self.t), np.zeros(len(self.system.rows))
+        return Moment(self.t, q, u, 0 * u, lam, r, z, at.s, parameters or None)
 
     def flow(self, values: Values) -> Flow:
         """Runs with parameters and inputs."""
@@ -126,22 +161,37 @@ class CycleProblem:
     def _is_energy(self, name: str) -> bool:
         return self.level is not None and name == ENERGY
 
+    @cached_property
+    def _ends(self) -> tuple[int, int]:
+        """Ends of q and u in a state."""
+        return self.model.nq, self.model.nq + self.model.nu
+
+    def _parts_of(self, x: Array) -> tuple[Array, Array, Array]:
+        """q, u and z of a state, unchecked."""
+        nq, end = self._ends
+        return x[:nq], x[nq:end], x[end:]
+
     # increments
 
     def moved(self, x: Array, dx: Array) -> Array:
         """The state (nx,) an increment (n,) away."""
-        model, nu = self.model, self.model.nu
-        q, u, z = model.parts_of(x)
-        step = dx * self.units
+        q, u, z = self._parts_of(x)
+        step, nu = dx * self.units, len(u)
         place = self.system.integrate(q, step[:nu]) if step[:nu].any() else q
         return np.concatenate([place, u + step[nu : 2 * nu], z + step[2 * nu :]])
 
     def step(self, before: Array, after: Array) -> Array:
         """The increment (n,) from one state to another."""
-        q0, u0, z0 = self.model.parts_of(before)
-        q, u, z = self.model.parts_of(after)
+        q0, u0, z0 = self._parts_of(before)
+        q, u, z = self._parts_of(after)
         step = np.concatenate([self.system.difference(q0, q), u - u0, z - z0])
         return np.asarray(step / self.units)
+
+    def closed(self, at: CycleState) -> CycleState:
+        """The start moved onto the constraints, as runs begin there."""
+        if not self.constrained:
+            return at
+        return replace(at, x=self.flow(at.values).closed(at.x, at.s, self.t))
 
     # laps
 
@@ -211,8 +261,12 @@ class CycleProblem:
     def energy_off(self, at: CycleState) -> float:
         """The energy of a start over the one that it has to have, in large ones."""
         assert self.level is not None
-        energy = self.level.energy(self.system, self.flow(at.values), at.x, self.t)
-        return (energy - self.level.target(at.values)) / self.level.size
+        return (self.energy(at) - self.level.target(at.values)) / self.level.size
+
+    def energy(self, at: CycleState) -> float:
+        """The energy of a start over that of the state of rest [J]."""
+        assert self.level is not None
+        return self.level.energy(self.system, self.flow(at.values), self.moment(at))
 
     def amplitude(self, at: CycleState) -> float:
         """Size of the increment from the state of rest."""
@@ -221,8 +275,11 @@ class CycleProblem:
 
     def energy_gradient(self, at: CycleState) -> Array | None:
         """The direction (n,) along which the energy grows, of length 1; None where none is kept."""
-        if self.level is None:
-            return None
+        return None if self.level is None else self.uphill(at)
+
+    def uphill(self, at: CycleState) -> Array:
+        """The same where energy is kept."""
+        assert self.level is not None
         gradient = self.level.gradient(self.flow(at.values), at.x, self.t) * self.units
         return np.asarray(gradient / (np.linalg.norm(gradient) or 1.0))
 

@@ -16,7 +16,7 @@ from ...schema.integrators import INTEGRATORS
 from ..continuation.follow import Place, Step
 from ..continuation.path_request import PathRequest, PathStart
 from ..continuation.solutions import Quantity, Solutions
-from ..continuation.special_points import FOLD, Corner, Onset, Special
+from ..continuation.special_points import FOLD, HOPF, Corner, Onset, Special, Test
 from .cycle_family import CycleFamily, CyclePoint
 from .cycle_problem import CycleProblem
 from .cycle_quantities import quantity
@@ -24,7 +24,7 @@ from .cycle_record import CycleRecord, record_of
 from .cycle_starts import DOUBLING, doubled, family_and_place
 from .multipliers import NEUTRAL, REAL, unstable
 
-TORUS = "torus point"
+TORUS, STILL = "torus point", "state of rest"
 CHECKED_BY = (("DOP853", "RK45"), ("RK45", "DOP853"))  # methods that check each other
 LOOSER = 10.0  # tolerance of these runs, of that of the path
 EDGE = 1e-9  # moduli that much above 1 count on a path
@@ -136,6 +136,24 @@ class CycleSolutions:
 
         return (Onset(DOUBLING, value),)
 
+    @property
+    def ends(self) -> Sequence[Test]:
+        """Same as :meth:`.Solutions.ends`: at rest, behind which cycles are the same mirrored.
+
+        There what turns back at the phase stands still.
+        """
+        phase, problem = self.family.shooting.phase, self.family.problem
+        if phase is None:
+            return ()
+
+        def value(place: Place) -> float:
+            rate = problem.rate(place.point.at)
+            return float(np.copysign(np.linalg.norm(rate), phase.normal @ rate))
+
+        kind = HOPF if problem.level is None else STILL
+        name = f"a {kind}: the cycle shrinks to rest"
+        return (Test(name, value, ends=True, kind=kind),)
+
     def beginning(self, special: Special) -> tuple[Solutions, Place] | None:
         """Same as :meth:`.Solutions.beginning`: cycles of twice the laps at a period doubling."""
         if special.kind != DOUBLING:
@@ -162,6 +180,9 @@ class CycleSolutions:
             return "where two cycles meet, and there are none behind: a multiplier is 1"
         if special.kind == DOUBLING:
             return "where cycles of twice the period begin: a multiplier is -1"
+        if special.kind in (HOPF, STILL):
+            frequency = 2 * np.pi / special.place.point.at.period
+            return f"where the cycle shrinks to rest, at {frequency:.6g} rad/s"
         angle = special.frequency
         return f"where a torus begins: disturbances turn by {angle:.6g} rad from lap to lap"
 

@@ -15,6 +15,7 @@ from ...errors import SolveError
 from ...runtime.calls.loaded_function import LoadedFunction
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ...schema.blocks import ORDER, SLOT
 from ..simulation import run_record as abi
 from ..simulation.discontinuities import jumps, stops_of
 from ..simulation.events import EventTable
@@ -71,11 +72,13 @@ class Flow:
         """
         self._base, self._how, self.event_table = model, how, _going_on(event_table)
         self._parameters: dict[str, float] | None = None
+        self._ends = model.nq, model.nq + model.nu, model.nx
         self._named_inputs = dict(inputs)
         self._inputs: Signals = signals(model.manifest.inputs, inputs, None, (0.0, 0.0))
         self._runner: Runner = runner_of(model, how, self._inputs, self.event_table)
         self._runner.want(None, dense=False)
         self._begun = bytes(self._runner.record)
+        self._functions = _called(self._runner)
         self._prepared: dict[str, Array] = {}
         self._calls = 0
         self._bound: LoadedModel | None = model
@@ -96,7 +99,7 @@ class Flow:
         other._calls, other._bound = 0, None if parameters else self._base
         other._inputs = signals(self._base.manifest.inputs, inputs, None, (0.0, 0.0))
         p = self._base._parameters.changed(parameters)
-        other._prepared = {name: one.prepared(p) for name, one in _called(self._runner).items()}
+        other._prepared = {name: one.prepared(p) for name, one in self._functions.items()}
         return other
 
     @property
@@ -115,13 +118,27 @@ class Flow:
 
     def event_values(self, x: Array, s: Array, t: float) -> Array:
         """Numbers (ne,) of the events of the model, which pass 0."""
-        q, u, z = self._base.parts_of(x)
-        model, more = self._called()
-        return np.asarray(model.events(q, u, z=z, s=s, t=t, r=self.inputs(t), parameters=more))
+        q, u, z = self.parts_of(x)
+        function = self._functions.get("events")
+        if function is None:
+            model, more = self._called()
+            return np.asarray(model.events(q, u, z=z, s=s, t=t, r=self.inputs(t), parameters=more))
+        # the function itself, with the parameters that runs have prepared
+        blocks: list[Array | None] = [None] * len(ORDER)
+        w = self._prepared.get("events", function.w)
+        values = {"t": np.array([t]), "q": q, "u": u, "z": z, "s": s, "r": self.inputs(t), "w": w}
+        for name, block in values.items():
+            blocks[SLOT[name]] = np.ascontiguousarray(block)
+        numbers = np.empty((1, function.caller.size))
+        status, _ = function.caller.call(blocks, [0] * len(ORDER), numbers)
+        if status:
+            raise SolveError(f"cycle: events cannot be evaluated at t = {t:.6g} s")
+        return np.asarray(numbers[0])
 
     def parts_of(self, x: Array) -> tuple[Array, Array, Array]:
         """q, u and z of a state."""
-        return self._base.parts_of(x)
+        nq, end, _ = self._ends
+        return x[:nq], x[nq:end], x[end:]
 
     def rates(self, x: Array, s: Array, t: float) -> Array:
         """xdot (nx,), or those of several states (k, nx)."""
@@ -141,6 +158,19 @@ class Flow:
         """
         self._run(x, s, t, end, lambda _: False)
         return self._state(), self._runner.views["s"].copy()
+
+    def closed(self, x: Array, s: Array, t: float) -> Array:
+        """The state (nx,) on the constraints from which a run from a state goes.
+
+        Raises:
+            SolveError: the constraints cannot be fulfilled next to it.
+        """
+        if not self._runner.closing.rows:
+            return x
+        answer = self._begin(x, s, t, t + 1.0)
+        if answer not in (abi.DONE, abi.MORE):
+            raise SolveError(explain(self._runner, answer, Span(t, t + 1.0))[1])
+        return self._state()
 
     def passage(
         self, x: Array, s: Array, t: float, end: float, match: Callable[[Passage], bool]
@@ -170,10 +200,10 @@ class Flow:
         return self._inputs.first(t)
 
     def _state(self) -> Array:
-        return self._runner.views["y"][: self._base.nx].copy()
+        return self._runner.views["y"][: self._ends[-1]].copy()
 
-    def _run(self, x: Array, s: Array, t: float, end: float, stop: Callable[[Array], bool]) -> None:
-        """Go from a state to a time, or until the log of events says that it is enough."""
+    def _begin(self, x: Array, s: Array, t: float, end: float) -> int:
+        """Set the state at the start of a run. Returns the answer of the kernels."""
         runner, run = self._runner, self._runner.record
         ctypes.memmove(ctypes.addressof(run), self._begun, len(self._begun))
         for name, w in self._prepared.items():
@@ -183,7 +213,12 @@ class Flow:
         runner.adjust()
         runner.views["s"][:] = s
         jumping = self.model if jumps(self._base) else self._base
-        answer = runner.start(t, x, stops_of(jumping, self._inputs, t, end)) or abi.MORE
+        return runner.start(t, x, stops_of(jumping, self._inputs, t, end)) or abi.MORE
+
+    def _run(self, x: Array, s: Array, t: float, end: float, stop: Callable[[Array], bool]) -> None:
+        """Go from a state to a time, or until the log of events says that it is enough."""
+        runner, run = self._runner, self._runner.record
+        answer = self._begin(x, s, t, end)
         while answer in (abi.MORE, abi.FULL):
             run.count = 0
             answer = runner.drive(STEPS)
@@ -196,7 +231,7 @@ class Flow:
 
     def _passage(self, row: Array) -> Passage:
         """A row of the log of events."""
-        first, width = 1 + len(self.event_table.rows), self._base.nx
+        first, width = 1 + len(self.event_table.rows), self._ends[-1]
         before, after = first + width, first + width + self._base.ns
         x, s, x_after = row[first:before], row[before:after], row[after : after + width]
         return Passage(float(row[0]), row[1:first] != 0, x, s, x_after, row[after + width :])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -12,6 +13,7 @@ from ..systems.central_differences import by_differences
 from .cycle_problem import CycleProblem, CycleState
 
 NEWTON, HALVINGS = 30, 8
+ROUGH = 1e-5  # increments of differences that steer Newton's method
 FINE = 0.02  # of the steps that differences take: runs bend more than forces do
 CHORD = 1e-6  # residuals below which the derivative of a lap stays as it is
 ROUNDING, CLOSED = 1e-9, 1e-13  # residuals of cycles, and those that are enough
@@ -70,17 +72,27 @@ class Shooting:
         Raises:
             SolveError: the lap breaks down.
         """
-        missed = self.problem.step(at.x, self.problem.lap(at).x)
-        if (along := self.problem.energy_gradient(at)) is not None:
-            # energy is kept: along its gradient nothing is missed where the rest is not
-            off = float(along @ missed)
-            if abs(off) > ELSEWHERE * self.problem.amplitude(at):
-                raise SolveError("cycle: a lap leads to another state of the same energy")
-            missed = missed + along * (self.problem.energy_off(at) - off)
+        problem = self.problem
+        if problem.level is None:
+            missed = problem.step(at.x, problem.lap(at).x)
+        else:
+            begun = problem.closed(at)
+            missed = problem.step(at.x, begun.x) + self._missed_at_energy(begun)
         if self.phase is None:
             return missed
-        off = float(self.phase.normal @ self.problem.step(self.phase.x, at.x))
+        off = float(self.phase.normal @ problem.step(self.phase.x, at.x))
         return np.append(missed, off)
+
+    def _missed_at_energy(self, at: CycleState) -> Array:
+        """What a lap misses its start by, and along the gradient of the energy what that is off.
+
+        Energy is kept: along its gradient nothing is missed where the rest is not.
+        """
+        missed, along = self.problem.step(at.x, self.problem.lap(at).x), self.problem.uphill(at)
+        off = float(along @ missed)
+        if abs(off) > ELSEWHERE * self.problem.amplitude(at):
+            raise SolveError("cycle: a lap leads to another state of the same energy")
+        return missed + along * (self.problem.energy_off(at) - off)
 
     def moved(self, at: CycleState, dz: Array) -> CycleState:
         """The start an increment (n,), or (n + 1,) with the part that the period grows by, away."""
@@ -95,9 +107,48 @@ class Shooting:
             SolveError: a lap breaks down.
         """
         count = len(self.problem.units) + self.problem.free_period
-        return by_differences(
-            lambda dz: self.residual(self.moved(at, dz)), np.full(count, self.fine)
-        )
+        return self.derivative(at, lambda dz: self.residual(self.moved(at, dz)), count)
+
+    def derivative(
+        self, at: CycleState, residual: Callable[[Array], Array], count: int, rough: bool = False
+    ) -> Array:
+        """Derivative of residuals by central differences of runs.
+
+        Args:
+            at: The start.
+            residual: Of increments (count,) from there, those of the start first.
+            count: Number of increments.
+            rough: Of second order, by half of the laps.
+
+        Raises:
+            SolveError: a lap breaks down.
+        """
+        allowed = self.problem.allowed(at)
+        if allowed is None:
+            return _differences(residual, np.eye(count), self.fine, rough)
+        n, (ways, parts) = len(self.problem.units), allowed
+        d = ways.shape[1]
+        steps = np.zeros((count, d + count - n))
+        steps[:n, :d], steps[n:, d:] = ways, np.eye(count - n)
+        columns = _differences(residual, steps, self.fine, rough)
+        # what leads off the constraints is taken away before the lap begins
+        off = np.eye(n) - ways @ parts
+        states = columns[:, :d] @ parts
+        states[:n] -= off
+        if self.phase is not None:
+            states[n] += self.phase.normal @ off
+        return np.concatenate([states, columns[:, d:]], axis=1)
+
+
+def _differences(
+    residual: Callable[[Array], Array], steps: Array, fine: float, rough: bool
+) -> Array:
+    """Derivatives of residuals along steps (count, k)."""
+    if not rough:
+        units = np.full(steps.shape[1], fine)
+        return by_differences(lambda share: residual(steps @ share), units)
+    sides = [residual(ROUGH * step) - residual(-ROUGH * step) for step in steps.T]
+    return np.stack(sides, axis=1) / (2 * ROUGH)
 
 
 @dataclass(frozen=True, eq=False)

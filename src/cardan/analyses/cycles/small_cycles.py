@@ -156,8 +156,8 @@ def _refuse(mode: Mode, request: PathRequest) -> None:
             f"{said}: only motions that keep their energy are families of cycles, without damping, "
             "internal states and modes of elements"
         )
-    if len(dynamic_system_of(model).rows) or "mass_matrix" not in model.manifest.available:
-        raise ModelError(f"{said}: with closed loops and absolute coordinates this cannot be had")
+    if "mass_matrix" not in model.manifest.available:
+        raise ModelError(f"{said}: energies need its mass matrix, functions=('mass_matrix', ...)")
 
 
 def _refuse_losses(problem: CycleProblem, at: CycleState) -> None:
@@ -166,11 +166,9 @@ def _refuse_losses(problem: CycleProblem, at: CycleState) -> None:
     Raises:
         ModelError: a lap changes it.
     """
-    level = problem.level
-    assert level is not None
-    motion, flow = problem.motion(at), problem.flow(at.values)
+    motion = problem.motion(at)
     times = np.linspace(motion.t[0], motion.t[-1], 8)
-    energies = [level.energy(problem.system, flow, x, problem.t) for x in motion.at(times)]
+    energies = [problem.energy(replace(at, x=x)) for x in motion.at(times)]
     if np.ptp(energies) > LOST * max(energies):
         raise ModelError(
             f"continuation of cycles: '{problem.model.name}' does not keep its energy: over a lap "

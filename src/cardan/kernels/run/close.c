@@ -17,6 +17,8 @@ static const real SOUGHT = 1e-15, CLOSED = 1e-11;
 /* what constraints may be open by at a given step, of the size of the mechanism; what they are
  * rounded by, in units of that */
 static const real OPEN = 1e-4, ROUNDED = 1e3;
+/* changes of a block, of its largest number and in units of rounding, that say nothing */
+static const real NOISE = 16;
 enum { MOST_STEPS = 8 };
 
 /* q or u with the function that closes it */
@@ -158,16 +160,21 @@ static int newton(cardan_run *run, cardan_in *in, const level *at, real *y, int 
     return CARDAN_CONSTRAINT_OPEN;
 }
 
-/* Project one level of y; adds the square of what changes, in units of the tolerance, to `sum`. */
+/* Project one level of y; adds the square of what changes, in units of the tolerance or of rounding,
+ * to `sum`: beside a tight tolerance numbers that pass 0 would change by more, however short a step. */
 static int close_level(cardan_run *run, cardan_in *in, const level *at, real *y, int noted,
                        real *sum)
 {
     const ptrdiff_t start = at->block - y;
     const real *guess = run->closing + cardan_closing_length(run) - run->n - run->nx + start;
     int status = newton(run, in, at, y, noted);
+    real far = 0;
 
+    for (ptrdiff_t i = 0; i < at->size; i++)
+        far = fmax(far, fabs(guess[i]));
     for (ptrdiff_t i = 0; i < at->size; i++) {
-        real step = (at->block[i] - guess[i]) / cardan_scale(run, y, start + i);
+        real scale = fmax(cardan_scale(run, y, start + i), NOISE * DBL_EPSILON * far);
+        real step = (at->block[i] - guess[i]) / scale;
         *sum += step * step;
     }
     return status;
