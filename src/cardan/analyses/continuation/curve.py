@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from .family import Family
-from .follow import Place
+from .follow import Place, Step
 from .special_points import Special
 
 
@@ -30,3 +31,12 @@ class Curve:
     status: str = "budget"
     corrections: int = 0
     refused: int = 0
+
+    def passes(self, there: Place) -> bool:
+        """True when it leads through a place, as of positions that differ by full turns."""
+        for before, after in pairwise(self.places):
+            way = self.family.step(before.point, after.point)
+            ds = float(before.tangent @ (self.family.weights * way))
+            if Step(before, after, ds, 0, 0).passes(self.family, there)[1]:
+                return True
+        return False

@@ -104,6 +104,10 @@ class EquilibriumSolutions:
         """Same as :meth:`.Solutions.beginning`: limit cycles have paths of their own."""
         return None
 
+    def consistent(self, point: Loaded) -> bool:
+        """Same as :meth:`.Solutions.consistent`: none were left out."""
+        return True
+
     def motion(self, dz: Array) -> Array:
         """Same as :meth:`.Solutions.motion`."""
         return dz[: self.family.positions]

@@ -22,10 +22,12 @@ from ..statics.load_path import column
 from ..statics.stability_at_equilibrium import largest_of
 from ..statics.statics import sweepable
 from .configurations import COORDINATE, Configuration, ConfigurationFamily, Drivers
-from .follow import Place, Step, place
+from .follow import Place, Step, ahead, place
 from .path_request import PathRequest, PathStart
 from .solutions import Quantity, Solutions
 from .special_points import HOPF, Corner, Onset, Special, Test
+
+CLOSED = 1e-8  # residuals without units of conditions that are met, where others were solved
 
 
 @final
@@ -69,12 +71,11 @@ class PositionSolutions:
         return float(values[k])
 
     def record(self, point: Configuration) -> AssemblyRecord:
-        """Same as :meth:`.Solutions.record`: speeds are the least that constraints allow."""
+        """Same as :meth:`.Solutions.record`."""
         drivers = self.family.drivers
         m = drivers.mechanism(point.s)
-        still = np.zeros(m.model.nu)
         return AssemblyRecord(
-            m.model, m.t, m.inputs, point.q, speeds(m, point.q, {}, still), None,
+            m.model, m.t, m.inputs, point.q, _least_speeds(m, point.q), None,
             gaps=m.gaps(point.q), unreached={}, freedoms=0, solutions=None, starts=1,
         )  # fmt: skip
 
@@ -116,6 +117,11 @@ class PositionSolutions:
         """Same as :meth:`.Solutions.beginning`: none begin."""
         return None
 
+    def consistent(self, point: Configuration) -> bool:
+        """Same as :meth:`.Solutions.consistent`: of loops that are closed too often."""
+        left = self.family.drivers.residual(point.s, point.q)
+        return float(np.abs(left).max(initial=0.0)) <= CLOSED
+
     def motion(self, dz: Array) -> Array:
         """Same as :meth:`.Solutions.motion`."""
         return dz[: self.family.positions]
@@ -131,6 +137,14 @@ class PositionSolutions:
         who = " and ".join(f"'{name}'" for name in self.family.drivers.ranges)
         back = "turn" if len(self.family.drivers.ranges) > 1 else "turns"
         return f"a dead point: {who} {back} back as {self.moving(special.place.tangent)} moves on"
+
+
+def _least_speeds(m: Mechanism, q: Array) -> Array:
+    """The least speeds (nu,) that constraints allow; NaN at a dead point of the time: none are."""
+    try:
+        return speeds(m, q, {}, np.zeros(m.model.nu))
+    except ModelError:
+        return np.full(m.model.nu, np.nan)
 
 
 def start(model: LoadedModel, request: PathRequest) -> PathStart:
@@ -157,7 +171,7 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
     named = ", ".join(f"{name} = {value:.10g}" for name, value in drivers.values(1.0).items())
     return PathStart(
         PositionSolutions(model, family),
-        place(family, point, family.forward(point)),
+        place(family, point, ahead(family, point)),
         Test(named, lambda at: at.point.s - 1.0, ends=True),
     )
 

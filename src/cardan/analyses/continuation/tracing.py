@@ -109,21 +109,29 @@ def _traced(
 def _ends(curve: Curve, watch: Watch, step: Step) -> bool:
     """True when a curve is closed, comes to an end of another one, or has all its places."""
     start = curve.places[0]
-    if start is not step.before and step.passes(curve.family, start)[1] > 0:
-        curve.status, curve.ended = "closed", "closed: it leads back to its start"
-        return True
+    if start is not step.before:
+        part, along = step.passes(curve.family, start)
+        if along > 0:
+            _cut(curve, step, part)
+            curve.status, curve.ended = "closed", "closed: it leads back to its start"
+            return True
     for name, end in watch.ends:
         part, along = step.passes(curve.family, end)
         if along:
-            number = len(curve.places) - 2
-            curve.places[-1] = step.at(curve.family, part)
-            curve.special = [s for s in curve.special if s.after < number or s.part <= part]
+            _cut(curve, step, part)
             curve.status, curve.ended = "joined", f"reached {name}"
             return True
     if len(curve.places) >= watch.most:
         curve.ended = f"after {watch.most} points, the most that points= allows"
         return True
     return False
+
+
+def _cut(curve: Curve, step: Step, part: float) -> None:
+    """End a curve within its last step."""
+    number = len(curve.places) - 2
+    curve.places[-1] = step.at(curve.family, part)
+    curve.special = [s for s in curve.special if s.after < number or s.part <= part]
 
 
 def _tested(
