@@ -349,3 +349,19 @@ def test_dead_points_of_the_time_have_no_speeds() -> None:
         position = point.solution
         assert np.isnan(position.u).all() or np.abs(position.u).max() > 1e6
         assert position.q == pytest.approx(path.main.q[point.special.after], abs=0.5)
+
+
+def test_a_path_starts_at_a_dead_point_too() -> None:
+    """Angles there that differ by full turns were two positions."""
+    linkage, path = LINKAGES["rocker"], path_of("rocker")
+    dead = path.point("fold 1")
+    begin = {"D": dead.values["D"], "A": dead["A"]}
+    there = linkage.follow(PLAIN, path.model, swept={"D": (begin["D"], 4.0)}, q=begin)
+    assert there.main.status == "closed"
+    assert there.points[-1].values["D"] == pytest.approx(path.points[1].values["D"], abs=VALUES)
+
+
+@pytest.mark.parametrize("more", [{"u": {"A": 1.0}}, {"start": 3}])
+def test_what_is_of_other_paths_is_refused(more: Any) -> None:
+    with pytest.raises(cd.ModelError, match="u= and start= are of equilibria and cycles"):
+        LINKAGES["rocker"].follow(PLAIN, model_of("rocker"), **more)

@@ -130,6 +130,11 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
         ModelError: unknown names, values within a range, an empty range. SolveError: no
             equilibrium.
     """
+    if request.start is not None:
+        raise ModelError(
+            "continuation of equilibria: start= is of cycles, of='cycles'; q= says where "
+            "equilibria start"
+        )
     moved = {n: v for n, v in request.locked.items() if np.ndim(v) > 0}
     still = {n: v for n, v in request.locked.items() if n not in moved}
     system = dynamic_system_of(model)

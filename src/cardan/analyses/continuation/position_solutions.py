@@ -155,6 +155,11 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
             meet. ArgumentError: values of a wrong shape.
     """
     refuse_nodes(model, "continuation of positions")
+    if request.u or request.start is not None:
+        raise ModelError(
+            "continuation of positions: u= and start= are of equilibria and cycles; q= says where "
+            "it starts"
+        )
     if any(joint.solved for joint in model.manifest.joints):
         raise ModelError(
             f"continuation of positions: model '{model.name}' solves loops in closed form; compile "
