@@ -223,7 +223,8 @@ class CycleProblem:
         """The direction (n,) along which the energy grows, of length 1; None where none is kept."""
         if self.level is None:
             return None
-        gradient = self.level.gradient(self.flow(at.values), at.x, self.t) * self.units
+        gradient = self.level.gradient(self.system, self.flow(at.values), at.x, self.t)
+        gradient = gradient * self.units
         return np.asarray(gradient / (np.linalg.norm(gradient) or 1.0))
 
     # the section
