@@ -11,6 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import cardan as cd
+from cycle_scenes import step, walker
 from laws.cycle_path_scenes import SCENES, CycleScene, Variant
 from spread import some
 
@@ -190,3 +191,104 @@ def test_how_a_scene_is_written_does_not_matter(name: str, variant: str) -> None
     same(special(path, scene, other), special(plain, scene))
     assert path["period"][-1] / other.time == pytest.approx(plain["period"][-1], rel=1e-9)
     assert paired(path[-1].multipliers, plain[-1].multipliers) < MULTIPLIERS
+
+
+@pytest.mark.parametrize("name", some(("limit cycle", "resonance"), 2))
+def test_the_way_back_passes_the_same_points(name: str) -> None:
+    scene, path, model = SCENES[name], path_of(name), path_of(name).model
+    of, first, last = scene.swept
+    bottom = path[of][0] if scene.mode is not None else first
+    # a path that turned passes its first value before it is back
+    turned = any(point.kind == "fold" for point in path.points)
+    size = f"{scene.key}.max"
+    options = {"until": {size: path[size][0]}} if turned else {}
+    bottom = bottom - (last - first) if turned else bottom
+    back = model.continuation({of: (last, bottom)}, of="cycles", start=path[-1], **options)
+    assert back.success
+    ways = [[p[:2] for p in special(one, scene) if p[0] != "event"] for one in (path, back)]
+    assert [kind for kind, _ in ways[0][::-1]] == [kind for kind, _ in ways[1]]
+    for (_, here), (_, there) in zip(ways[0][::-1], ways[1], strict=True):
+        assert here == pytest.approx(there, abs=VALUES)
+    assert back["period"][-1] == pytest.approx(path["period"][0], rel=1e-8)
+    assert paired(back[-1].multipliers, path[0].multipliers) < 1e-5
+
+
+@pytest.mark.parametrize("name", some(OPEN, 4))
+def test_lengths_of_steps_do_not_matter(name: str) -> None:
+    scene = SCENES[name]
+    for length in (0.1, 0.5):
+        path = scene.follow(PLAIN, model_of(name), step=length, points=3000)
+        same(special(path, scene), special(path_of(name), scene))
+        assert path["period"][-1] == pytest.approx(path_of(name)["period"][-1], rel=1e-9)
+
+
+FIRST = [name for name, scene in SCENES.items() if scene.mode is None and name in OPEN]
+
+
+@pytest.mark.parametrize("name", some(FIRST, 2))
+def test_a_cycle_may_begin_anywhere_on_itself(name: str) -> None:
+    scene, cycle = SCENES[name], path_of(name)[-1]
+    for share in (0.3, 0.8):
+        t = share * cycle.period
+        x = cycle.motion.at(np.array([t]))[0]
+        forced = {} if scene.period is None else {"period": cycle.period, "t": t}
+        other = cycle.model.cycle(x, check=True, **forced)
+        assert other.period == pytest.approx(cycle.period, rel=1e-10)
+        assert paired(other.multipliers, cycle.multipliers) < MULTIPLIERS
+        # what was known to a run's accuracy stays where it was, but along a free period
+        if scene.period is not None:
+            np.testing.assert_allclose(other.x, x, atol=1e-8)
+
+
+@pytest.mark.parametrize("name", some(FIRST, 2))
+def test_two_laps_square_the_multipliers(name: str) -> None:
+    scene, cycle = SCENES[name], path_of(name)[-1]
+    period = {} if scene.period is None else {"period": cycle.period}
+    twice = cycle.model.cycle(cycle.x, laps=2, check=True, **period)
+    assert twice.period == pytest.approx(2 * cycle.period, rel=1e-10)
+    assert paired(twice.multipliers, cycle.multipliers**2) < MULTIPLIERS
+
+
+@pytest.mark.slow
+def test_half_of_a_symmetric_cycle_has_roots_of_multipliers() -> None:
+    """Along a whole path: what moves back after half a period, mirrored."""
+    scene, model = SCENES["resonance"], model_of("resonance")
+    assert scene.period is not None
+    half = scene.cycle(PLAIN, model, period=scene.period / 2, symmetry={"x": ("x", -1)})
+    path = scene.follow(PLAIN, model, start=half)
+    same(special(path, scene)[:2], special(path_of("resonance"), scene)[:2])
+    whole = path_of("resonance")[-1]
+    assert paired(path[-1].multipliers ** 2, whole.multipliers) < MULTIPLIERS
+
+
+@pytest.mark.slow
+def test_symmetric_systems_have_mirror_cycles() -> None:
+    """Where the masses of a pair part, each of them moves more on one branch."""
+    scene = SCENES["pair"]
+    path = scene.follow(PLAIN, model_of("pair"), branches=1)
+    (point,) = (point for point in path.points if point.kind == "branch point")
+    left, right = (path.branches[name] for name in point.branches)
+    assert left.status == right.status == "finished"
+    assert left["period"][-1] == pytest.approx(right["period"][-1], rel=1e-9)
+    for one, other in ("xy", "yx"):
+        assert left[f"{one}.max"][-1] == pytest.approx(right[f"{other}.max"][-1], rel=1e-6)
+    assert left["x.max"][-1] != pytest.approx(left["y.max"][-1], rel=0.2)
+    assert paired(left[-1].multipliers, right[-1].multipliers) < 1e-5
+    for branch in (left, right):
+        cycle = branch[len(branch) - 1]
+        assert np.abs(lap(cycle, rates(cycle), cycle.x) - cycle.x).max() < LAPS
+
+
+@pytest.mark.slow
+def test_cycles_of_two_laps_begin_with_twice_the_period() -> None:
+    model = walker()
+    gait = step(model, 0.2003, -0.1998)
+    path = model.continuation(slope=(0.0145, 0.0155), of="cycles", start=gait, branches=1)
+    (point,) = (point for point in path.points if point.kind == "period doubling")
+    branch = path.branches[point.name]
+    first, single = branch[0], point.solution
+    assert abs(branch["slope"][0] - point.values["slope"]) < 1e-4
+    assert first.period == pytest.approx(2 * single.period, rel=1e-3)
+    assert paired(first.multipliers, single.multipliers**2) < 0.1
+    # where one is stable the other is not
+    assert branch[-1].stable != path[-1].stable
