@@ -314,7 +314,7 @@ def test_without_a_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_paths_say_what_they_need(garcia: cd.CompiledModel) -> None:
     with pytest.raises(ModelError, match=r"start= takes the cycle"):
         garcia.continuation(slope=(0.01, 0.02), of="cycles")
-    with pytest.raises(ModelError, match=r"q= and locked= are of equilibria"):
+    with pytest.raises(ModelError, match=r"q=, u= and locked= are of equilibria"):
         garcia.continuation(slope=(0.01, 0.02), of="cycles", q={"stance": 0.2})
     with pytest.raises(ModelError, match=r"Did you mean 'cycles'"):
         garcia.continuation(slope=(0.01, 0.02), of="cycle")

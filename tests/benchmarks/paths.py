@@ -2,7 +2,8 @@
 
 Measures a cantilever that is bent far by a force at its tip (elastica), by the number of elements;
 the full turn of a four-bar; and passive gaits of a walker. Times are those of the processor in one
-process, the least of several, with the start of the path and without it. Writes docs/performance/paths.md and prints its tables.
+process, the least of several, with the start of the path and without it. Writes
+docs/performance/paths.md and prints its tables.
 Times are reported, never asserted.
 
 usage: paths.py [--quick]

@@ -94,3 +94,17 @@ def test_many_points_are_followed() -> None:
     assert len(path) > 2000
     position = path["x"]
     np.testing.assert_allclose(path["P"], position + 3 * np.sin(position), atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("more", "error", "match"),
+    [
+        ({"search": -1}, cd.ArgumentError, r"search=-1: give the number"),
+        ({"start": 3}, ModelError, r"start= is of cycles"),
+        ({"bounds": {"x": (2, -1)}}, cd.ArgumentError, r"the first is the lower one"),
+        ({"bounds": {"x": (1, 2)}}, ModelError, r"starts at x = 0, and bounds= end it"),
+    ],
+)
+def test_what_means_nothing_is_refused(more: Any, error: type[Exception], match: str) -> None:
+    with pytest.raises(error, match=match):
+        slide(lambda x, P: P - x).continuation(P=(0, 1), **more)

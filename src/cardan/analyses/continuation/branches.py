@@ -13,7 +13,7 @@ from ..simulation.progress import Show
 from .curve import Curve
 from .deflation import new_solutions
 from .family import Family, Point, length
-from .follow import Place, Reach, place
+from .follow import Place, Reach, ahead, place
 from .path_request import PathStart
 from .record import BranchRecord, ContinuationRecord
 from .solutions import Solutions
@@ -145,12 +145,13 @@ class Tracer:
                 value = (k + 1) / self.search
                 for number, point in enumerate(self._disconnected(solutions, begin, value), 1):
                     for letter, sign in (("a", -1.0), ("b", 1.0))[: 1 if value == 1.0 else 2]:
-                        toward = np.zeros(len(solutions.family.weights))
-                        toward[-1] = sign
+                        toward = sign * ahead(solutions.family, point)
                         first = place(solutions.family, point, toward)
                         name = f"{OTHER} {k + 1}.{number}{letter}"
                         begun = partial(_started, solutions, first)
                         self._follow(_Waiting(name, begun, depth + 1), show)
+                        if self.branches[name].status == "closed":
+                            break
         except KeyboardInterrupt:
             if not self.branches:
                 raise
@@ -179,7 +180,14 @@ class Tracer:
 
         while True:
             curves = [b.curve for b in self.branches.values() if b.solutions is of]
-            point = next(filter(inside, new_solutions(curves, value, SEARCHES)), None)
+
+            def new(point: Point, curves: list[Curve] = curves) -> bool:
+                if not (inside(point) and of.consistent(point)):
+                    return False
+                there = place(of.family, point, ahead(of.family, point))
+                return not any(curve.passes(there) for curve in curves)
+
+            point = next(filter(new, new_solutions(curves, value, SEARCHES)), None)
             if point is None:
                 return
             yield point

@@ -216,11 +216,6 @@ class ConfigurationFamily:
         redundant = redundant[:, : dependent.shape[1] - lost.shape[1]]
         return Configuration(0.0, q, np.linalg.svd(redundant)[0][:, -count:])
 
-    def forward(self, at: Configuration) -> Array:
-        """The tangent (N,) along which the drivers go from the start to the end of their ranges."""
-        tangent = self.jacobian(at).weakest(1)[2][:, -1]
-        return tangent if tangent[-1] >= 0 else -tangent
-
     def parameter(self, at: Configuration) -> float:
         """Same as :meth:`.Family.parameter`: the place of the ranges."""
         return at.s

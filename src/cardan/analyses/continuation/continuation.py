@@ -25,6 +25,7 @@ from .solutions import Solutions
 from .special_points import Test
 
 POINTS = 300
+BEYOND = 1e-6  # of bounds: a start on them
 WITHIN = 1e-2  # of a range: a path that starts there ends at either end
 # where paths of a kind of solutions start
 STARTS: Mapping[str, Callable[[LoadedModel, PathRequest], PathStart]] = {
@@ -108,10 +109,11 @@ def continuation(
         raise ModelError("continuation: locked= and what is swept go by name, such as P=(0, 10)")
     if of not in STARTS:
         raise ModelError(f"continuation: of='{of}' does not exist.{near(of, STARTS)}")
-    _refuse_nonsense(branches, points, step, until, events)
+    _refuse_nonsense(branches, search, points, step, until, events)
     moved = {**(swept or {}), **named}
     request = PathRequest(moved, q, locked or {}, u, inputs, parameters, t, start)
     begin = STARTS[of](model, request)
+    _refuse_outside(begin, bounds)
     longest = {} if step is None else {"longest": step, "first": min(step, Reach().first)}
 
     def tests(of: Solutions) -> list[Test]:
@@ -131,6 +133,7 @@ def continuation(
 
 def _refuse_nonsense(
     branches: int | bool,
+    search: int,
     points: int,
     step: float | None,
     until: Mapping[str, float] | None,
@@ -143,6 +146,8 @@ def _refuse_nonsense(
     """
     if branches < 0:
         raise ArgumentError(f"continuation: branches={branches}: give 0 or more, or True for all")
+    if search < 0:
+        raise ArgumentError(f"continuation: search={search}: give the number of loads, 0 or more")
     if points < 2:
         raise ArgumentError(f"continuation: points={points}: a path has 2 at least")
     if step is not None and not step > 0:
@@ -151,6 +156,25 @@ def _refuse_nonsense(
         for name, value in (values or {}).items():
             if not math.isfinite(value):
                 raise ArgumentError(f"continuation: {said}={{'{name}': {value}}}: give a number")
+
+
+def _refuse_outside(begin: PathStart, bounds: Mapping[str, tuple[float, float]] | None) -> None:
+    """Refuse bounds that the start lies beyond.
+
+    Raises:
+        ArgumentError: bounds that nothing lies between. ModelError: the start does not.
+    """
+    for name, (low, high) in (bounds or {}).items():
+        if not low < high:
+            raise ArgumentError(
+                f"continuation: bounds={{'{name}': ({low}, {high})}}: the first is the lower one"
+            )
+        value = begin.solutions.quantity(name)(begin.places[0].point)
+        if not -BEYOND <= (value - low) / (high - low) <= 1 + BEYOND:
+            raise ModelError(
+                f"continuation: the path starts at {name} = {value:.6g}, and bounds= end it "
+                f"outside of {low:.6g} to {high:.6g}"
+            )
 
 
 def _ends(begin: PathStart) -> Iterator[Test]:

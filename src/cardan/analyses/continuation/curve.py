@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from .family import Family
-from .follow import Place, Reach
+from .follow import Place, Reach, Step
 from .special_points import Special, Test
 
 
@@ -39,3 +40,12 @@ class Curve:
     seconds: float = 0.0
     reach: Reach = field(default_factory=Reach)
     tests: Sequence[Test] = ()
+
+    def passes(self, there: Place) -> bool:
+        """True when it leads through a place, as of positions that differ by full turns."""
+        for before, after in pairwise(self.places):
+            way = self.family.step(before.point, after.point)
+            ds = float(before.tangent @ (self.family.weights * way))
+            if Step(before, after, ds, 0, 0).passes(self.family, there)[1]:
+                return True
+        return False

@@ -138,6 +138,10 @@ class EquilibriumSolutions:
         """Same as :meth:`.Solutions.beginning`: limit cycles have paths of their own."""
         return None
 
+    def consistent(self, point: Loaded) -> bool:
+        """Same as :meth:`.Solutions.consistent`: none were left out."""
+        return True
+
     def motion(self, dz: Array) -> Array:
         """Same as :meth:`.Solutions.motion`."""
         return dz[: self.family.positions]
@@ -160,6 +164,11 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
         ModelError: unknown names, values within a range, an empty range. SolveError: no
             equilibrium.
     """
+    if request.start is not None:
+        raise ModelError(
+            "continuation of equilibria: start= is of cycles, of='cycles'; q= says where "
+            "equilibria start"
+        )
     moved = {n: v for n, v in request.locked.items() if np.ndim(v) > 0}
     still = {n: v for n, v in request.locked.items() if n not in moved}
     system = dynamic_system_of(model)

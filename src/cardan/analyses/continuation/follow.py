@@ -75,6 +75,12 @@ def place(family: Family, point: Point, toward: Array) -> Place:
     return Place(point, tangent, float(tangent[-1]), by.sign)
 
 
+def ahead(family: Family, point: Point) -> Array:
+    """The direction (N,) along the curve through a point in which the parameter grows."""
+    tangent = family.jacobian(point).weakest(1)[2][:, -1]
+    return tangent if tangent[-1] >= 0 else -tangent
+
+
 def reversals(family: Family, before: Place, after: Place) -> int:
     """Directions in which J with the tangent as a row changes its sign between two places.
 

@@ -23,10 +23,12 @@ from ..statics.stability_at_equilibrium import largest_of
 from ..statics.statics import sweepable
 from .configurations import COORDINATE, Configuration, ConfigurationFamily, Drivers
 from .first_places import first_places
-from .follow import Place, Step
+from .follow import Place, Step, ahead
 from .path_request import PathRequest, PathStart
 from .solutions import Quantity, Solutions
 from .special_points import HOPF, Corner, Onset, Special, Test
+
+CLOSED = 1e-8  # residuals without units of conditions that are met, where others were solved
 
 
 @final
@@ -70,12 +72,11 @@ class PositionSolutions:
         return float(values[k])
 
     def record(self, point: Configuration) -> AssemblyRecord:
-        """Same as :meth:`.Solutions.record`: speeds are the least that constraints allow."""
+        """Same as :meth:`.Solutions.record`."""
         drivers = self.family.drivers
         m = drivers.mechanism(point.s)
-        still = np.zeros(m.model.nu)
         return AssemblyRecord(
-            m.model, m.t, m.inputs, point.q, speeds(m, point.q, {}, still), None,
+            m.model, m.t, m.inputs, point.q, _least_speeds(m, point.q), None,
             gaps=m.gaps(point.q), unreached={}, freedoms=0, solutions=None, starts=1,
         )  # fmt: skip
 
@@ -143,6 +144,11 @@ class PositionSolutions:
         """Same as :meth:`.Solutions.beginning`: none begin."""
         return None
 
+    def consistent(self, point: Configuration) -> bool:
+        """Same as :meth:`.Solutions.consistent`: of loops that are closed too often."""
+        left = self.family.drivers.residual(point.s, point.q)
+        return float(np.abs(left).max(initial=0.0)) <= CLOSED
+
     def motion(self, dz: Array) -> Array:
         """Same as :meth:`.Solutions.motion`."""
         return dz[: self.family.positions]
@@ -160,6 +166,14 @@ class PositionSolutions:
         return f"a dead point: {who} {back} back as {self.moving(special.place.tangent)} moves on"
 
 
+def _least_speeds(m: Mechanism, q: Array) -> Array:
+    """The least speeds (nu,) that constraints allow; NaN at a dead point of the time: none are."""
+    try:
+        return speeds(m, q, {}, np.zeros(m.model.nu))
+    except ModelError:
+        return np.full(m.model.nu, np.nan)
+
+
 def start(model: LoadedModel, request: PathRequest) -> PathStart:
     """The first position of a path.
 
@@ -168,6 +182,11 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
             a wrong shape. SolveError: no position is found next to the start.
     """
     refuse_nodes(model, "continuation of positions")
+    if request.u or request.start is not None:
+        raise ModelError(
+            "continuation of positions: u= and start= are of equilibria and cycles; q= says where "
+            "it starts"
+        )
     if any(joint.solved for joint in model.manifest.joints):
         raise ModelError(
             f"continuation of positions: model '{model.name}' solves loops in closed form; compile "
@@ -184,7 +203,7 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
     named = ", ".join(f"{name} = {value:.10g}" for name, value in drivers.values(1.0).items())
     return PathStart(
         PositionSolutions(model, family),
-        *first_places(family, point, family.forward(point)),
+        *first_places(family, point, ahead(family, point)),
         Test.at(named, 1.0, family),
     )
 

@@ -100,6 +100,9 @@ class Solutions(Protocol):
             What they are, and their first place; None where none begin, or none are told apart.
         """
 
+    def consistent(self, point: Point) -> bool:
+        """True where equations hold that were left out, as they follow from others on a path."""
+
     def motion(self, dz: Array) -> Array:
         """The part of increments (N, ...) that moves the system (n, ...)."""
 

@@ -280,7 +280,7 @@ class CycleProblem:
     def uphill(self, at: CycleState) -> Array:
         """The same where energy is kept."""
         assert self.level is not None
-        gradient = self.level.gradient(self.flow(at.values), at.x, self.t) * self.units
+        gradient = self.level.gradient(self.system, self.flow(at.values), at.x, self.t) * self.units
         return np.asarray(gradient / (np.linalg.norm(gradient) or 1.0))
 
     # the section

@@ -164,6 +164,10 @@ class CycleSolutions:
             return None
         return CycleSolutions(self.model, family), first
 
+    def consistent(self, point: CyclePoint) -> bool:
+        """Same as :meth:`.Solutions.consistent`: none were left out."""
+        return True
+
     def motion(self, dz: Array) -> Array:
         """Same as :meth:`.Solutions.motion`."""
         return dz[: len(self.family.problem.units)]

@@ -38,8 +38,8 @@ def family_and_place(model: LoadedModel, request: PathRequest) -> tuple[CycleFam
     Raises:
         ModelError: nothing to start from, unknown names. SolveError: no cycle at the start.
     """
-    if request.q is not None or request.locked:
-        raise ModelError(f"continuation of cycles: q= and locked= are of equilibria; {CURE}")
+    if request.q is not None or request.locked or request.u:
+        raise ModelError(f"continuation of cycles: q=, u= and locked= are of equilibria; {CURE}")
     begin = request.start
     if _model_of(begin) not in (None, model._objects):
         raise ModelError(f"continuation of cycles: start= is of another model than '{model.name}'")

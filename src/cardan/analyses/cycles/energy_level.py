@@ -24,6 +24,8 @@ WORKS = 64  # of positions that are kept
 NODES = 20  # of the integral of forces, from 0 to 1
 PLACES, WEIGHTS = (0.5 * part for part in np.polynomial.legendre.leggauss(NODES))
 PLACES += 0.5
+# differences of fourth order, by sizes of the system
+STEP, SHARES, FACTORS = 1e-3, (-2.0, -1.0, 1.0, 2.0), np.array([1.0, -8.0, 8.0, -1.0]) / 12
 
 
 def _slopes(places: Array) -> Array:
@@ -107,9 +109,22 @@ class EnergyLevel:
         powers = np.einsum("kij,kj,i->k", flow.mass_matrix(there, t), accelerations, way)
         return float(WEIGHTS @ powers)
 
-    def gradient(self, flow: Flow, x: Array, t: float) -> Array:
-        """The direction (n,) along which the energy grows, up to what speeds do to the inertia."""
+    def gradient(self, system: DynamicSystem, flow: Flow, x: Array, t: float) -> Array:
+        """The direction (n,) along which the energy grows, of increments."""
         q, u, _ = flow.parts_of(x)
         M = flow.mass_matrix(q, t)
         still = np.concatenate([q, 0 * u])
-        return np.concatenate([-M @ flow.rates(still, self.modes, t)[len(q) :], M @ u])
+        along = -M @ flow.rates(still, self.modes, t)[len(q) :]
+        if np.any(u):
+            along = along + self._by_inertia(system, flow, q, u, t)
+        return np.concatenate([along, M @ u])
+
+    def _by_inertia(self, system: DynamicSystem, flow: Flow, q: Array, u: Array, t: float) -> Array:
+        """Slopes (nu,) of the kinetic energy by increments of the position, by differences."""
+        sizes = STEP * system.columns
+        there = np.array(
+            [system.integrate(q, share * step) for share in SHARES for step in np.diag(sizes)]
+        )
+        kinetic = 0.5 * np.einsum("kij,i,j->k", flow.mass_matrix(there, t), u, u)
+        slopes: Array = FACTORS @ kinetic.reshape(len(SHARES), len(u)) / sizes
+        return slopes

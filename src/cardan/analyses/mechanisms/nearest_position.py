@@ -99,7 +99,10 @@ def nearest(m: Mechanism, goals: list[Target], q: Array, first: Solution) -> Sol
     best = [end for end in solutions if wish.distance(end.q) <= (1 + EQUAL) * least]
     if len(best) > 1:
         best = sorted(best, key=lambda end: places(m, end.q))
-        _warn_of_tie(m, goals, best, solutions)
+        # angles that differ by full turns are one position
+        distinct = [end for end in best[1:] if not _same(m, best[0].q, m.nearest(end.q, best[0].q))]
+        if distinct:
+            _warn_of_tie(m, goals, [best[0], *distinct], solutions)
     return best[0]
 
 

@@ -21,7 +21,7 @@ from ...runtime.calls.evaluation import State
 from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.configurations import COORDINATE, ConfigurationFamily, Drivers
 from ..continuation.curve import Curve
-from ..continuation.follow import Place, Reach, place
+from ..continuation.follow import Place, Reach, ahead, place
 from ..continuation.interval import FLAT
 from ..continuation.special_points import BRANCH, FOLD, Test, Watch
 from ..continuation.tracing import trace
@@ -153,7 +153,7 @@ def singular_positions(
     drivers.check(begin.q)
     family = ConfigurationFamily.of(drivers)
     first = family.start(begin.q)
-    curve = Curve(family, [place(family, first, family.forward(first))])
+    curve = Curve(family, [place(family, first, ahead(family, first))])
     watch = Watch(lambda _: None, tests=_tests(m, coordinate, driver), most=MOST, switches=False)
     trace(curve, watch, Reach(first=step, longest=step))
     return _record(m, targets, curve, coordinate, driver or coordinate, (low, high))
