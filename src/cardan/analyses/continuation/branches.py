@@ -94,15 +94,11 @@ def _started(solutions: Solutions, *places: Place) -> tuple[Solutions, Curve]:
 
 def _outside(name: str, family: Family) -> Iterator[Test]:
     """Where branches end that leave the range at its start."""
-
-    def beyond(length: float) -> Callable[[Place], float]:
-        return lambda at: family.parameter(at.point) + length
-
     if name.startswith(OTHER):
         # no path leads there from the start of the range
-        yield Test("the start", beyond(0.0), ends=True)
+        yield Test.at("the start", 0.0, family)
     elif name != MAIN and family.weights[-1] > 0:
-        yield Test("a range before the start", beyond(1.0), ends=True)
+        yield Test.at("a range before the start", -1.0, family)
 
 
 def _noted(of: Solutions, curve: Curve) -> str:

@@ -24,7 +24,7 @@ from ..mechanisms.mechanism import Mechanism
 from ..mechanisms.position_solver import PositionSolver
 from ..mechanisms.redundancy import rank_of
 from ..mechanisms.targets import read
-from .family import DenseJacobian
+from .family import DenseJacobian, Jacobian
 
 COORDINATE, PARAMETER, INPUT, TIME = "coordinate", "parameter", "input", "t"
 # of a range: steps of differences of order 4, where those leave the domain of order 1
@@ -229,7 +229,7 @@ class ConfigurationFamily:
         """Same as :meth:`.Family.residual`."""
         return at.combinations.T @ self.drivers.residual(at.s, at.q)
 
-    def jacobian(self, at: Configuration, rough: bool = False) -> DenseJacobian:
+    def jacobian(self, at: Configuration, rough: bool | Jacobian = False) -> DenseJacobian:
         """Same as :meth:`.Family.jacobian`."""
         return DenseJacobian(at.combinations.T @ self.drivers.jacobian(at.s, at.q))
 
@@ -254,6 +254,14 @@ class ConfigurationFamily:
         projected = before - dependent @ (dependent.T @ before)
         W, cosines, Vt = np.linalg.svd(projected, full_matrices=False)
         return replace(at, combinations=W @ Vt)
+
+    def opened(self, at: Configuration) -> Configuration:
+        """Same as :meth:`.Family.opened`: there are none."""
+        return at
+
+    def closed(self, at: Configuration) -> Configuration:
+        """Same as :meth:`.Family.closed`."""
+        return at
 
     def step(self, before: Configuration, after: Configuration) -> Array:
         """Same as :meth:`.Family.step`; of angles the way that is less than half a turn."""

@@ -158,7 +158,7 @@ def _ends(begin: PathStart) -> Iterator[Test]:
     yield begin.end
     family = begin.solutions.family
     if family.parameter(begin.places[0].point) > WITHIN:
-        yield Test("the start", lambda at: family.parameter(at.point), ends=True)
+        yield Test.at("the start", 0.0, family)
 
 
 def _tests(

@@ -13,7 +13,7 @@ from ...arrays import Array
 from ...errors import SolveError
 from ..statics.load_path import Loading
 from ..statics.static_problem import Load, Point, Problem, scaled
-from ..systems.saddle_point import FULL, RANK, Matrix, Sparse
+from ..systems.saddle_point import FULL, RANK, Lowest, Matrix, Sparse
 from ..systems.sparse_saddle_point import SparseSaddle
 from .block_elimination import SaddleJacobian
 from .family import DenseJacobian, Jacobian
@@ -21,6 +21,7 @@ from .singular_point import singular_point
 
 # of the range of the load: steps of differences of order 2, where those leave the domain of order 1
 LOAD_STEP, SHORT_STEP = 1e-4, 1e-7
+ROUNDED = 1e-15  # of energies that cancel: what is left of one of nothing
 FREE = 1e-11  # of the largest stiffness: what is free still
 # increments that tell whether something pushes along free directions, and pushes that are rounding
 TRIED, PUSH = 0.02, 1e-10
@@ -78,7 +79,7 @@ class EquilibriumFamily:
         nu, nz, m = len(system.columns), len(system.internals), len(system.rows)
         unit = float(abs(K[:nu, :nu]).max()) if nu else 0.0
         unit = unit or 1.0
-        free = system.saddle.lowest(K[:nu, :nu], G[:, :nu]).free_directions
+        free = _unresisted(K[:nu, :nu], system.saddle.lowest(K[:nu, :nu], G[:, :nu]))
         position = np.full(nu + nz, 1.0 / max(1.0, nu / NODE))
         weights = np.concatenate([position, np.zeros(m + len(load.locked)), [1.0]])
         units = _units(_array(K[:, nu:]), K, nu, unit)
@@ -135,16 +136,24 @@ class EquilibriumFamily:
         x, y = dz[:n] * self.columns, dz[n:-1] * self.unit
         return Loaded(s, load, self.problem.moved(under, x, y, load))
 
+    def opened(self, at: Loaded) -> Loaded:
+        """Same as :meth:`.Family.opened`: the stress of beams, however slender they are."""
+        return replace(at, point=self.problem.with_internal_unknowns(at.point))
+
+    def closed(self, at: Loaded) -> Loaded:
+        """Same as :meth:`.Family.closed`."""
+        return replace(at, point=self.problem.closed(at.point))
+
     def step(self, before: Loaded, after: Loaded) -> Array:
         """Same as :meth:`.Family.step`."""
         x, y = self.problem.step(before.point, after.point)
         return np.concatenate([x / self.columns, y / self.unit, [after.s - before.s]])
 
-    def jacobian(self, at: Loaded, rough: bool = False) -> Jacobian:
+    def jacobian(self, at: Loaded, rough: bool | Jacobian = False) -> Jacobian:
         """Same as :meth:`.Family.jacobian`."""
         K, G = self.problem.tangent(at.point, at.load)
         K = self._anchored(K)
-        by_load = self._by_load(at, rough)
+        by_load = self._by_load(at, bool(rough)) if isinstance(rough, bool) else rough.column
         core = self._core
         if core is None or sum(G.shape) <= FULL:
             stiffness = _array(K) * self.columns / self.rows[:, None]
@@ -194,6 +203,16 @@ class EquilibriumFamily:
         except SolveError:
             pass
         return (off(SHORT_STEP) - here) / SHORT_STEP
+
+
+def _unresisted(K: Matrix, lowest: Lowest) -> Array:
+    """Directions (nu, k) whose energy is rounding of those that cancel in it.
+
+    That of a slender beam which bends is a small part of the largest stiffness, and is not.
+    """
+    free = lowest.free_directions
+    energy = np.abs(np.sum(free * (K @ free), axis=0))
+    return free[:, energy <= ROUNDED * np.sum(np.abs(free) * (abs(K) @ np.abs(free)), axis=0)]
 
 
 def _units(by_states: Array, K: Matrix, nu: int, unit: float) -> tuple[Array, Array]:

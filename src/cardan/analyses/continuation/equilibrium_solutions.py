@@ -156,5 +156,5 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
     return PathStart(
         EquilibriumSolutions.of(model, family),
         *first_places(family, family.start(first.point), family.along_parameter),
-        Test(named, lambda at: at.point.s - 1.0, ends=True),
+        Test.at(named, 1.0, family),
     )

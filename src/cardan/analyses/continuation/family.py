@@ -58,6 +58,10 @@ class Jacobian(Protocol):
     def apply(self, dz: Array) -> Array:
         """J dz (n, ...)."""
 
+    @property
+    def column(self) -> Array:
+        """The derivative by the parameter (n,)."""
+
     def weakest(self, count: int) -> tuple[Array, Array, Array]:
         """Smallest singular values (count,), left (n, count) and right vectors (N, count + 1).
 
@@ -79,8 +83,13 @@ class Family(Protocol):
             SolveError: the point lies outside of a domain.
         """
 
-    def jacobian(self, point: Point, rough: bool = False) -> Jacobian:
-        """J at a point; ``rough``: as exact as steps of Newton's method ask for.
+    def jacobian(self, point: Point, rough: bool | Jacobian = False) -> Jacobian:
+        """J at a point.
+
+        Args:
+            point: Where.
+            rough: As exact as steps of Newton's method ask for; or J of a point next to this one,
+                from which what changes little may be taken.
 
         Raises:
             SolveError: the point lies outside of a domain.
@@ -88,6 +97,12 @@ class Family(Protocol):
 
     def moved(self, point: Point, dz: Array) -> Point:
         """The point an increment away."""
+
+    def opened(self, point: Point) -> Point:
+        """The point with unknowns of its own that elements keep while one corrects."""
+
+    def closed(self, point: Point) -> Point:
+        """The point without these, which increments do not hold."""
 
     def step(self, before: Point, after: Point) -> Array:
         """The increment (N,) between two points."""
@@ -152,6 +167,12 @@ class DenseJacobian:
     """
 
     matrix: Array
+
+    @property
+    def column(self) -> Array:
+        """Same as :meth:`Jacobian.column`."""
+        last: Array = self.matrix[:, -1]
+        return last
 
     def bordered(self, rows: Array, columns: Array) -> DenseBordered:
         """Same as :meth:`Jacobian.bordered`."""

@@ -16,10 +16,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import eigvals
+from scipy.optimize import brentq
 
 from ...arrays import Array
 from ...errors import SolveError
-from .family import Bordered, DenseJacobian, Family, Point, length, row
+from .family import Bordered, DenseJacobian, Family, Jacobian, Point, length, row
 
 NEWTON = 8
 # residuals that are rounding; corrections, as a part of the reach, whose square would be
@@ -91,13 +92,18 @@ def reversals(family: Family, before: Place, after: Place) -> int:
 
 
 def corrected(
-    family: Family, start: Place, ds: float, guess: Array | None = None
+    family: Family,
+    start: Place,
+    ds: float,
+    guess: Array | None = None,
+    plane: tuple[Array, float] | None = None,
 ) -> tuple[Point, float, int]:
     """The point of the curve in the plane across the tangent at a distance from a place.
 
     Args:
         family, start, ds: Of what, from where, how far.
         guess: An increment to begin with, the tangent by default.
+        plane: Another one: a row (1, N), and its product with the increment to there.
 
     Returns:
         The point, the contraction of the corrections as that of the first two in quadratic
@@ -106,14 +112,19 @@ def corrected(
     Raises:
         SolveError: there is none next to it.
     """
-    across = row(family, start.tangent)
-    dz = ds * start.tangent if guess is None else guess
-    point, theta, sizes = family.moved(start.point, dz), 0.0, list[float]()
-    none, moved, off = np.zeros((len(across[0]) - 1, 0)), 0.0, ds - float(across[0] @ dz)
+    across, distance = (row(family, start.tangent), ds) if plane is None else plane
+    dz, theta, sizes = ds * start.tangent, 0.0, list[float]()
+    point = family.moved(family.opened(start.point), dz)
+    if guess is not None:
+        # in two steps: what elements keep themselves follows the tangent alone
+        point, dz = family.moved(point, guess - dz), guess
+    none, moved, off = np.zeros((len(across[0]) - 1, 0)), 0.0, distance - float(across[0] @ dz)
+    near: bool | Jacobian = True
     for k in range(NEWTON):
         left = family.residual(point)
         try:
-            by: Bordered = family.jacobian(point, rough=True).bordered(across, none)
+            near = family.jacobian(point, rough=near)
+            by: Bordered = near.bordered(across, none)
             correction = by.solve(-left, np.array([off]))[0]
             size = length(family, correction)
             moved += size
@@ -122,7 +133,7 @@ def corrected(
         except SolveError:
             # at a branch point the system is singular, though the prediction may lie on the curve
             if not off and np.abs(left).max(initial=0.0) <= ROUNDING:
-                return point, theta, k + 1
+                return family.closed(point), theta, k + 1
             raise
         if sizes:
             theta = _rate(theta, sizes, size)
@@ -131,14 +142,15 @@ def corrected(
             raise SolveError("the corrections do not converge")
         point = family.moved(point, correction)
         if size <= TIGHT or (sizes and size <= NOISE and size >= 0.5 * sizes[-1]):
-            return point, theta, k + 1
+            return family.closed(point), theta, k + 1
         sizes.append(size)
         off = 0.0
         if size <= NEARLY:
             # what is left may be rounding: the same factors tell
             more = by.solve(-family.residual(point), np.zeros(1))[0]
             if (last := length(family, more)) <= TIGHT:
-                return family.moved(point, more), _rate(theta, sizes, last), k + 1
+                point = family.closed(family.moved(point, more))
+                return point, _rate(theta, sizes, last), k + 1
     raise SolveError("the corrections do not converge")
 
 
@@ -179,6 +191,29 @@ class Step:
             return (self.before, self.after)[int(part)]
         point = corrected(family, self.before, part * self.ds, self._guess(family, part))[0]
         return place(family, point, self.before.tangent)
+
+    def at_parameter(self, family: Family, value: float) -> tuple[Place, float] | None:
+        """The place at a value of the parameter, and at which part of the step it lies.
+
+        None where Newton's method does not lead there.
+        """
+        start = family.parameter(self.before.point)
+
+        def parameter(part: float) -> float:
+            return start + float(self._guess(family, part)[-1]) - value
+
+        part = float(brentq(parameter, 0.0, 1.0))
+        along = np.zeros((1, len(self.before.tangent)))
+        along[0, -1] = 1.0
+        guess, plane = self._guess(family, part), (along, value - start)
+        try:
+            point = corrected(family, self.before, part * self.ds, guess, plane)[0]
+            there = place(family, point, self.before.tangent)
+        except SolveError:
+            return None
+        way = family.step(self.before.point, point)
+        part = float(self.before.tangent @ (family.weights * way)) / self.ds
+        return (there, part) if 0 < part <= 1 else None
 
     def passes(self, family: Family, there: Place) -> tuple[float, int]:
         """The part at which a place of a curve lies; 1 in its direction, -1 against it, else 0."""

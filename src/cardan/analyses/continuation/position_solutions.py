@@ -164,7 +164,7 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
     return PathStart(
         PositionSolutions(model, family),
         *first_places(family, point, family.forward(point)),
-        Test(named, lambda at: at.point.s - 1.0, ends=True),
+        Test.at(named, 1.0, family),
     )
 
 

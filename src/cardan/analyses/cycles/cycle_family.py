@@ -105,6 +105,14 @@ class CycleFamily:
         """Same as :meth:`.Family.moved`."""
         return self.point(self.shooting.moved(point.at, dz[:-1]), point.s + float(dz[-1]))
 
+    def opened(self, point: CyclePoint) -> CyclePoint:
+        """Same as :meth:`.Family.opened`: there are none."""
+        return point
+
+    def closed(self, point: CyclePoint) -> CyclePoint:
+        """Same as :meth:`.Family.closed`."""
+        return point
+
     def step(self, before: CyclePoint, after: CyclePoint) -> Array:
         """Same as :meth:`.Family.step`."""
         step = self.problem.step(before.at.x, after.at.x)
@@ -112,7 +120,7 @@ class CycleFamily:
             step = np.append(step, after.at.period / before.at.period - 1)
         return np.append(step, after.s - before.s)
 
-    def jacobian(self, point: CyclePoint, rough: bool = False) -> Jacobian:
+    def jacobian(self, point: CyclePoint, rough: bool | Jacobian = False) -> Jacobian:
         """Same as :meth:`.Family.jacobian`; rough of second order, by half of the laps."""
         if not rough or id(point) in self._jacobians:
             return DenseJacobian(self._matrix(point))

@@ -56,7 +56,7 @@ def family_and_place(model: LoadedModel, request: PathRequest) -> tuple[CycleFam
     else:
         raise ModelError(f"continuation: start={brief(begin)}: {CURE}")
     named = ", ".join(f"{name} = {value:.10g}" for name, value in family.way.values(1.0).items())
-    return family, first, Test(named, lambda at: at.point.s - 1.0, ends=True)
+    return family, first, Test.at(named, 1.0, family)
 
 
 def _model_of(begin: object) -> object:

@@ -59,7 +59,7 @@ def follow_by_length(
         noted, last = len(curve.special), here
         rows.append((here.s, row(Search(here.point, 0, True, np.zeros(0)), here)))
 
-    end = Test("the end", lambda at: at.point.s - 1.0, ends=True)
+    end = Test.at("the end", 1.0, family)
     watch = Watch(
         stabilities.count, stabilities.growth, tests=[end], most=MOST, switches=False,
         corner=lambda step, number: corner_within(family, names, step, number),
