@@ -21,6 +21,7 @@ from ...errors import SolveError
 from .family import Family, Point, length
 from .follow import Place, Step
 from .interval import Interval
+from .oscillations import SMALL, UNDAMPED, oscillation_inside
 from .singular_point import HalfBranch, SingularPoint, half_branches, singular_point
 
 FOLD, BRANCH, HOPF, EVENT = "fold", "branch point", "Hopf point", "event"
@@ -31,10 +32,6 @@ NEAR = 2.0  # widths of a bracket within which a point must lie
 MOST_LOST = 3  # of the rank
 # length of increments that rounding leaves of a singular point; halvings that tell it better
 UNCERTAIN, BISECTED = 1e-10, 40
-# decay, as a part of the frequency, behind which growth may lie; looks for it; unknowns at most
-LIGHT, PEAKS, SMALL = 0.05, 6, 60
-PROMISING = 0.5  # of the least decay: what a parabola leaves of it where growth may lie
-UNDAMPED = 1e-9  # decay, as a part of the frequency, that is rounding
 JUMP = 2.0  # distance of the ends of a part of a step, over its length
 SURE = 1e-5  # steps that are not shortened where they seem to lead to another curve
 Count = Callable[[Place], int | None]
@@ -62,6 +59,23 @@ class Test:
     def at(cls, name: str, parameter: float, family: Family) -> Test:
         """The end of a curve at a value of its parameter."""
         return cls(name, lambda at: family.parameter(at.point) - parameter, True, parameter)
+
+    def within(self, family: Family, step: Step, last: float) -> tuple[Place, float]:
+        """Where it passes 0 within a step, and at which part of that.
+
+        Args:
+            family, step: Of what, within which step.
+            last: Its value at the end of the step.
+
+        Raises:
+            SolveError: it is not found.
+        """
+        if last == 0:
+            return step.after, 1.0
+        if self.parameter is not None and (found := step.at_parameter(family, self.parameter)):
+            return found
+        part = float(brentq(lambda part: self.value(step.at(family, part)), 0.0, 1.0, xtol=EXACT))
+        return step.at(family, part), part
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,7 +171,7 @@ def within(family: Family, number: int, watch: Watch, step: Step) -> Iterator[Sp
     counts = watch.count(ends[0]), watch.count(ends[1])
     onsets = _signs(watch, ends[0]), _signs(watch, ends[1])
     interval = Interval.of(family, (0.0, 1.0), *ends, counts, onsets)
-    if interval.quiet and (peak := _oscillation_inside(family, watch, step)) is not None:
+    if interval.quiet and (peak := _inside(family, watch, step)) is not None:
         middle, part = peak
         inside = watch.count(middle), _signs(watch, middle)
         for span, before, after in (
@@ -171,37 +185,12 @@ def within(family: Family, number: int, watch: Watch, step: Step) -> Iterator[Sp
     yield from _searched(family, number, watch, step, interval)
 
 
-def _oscillation_inside(family: Family, watch: Watch, step: Step) -> tuple[Place, float] | None:
-    """The place and the part of a step at which an oscillation grows, though not at its ends.
-
-    Looked for along parabolas through decay rates where little damping is left. A growth within a
-    part of the step over which decay is not a parabola is not seen, as where one oscillation begins
-    and another one ends, and none of large systems.
-    """
-    if watch.growth is None or watch.oscillation != HOPF or len(family.weights) > SMALL:
+def _inside(family: Family, watch: Watch, step: Step) -> tuple[Place, float] | None:
+    """A place of a step at which an oscillation grows or decays as at neither end, and its part."""
+    small = len(family.weights) <= SMALL
+    if watch.growth is None or watch.oscillation != HOPF or not small:
         return None
-    try:
-        ends = [watch.growth(place) for place in (step.before, step.after)]
-        side = np.sign(ends[0][0])
-        margins = [side * rate / turns for rate, turns in ends]
-        if min(margins) < UNDAMPED or min(margins) > LIGHT:
-            return None
-        parts, rates, part = [0.0, 1.0], [side * rate for rate, _ in ends], 0.5
-        for _ in range(PEAKS):
-            place = step.at(family, part)
-            rate = side * watch.growth(place)[0]
-            if rate < 0:
-                return place, part
-            parts, rates = [*parts, part], [*rates, rate]
-            nearest = np.argsort(rates)[:3]
-            parabola = np.polyfit(np.array(parts)[nearest], np.array(rates)[nearest], 2)
-            bottom = -0.5 * parabola[1] / parabola[0] if parabola[0] > 0 else -1.0
-            if not 0 < bottom < 1 or np.polyval(parabola, bottom) > PROMISING * min(rates):
-                return None
-            part = float(bottom)
-    except SolveError:
-        pass
-    return None
+    return oscillation_inside(family, watch.growth, step)
 
 
 def _signs(watch: Watch, place: Place) -> Array:

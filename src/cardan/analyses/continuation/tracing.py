@@ -162,11 +162,17 @@ def _tested(
     for test, low, high in zip(tests, before, after, strict=True):
         if low == 0 or not low * high <= 0:
             continue
-        part, place, accurate = _passage(curve, test, step, 1.0 if high == 0 else None)
-        # where a sign alone changes nothing is passed
-        left = abs(test.value(place)) if test.kind != EVENT else 0.0
-        if left <= JUMPED * max(abs(low), abs(high)):
-            events.append(Special(test.kind, test.name, place, number, part, accurate=accurate))
+        if test.kind != EVENT:
+            part, place = _singular_end(curve, test, step)
+            # where a sign alone changes nothing is passed
+            if abs(test.value(place)) <= JUMPED * max(abs(low), abs(high)):
+                events.append(Special(test.kind, test.name, place, number, part))
+            continue
+        try:
+            (place, part), accurate = test.within(curve.family, step, high), True
+        except SolveError:
+            part, place, accurate = 1.0, step.after, False
+        events.append(Special(EVENT, test.name, place, number, part, accurate=accurate))
     ends = {test.name for test in tests if test.ends}
     last = min((s for s in events if s.label in ends), key=lambda s: s.part, default=None)
     curve.special += [
@@ -175,18 +181,14 @@ def _tested(
     return last
 
 
-def _passage(curve: Curve, test: Test, step: Step, part: float | None) -> tuple[float, Place, bool]:
-    """The part of a step at which a number passes 0, the place there, and whether it is exact.
+def _singular_end(curve: Curve, test: Test, step: Step) -> tuple[float, Place]:
+    """The part of a step at which a number passes 0 where equations are singular, and the place.
 
-    Where the equations are singular there the nearest place at which they can be solved.
+    That is the nearest one at which they can be solved.
     """
-    if part is None and test.parameter is not None:
-        at_value = step.at_parameter(curve.family, test.parameter)
-        if at_value is not None:
-            return at_value[1], at_value[0], True
     nearest = 1.0, step.after
     before, smallest = test.value(step.before), abs(test.value(step.after))
-    small = PASSED * smallest if test.kind != EVENT else 0.0
+    small = PASSED * smallest
 
     def value(part: float) -> float:
         nonlocal nearest, smallest
@@ -197,18 +199,14 @@ def _passage(curve: Curve, test: Test, step: Step, part: float | None) -> tuple[
         return 0.0 if abs(number) <= small else number
 
     try:
-        if part is None:
-            part = float(brentq(value, 0, 1, xtol=EXACT))
-        return part, step.at(curve.family, part), True
+        brentq(value, 0, 1, xtol=EXACT)
     except SolveError:
-        if test.kind == EVENT:
-            return 1.0, step.after, False
-    low, high = 0.0, 1.0
-    for _ in range(HALVED):
-        middle = 0.5 * (low + high)
-        try:
-            beyond = value(middle) * before <= 0
-        except SolveError:
-            beyond = True
-        low, high = (low, middle) if beyond else (middle, high)
-    return *nearest, True
+        low, high = 0.0, 1.0
+        for _ in range(HALVED):
+            middle = 0.5 * (low + high)
+            try:
+                beyond = value(middle) * before <= 0
+            except SolveError:
+                beyond = True
+            low, high = (low, middle) if beyond else (middle, high)
+    return nearest
