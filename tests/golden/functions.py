@@ -72,6 +72,8 @@ of a model have their own pages:
 | `simulate`, `report`, `stiffness` | [integrators](integrators.md) |
 | `stepper`, `resume` | [events](events.md) |
 | `ensemble` | [ensembles](ensembles.md) |
+| `continuation`, `stability_chart` | [branches](branches.md) |
+| `cycle` | [motions that repeat](cycles.md) |
 | `equilibrium`, `statics`, `trim`, `linearize`, `modes`, `campbell`, `root_locus`, `sensitivity` \
 | [statics and modes](statics_and_modes.md) |
 | `assemble`, `sweep`, `workspace`, `singular_positions`, `redundancy`, `actuation` \

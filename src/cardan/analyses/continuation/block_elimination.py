@@ -18,9 +18,8 @@ import numpy as np
 from ...arrays import Array
 from ...errors import SolveError
 from ..systems.saddle_point import Matrix
-from ..systems.sparse_saddle_point import SparseSaddle
+from ..systems.sparse_saddle_point import Near, SparseSaddle
 
-Solver = Callable[[Array], Array]
 CORRECTIONS, ENOUGH, SLOW = 6, 1e-13, 0.3
 ITERATIONS = 3  # of inverse iteration for null spaces
 
@@ -34,17 +33,19 @@ class SaddleJacobian:
         K, G: Sparse (p, p), (m, p).
         column: The last one (n,), n = p + m.
         core: What factors the blocks.
+        symmetric: Whether K is symmetric.
     """
 
     K: Matrix
     G: Matrix
     column: Array
     core: SparseSaddle
+    symmetric: bool = False
 
     @cached_property
-    def factors(self) -> tuple[Solver, Solver, float]:
-        """Solvers of the core and of its transpose, and the sign of its determinant."""
-        return self.core.near(self.K, self.G)
+    def factors(self) -> Near:
+        """Factors of the core."""
+        return self.core.near(self.K, self.G, self.symmetric)
 
     def apply(self, dz: Array) -> Array:
         """Same as :meth:`.Jacobian.apply`."""
@@ -97,7 +98,7 @@ class SaddleBordered:
     @cached_property
     def _right(self) -> tuple[Array, Array]:
         """Core^-1 [b B] (n, k), and the small matrix (k, k) that is left of the rows."""
-        J, solve = self.jacobian, self.jacobian.factors[0]
+        J, solve = self.jacobian, self.jacobian.factors.solve
         solved_columns = solve(np.column_stack([J.column, self.columns]))
         k = len(self.rows)
         corner = np.concatenate([self.rows[:, -1:], np.zeros((k, k - 1))], axis=1)
@@ -106,7 +107,7 @@ class SaddleBordered:
     @cached_property
     def _below(self) -> tuple[Array, Array]:
         """The same of the transposed system."""
-        J, solve = self.jacobian, self.jacobian.factors[1]
+        J, solve = self.jacobian, self.jacobian.factors.solve_transposed
         solved_columns = solve(self.rows[:, :-1].T)
         k = len(self.rows)
         corner = np.concatenate([self.rows[:, -1:], np.zeros((k, k - 1))], axis=1)
@@ -118,7 +119,7 @@ class SaddleBordered:
         J, (solved_columns, small), n = self.jacobian, self._right, len(self.jacobian.column)
 
         def once(a: Array, c: Array) -> Array:
-            first = J.factors[0](a)
+            first = J.factors.solve(a)
             border = np.linalg.solve(small, c - self.rows[:, :-1] @ first)
             return np.concatenate([first - solved_columns @ border, border])
 
@@ -136,7 +137,7 @@ class SaddleBordered:
         right = np.zeros((n, *d.shape[1:])), np.concatenate([last, d])
 
         def once(a: Array, c: Array) -> Array:
-            first = J.factors[1](a)
+            first = J.factors.solve_transposed(a)
             above = np.column_stack([J.column, self.columns])
             border = np.linalg.solve(small, c - above.T @ first)
             return np.concatenate([first - solved_columns @ border, border])
@@ -175,5 +176,10 @@ class SaddleBordered:
     @property
     def sign(self) -> float:
         """Same as :meth:`.Bordered.sign`."""
-        core = self.jacobian.factors[2]
+        core = self.jacobian.factors.sign
         return core * float(np.sign(np.linalg.slogdet(self._right[1])[0]))
+
+    @property
+    def below(self) -> int | None:
+        """Same as :meth:`.Bordered.below`."""
+        return self.jacobian.factors.below

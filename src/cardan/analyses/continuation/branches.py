@@ -14,9 +14,8 @@ from .curve import Curve
 from .deflation import new_solutions
 from .family import Family, Point, length
 from .follow import Place, Reach, ahead, place
-from .path_request import PathStart
 from .record import BranchRecord, ContinuationRecord
-from .solutions import Solutions
+from .solutions import PathStart, Solutions
 from .special_points import BRANCH, EVENT, Special, Test, Watch
 from .tracing import trace
 

@@ -250,12 +250,12 @@ class ConfigurationFamily:
         W, cosines, Vt = np.linalg.svd(projected, full_matrices=False)
         return replace(at, combinations=W @ Vt)
 
-    def opened(self, at: Configuration) -> Configuration:
-        """Same as :meth:`.Family.opened`: there are none."""
+    def with_internal_unknowns(self, at: Configuration) -> Configuration:
+        """Same as :meth:`.Family.with_internal_unknowns`: there are none."""
         return at
 
-    def closed(self, at: Configuration) -> Configuration:
-        """Same as :meth:`.Family.closed`."""
+    def without_internal_unknowns(self, at: Configuration) -> Configuration:
+        """Same as :meth:`.Family.without_internal_unknowns`."""
         return at
 
     def step(self, before: Configuration, after: Configuration) -> Array:

@@ -19,9 +19,8 @@ from ..simulation.progress import showing
 from . import equilibrium_solutions, position_solutions
 from .branches import MAIN, Tracer
 from .follow import Reach
-from .path_request import PathRequest, PathStart
 from .record import ContinuationRecord
-from .solutions import Solutions
+from .solutions import PathRequest, PathStart, Solutions
 from .special_points import Test
 
 POINTS = 300

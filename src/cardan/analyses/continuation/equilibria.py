@@ -13,7 +13,7 @@ from ...arrays import Array
 from ...errors import SolveError
 from ..statics.load_path import Loading
 from ..statics.static_problem import Load, Point, Problem, scaled
-from ..systems.saddle_point import FULL, RANK, Lowest, Matrix, Sparse
+from ..systems.saddle_point import FULL, RANK, SKEW, Lowest, Matrix, Sparse
 from ..systems.sparse_saddle_point import SparseSaddle
 from .block_elimination import SaddleJacobian
 from .family import DenseJacobian, Jacobian
@@ -136,12 +136,12 @@ class EquilibriumFamily:
         x, y = dz[:n] * self.columns, dz[n:-1] * self.unit
         return Loaded(s, load, self.problem.moved(under, x, y, load))
 
-    def opened(self, at: Loaded) -> Loaded:
-        """Same as :meth:`.Family.opened`: the stress of beams, however slender they are."""
+    def with_internal_unknowns(self, at: Loaded) -> Loaded:
+        """Same as :meth:`.Family.with_internal_unknowns`: the stress of beams."""
         return replace(at, point=self.problem.with_internal_unknowns(at.point))
 
-    def closed(self, at: Loaded) -> Loaded:
-        """Same as :meth:`.Family.closed`."""
+    def without_internal_unknowns(self, at: Loaded) -> Loaded:
+        """Same as :meth:`.Family.without_internal_unknowns`."""
         return replace(at, point=self.problem.closed(at.point))
 
     def step(self, before: Loaded, after: Loaded) -> Array:
@@ -158,7 +158,10 @@ class EquilibriumFamily:
         if core is None or sum(G.shape) <= FULL:
             stiffness = _array(K) * self.columns / self.rows[:, None]
             return DenseJacobian(_dense(stiffness, _array(G), by_load))
-        return SaddleJacobian(scaled(K, 1.0 / self.rows, self.columns), G, by_load, core)
+        symmetric = not (rough or self.problem.system.internals)
+        symmetric = symmetric and bool(abs(K - K.T).max() <= SKEW * self.unit)
+        K = scaled(0.5 * (K + K.T) if symmetric else K, 1.0 / self.rows, self.columns)
+        return SaddleJacobian(csr_array(K), G, by_load, core, symmetric)
 
     def _anchored(self, K: Matrix) -> Matrix:
         """A stiffness with springs on directions that are free still: nothing pushes along them."""

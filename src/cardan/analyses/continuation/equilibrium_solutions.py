@@ -25,9 +25,8 @@ from .equilibria import EquilibriumFamily, Loaded
 from .first_places import first_places
 from .follow import Place, Step
 from .mode_changes import corner_within
-from .path_request import PathRequest, PathStart
 from .quantities import quantity
-from .solutions import Quantity, Solutions
+from .solutions import PathRequest, PathStart, Quantity, Solutions
 from .special_points import FOLD, HOPF, Corner, Onset, Special, Test
 from .stability_cache import StabilityCache
 

@@ -44,6 +44,10 @@ class Bordered(Protocol):
     def sign(self) -> float:
         """Of the determinant; 0 where that is not known."""
 
+    @property
+    def below(self) -> int | None:
+        """Eigenvalues below 0 of symmetric equations at a fixed parameter; None where not known."""
+
 
 class Jacobian(Protocol):
     """J at a point."""
@@ -98,10 +102,10 @@ class Family(Protocol):
     def moved(self, point: Point, dz: Array) -> Point:
         """The point an increment away."""
 
-    def opened(self, point: Point) -> Point:
+    def with_internal_unknowns(self, point: Point) -> Point:
         """The point with unknowns of its own that elements keep while one corrects."""
 
-    def closed(self, point: Point) -> Point:
+    def without_internal_unknowns(self, point: Point) -> Point:
         """The point without these, which increments do not hold."""
 
     def step(self, before: Point, after: Point) -> Array:
@@ -155,6 +159,10 @@ class DenseBordered:
         """Same as :meth:`Bordered.sign`."""
         swapped = np.sum(self.swaps != np.arange(len(self.swaps)))
         return float(np.prod(np.sign(np.diag(self.factors))) * (-1) ** swapped)
+
+    @property
+    def below(self) -> None:
+        """Same as :meth:`Bordered.below`: LU factors do not tell."""
 
 
 @final

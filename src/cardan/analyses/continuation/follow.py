@@ -57,12 +57,15 @@ class Place:
         parameter_rate: Derivative of the parameter by the length of the curve: 0 at a fold.
         orientation: Sign of the determinant of J with the tangent as a row; it changes where an odd
             number of curves cross. 0 where it is not known.
+        below: Eigenvalues below 0 of symmetric equations at a fixed parameter; None where the
+            factors of J do not tell.
     """
 
     point: Point
     tangent: Array
     parameter_rate: float
     orientation: float
+    below: int | None = None
 
 
 def place(family: Family, point: Point, toward: Array) -> Place:
@@ -72,7 +75,7 @@ def place(family: Family, point: Point, toward: Array) -> Place:
     tangent = by.solve(np.zeros(len(toward) - 1), np.ones(1))[0]
     tangent = tangent / length(family, tangent)
     # the row of the tangent itself gives the same sign: both have a positive product with it
-    return Place(point, tangent, float(tangent[-1]), by.sign)
+    return Place(point, tangent, float(tangent[-1]), by.sign, by.below)
 
 
 def ahead(family: Family, point: Point) -> Array:
@@ -120,7 +123,7 @@ def corrected(
     """
     across, distance = (row(family, start.tangent), ds) if plane is None else plane
     dz, theta, sizes = ds * start.tangent, 0.0, list[float]()
-    point = family.moved(family.opened(start.point), dz)
+    point = family.moved(family.with_internal_unknowns(start.point), dz)
     if guess is not None:
         # in two steps: what elements keep themselves follows the tangent alone
         point, dz = family.moved(point, guess - dz), guess
@@ -139,7 +142,7 @@ def corrected(
         except SolveError:
             # at a branch point the system is singular, though the prediction may lie on the curve
             if not off and np.abs(left).max(initial=0.0) <= ROUNDING:
-                return family.closed(point), theta, k + 1
+                return family.without_internal_unknowns(point), theta, k + 1
             raise
         if sizes:
             theta = _rate(theta, sizes, size)
@@ -148,14 +151,14 @@ def corrected(
             raise SolveError("the corrections do not converge")
         point = family.moved(point, correction)
         if size <= TIGHT or (sizes and size <= NOISE and size >= 0.5 * sizes[-1]):
-            return family.closed(point), theta, k + 1
+            return family.without_internal_unknowns(point), theta, k + 1
         sizes.append(size)
         off = 0.0
         if size <= NEARLY:
             # what is left may be rounding: the same factors tell
             more = by.solve(-family.residual(point), np.zeros(1))[0]
             if (last := length(family, more)) <= TIGHT:
-                point = family.closed(family.moved(point, more))
+                point = family.without_internal_unknowns(family.moved(point, more))
                 return point, _rate(theta, sizes, last), k + 1
     raise SolveError("the corrections do not converge")
 
@@ -197,7 +200,7 @@ class Step:
         """
         if part in (0.0, 1.0):
             return (self.before, self.after)[int(part)]
-        point = corrected(family, self.before, part * self.ds, self._guess(family, part))[0]
+        point = corrected(family, self.before, part * self.ds, self._cubic(family)(part))[0]
         return place(family, point, self.before.tangent)
 
     def at_parameter(self, family: Family, value: float) -> tuple[Place, float] | None:
@@ -205,17 +208,17 @@ class Step:
 
         None where Newton's method does not lead there.
         """
-        start = family.parameter(self.before.point)
+        start, cubic = family.parameter(self.before.point), self._cubic(family)
 
         def parameter(part: float) -> float:
-            return start + float(self._guess(family, part)[-1]) - value
+            return start + float(cubic(part)[-1]) - value
 
         part = float(brentq(parameter, 0.0, 1.0))
         along = np.zeros((1, len(self.before.tangent)))
         along[0, -1] = 1.0
-        guess, plane = self._guess(family, part), (along, value - start)
+        plane = along, value - start
         try:
-            point = corrected(family, self.before, part * self.ds, guess, plane)[0]
+            point = corrected(family, self.before, part * self.ds, cubic(part), plane)[0]
             there = place(family, point, self.before.tangent)
         except SolveError:
             return None
@@ -225,6 +228,9 @@ class Step:
 
     def passes(self, family: Family, there: Place) -> tuple[float, int]:
         """The part at which a place of a curve lies; 1 in its direction, -1 against it, else 0."""
+        change = family.parameter(there.point) - family.parameter(self.before.point)
+        if abs(change) * float(np.sqrt(family.weights[-1])) > 2 * self.ds:
+            return 0.0, 0
         to = family.step(self.before.point, there.point)
         along = float(self.before.tangent @ (family.weights * to))
         part = along / self.ds
@@ -238,15 +244,18 @@ class Step:
         same = float(here.tangent @ (family.weights * there.tangent))
         return part, int(np.sign(same)) if off <= SAME * max(1.0, self.ds) else 0
 
-    def _guess(self, family: Family, part: float) -> Array:
-        """The cubic with the tangents of both ends, in the chart of the start."""
+    def _cubic(self, family: Family) -> Callable[[float], Array]:
+        """Increments by the cubic with the tangents of both ends, in the chart of the start."""
         end = family.step(self.before.point, self.after.point)
         here = self.ds * self.before.tangent
         share = float(self.before.tangent @ (family.weights * self.after.tangent))
         there = self.after.tangent * (self.ds / max(share, 0.1))
-        h = part
-        cubic = (3 * h**2 - 2 * h**3) * end + h * (1 - h) ** 2 * here - h**2 * (1 - h) * there
-        return np.asarray(cubic)
+
+        def at(h: float) -> Array:
+            cubic = (3 * h**2 - 2 * h**3) * end + h * (1 - h) ** 2 * here
+            return np.asarray(cubic - h**2 * (1 - h) * there)
+
+        return at
 
 
 class End(SolveError):

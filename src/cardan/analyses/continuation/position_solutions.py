@@ -24,8 +24,7 @@ from ..statics.statics import sweepable
 from .configurations import COORDINATE, Configuration, ConfigurationFamily, Drivers
 from .first_places import first_places
 from .follow import Place, Step, ahead
-from .path_request import PathRequest, PathStart
-from .solutions import Quantity, Solutions
+from .solutions import PathRequest, PathStart, Quantity, Solutions
 from .special_points import HOPF, Corner, Onset, Special, Test
 
 CLOSED = 1e-8  # residuals without units of conditions that are met, where others were solved

@@ -35,7 +35,8 @@ class SpecialPointRecord:
             to first order; the direction (nu + nz, 1) of the path elsewhere.
         tangents: Directions of the branches that leave it (branches, nu + nz + 1): increments
             without units, then that of the load as a part of its range.
-        symmetric: Names of pairs of branches that are mirror images.
+        symmetric: Names of pairs of branches that are mirror images; one name twice where one
+            branch leaves and comes back.
         branches: Names of the branches that leave it; one that passes it is named twice.
         frequency: Of the oscillation that begins at a Hopf point [rad/s]; the angle from lap to
             lap at a torus point [rad].
@@ -191,9 +192,7 @@ class BranchRecord:
         )
         values = of.values(special.place.point)
         name = special.label if special.kind == EVENT else f"{special.kind} {number}"
-        pairs = tuple(
-            (names[i], names[j]) for i, j in mirrored(of, special) if names[i] != names[j]
-        )
+        pairs = tuple((names[i], names[j]) for i, j in mirrored(of, special))
         return SpecialPointRecord(
             name, special.kind, values, kernel,
             tangents.reshape(len(names), len(kernel) + 1), names, pairs,
@@ -224,10 +223,11 @@ class BranchRecord:
         moving = " or ".join(
             dict.fromkeys(self.solutions.moving(half.tangent) for half in special.halves)
         )
-        mirror = "; mirror images: " + ", ".join(f"{a} and {b}" for a, b in pairs) if pairs else ""
-        listed = ", ".join(dict.fromkeys(names))
-        many = counted(len(names), "branch", "branches")
-        return f"{where}; {many} ({listed}) along {moving}{mirror}"
+        images = (f"both ends of {a}" if a == b else f"{a} and {b}" for a, b in pairs)
+        mirror = "; mirror images: " + ", ".join(images) if pairs else ""
+        listed = dict.fromkeys(names)
+        many = counted(len(listed), "branch", "branches")
+        return f"{where}; {many} ({', '.join(listed)}) along {moving}{mirror}"
 
 
 def mirrored(solutions: Solutions, special: Special) -> Iterator[tuple[int, int]]:

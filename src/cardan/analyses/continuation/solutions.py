@@ -1,10 +1,14 @@
-"""What a path consists of: equilibria, positions of a mechanism, cycles."""
+"""What a path consists of: equilibria, positions of a mechanism, cycles; and where it starts."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
+from numpy.typing import ArrayLike
+
+from ...arguments import LockedValues
 from ...arrays import Array
 from ...runtime.models.loaded_model import LoadedModel
 from .family import Family, Point
@@ -111,3 +115,44 @@ class Solutions(Protocol):
 
     def description(self, special: Special) -> str:
         """What happens at a fold or where a stability changes, behind where that is."""
+
+
+@dataclass(frozen=True)
+class PathRequest:
+    """Arguments of ``model.continuation`` that concern its solutions.
+
+    Attributes:
+        swept: Name -> (start, end).
+        q: Coordinates to start from, by name or (nq,).
+        locked: Coordinate -> value it keeps, or (start, end).
+        u: Speed of a steady motion -> value it keeps, or (start, end).
+        inputs, parameters: Values by name that stay, else those of the model.
+        t: Time [s].
+        start: A solution or special point to start from.
+    """
+
+    swept: Mapping[str, object]
+    q: Mapping[str, ArrayLike] | ArrayLike | None
+    locked: LockedValues
+    u: Mapping[str, object] | None
+    inputs: Mapping[str, float] | None
+    parameters: Mapping[str, float] | None
+    t: float
+    start: object = None
+
+
+@dataclass(frozen=True)
+class PathStart:
+    """Where a path starts.
+
+    Attributes:
+        solutions: What it consists of.
+        places: Its first places.
+        special: The first one, where curves cross there.
+        end: Where it ends.
+    """
+
+    solutions: Solutions
+    places: Sequence[Place]
+    special: Sequence[Special]
+    end: Test

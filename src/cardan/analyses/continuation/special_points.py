@@ -72,8 +72,8 @@ class Test:
         """
         if last == 0:
             return step.after, 1.0
-        if self.parameter is not None and (found := step.at_parameter(family, self.parameter)):
-            return found
+        if self.parameter is not None and (there := step.at_parameter(family, self.parameter)):
+            return there
         part = float(brentq(lambda part: self.value(step.at(family, part)), 0.0, 1.0, xtol=EXACT))
         return step.at(family, part), part
 

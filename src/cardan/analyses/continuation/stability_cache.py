@@ -6,13 +6,12 @@ from dataclasses import dataclass, field
 from typing import final
 
 import numpy as np
-from scipy.sparse import csr_array
 
 from ...errors import SolveError
 from ..linear.first_order import eigenvalues
 from ..statics.stability_at_equilibrium import MANY, Stability, stand
 from ..statics.static_problem import Problem
-from ..systems.saddle_point import SKEW, Singular, Sparse
+from ..systems.saddle_point import Singular
 from .equilibria import Loaded
 from .follow import Place
 
@@ -42,19 +41,9 @@ class StabilityCache:
         at: Loaded = place.point
         if id(at) not in self._counts:
             many = len(self.problem.system.columns) > MANY
-            count = self._counted(at) if many else None
+            count = place.below if many else None
             self._counts[id(at)] = at, self.stability(at).signed if count is None else count
         return self._counts[id(at)][1]
-
-    def _counted(self, at: Loaded) -> int | None:
-        """The same by signs of pivots, where forces have a potential."""
-        K, G = self.problem.tangent(at.point, at.load)
-        saddle = self.problem.system.saddle
-        if not isinstance(saddle, Sparse) or self.problem.system.internals:
-            return None
-        if float(abs(K - K.T).max()) > SKEW * float(abs(K).max()):
-            return None
-        return saddle.counted(csr_array(0.5 * (K + K.T)), G, True)[0]
 
     def growth(self, place: Place) -> tuple[float, float]:
         """Real part and frequency [rad/s] of the oscillation that grows or decays least.

@@ -13,7 +13,7 @@ from ...arrays import Array
 from ...errors import ModelError, SolveError
 from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.family import DenseJacobian, Jacobian
-from ..continuation.path_request import PathRequest
+from ..continuation.solutions import PathRequest
 from ..statics.equilibrium import read
 from ..statics.load_path import Loading, loading
 from ..statics.statics import sweepable
@@ -105,12 +105,12 @@ class CycleFamily:
         """Same as :meth:`.Family.moved`."""
         return self.point(self.shooting.moved(point.at, dz[:-1]), point.s + float(dz[-1]))
 
-    def opened(self, point: CyclePoint) -> CyclePoint:
-        """Same as :meth:`.Family.opened`: there are none."""
+    def with_internal_unknowns(self, point: CyclePoint) -> CyclePoint:
+        """Same as :meth:`.Family.with_internal_unknowns`: there are none."""
         return point
 
-    def closed(self, point: CyclePoint) -> CyclePoint:
-        """Same as :meth:`.Family.closed`."""
+    def without_internal_unknowns(self, point: CyclePoint) -> CyclePoint:
+        """Same as :meth:`.Family.without_internal_unknowns`."""
         return point
 
     def step(self, before: CyclePoint, after: CyclePoint) -> Array:

@@ -14,8 +14,7 @@ from ...errors import SolveError
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.integrators import INTEGRATORS
 from ..continuation.follow import Place, Step
-from ..continuation.path_request import PathRequest, PathStart
-from ..continuation.solutions import Quantity, Solutions
+from ..continuation.solutions import PathRequest, PathStart, Quantity, Solutions
 from ..continuation.special_points import FOLD, HOPF, Corner, Onset, Special, Test
 from .cycle_family import CycleFamily, CyclePoint
 from .cycle_problem import CycleProblem

@@ -10,9 +10,9 @@ from ...errors import ModelError, SolveError, brief
 from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.family import row
 from ..continuation.follow import Place, place
-from ..continuation.path_request import PathRequest
 from ..continuation.record import SpecialPointRecord
 from ..continuation.singular_point import half_branches, singular_point
+from ..continuation.solutions import PathRequest
 from ..continuation.special_points import HOPF, Test
 from ..linear.mode_shapes import Mode
 from ..statics.load_path import Loading

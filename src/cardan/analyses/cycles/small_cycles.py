@@ -15,8 +15,8 @@ from ...errors import ModelError, SolveError, brief
 from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.family import row
 from ..continuation.follow import Place, Reach, place
-from ..continuation.path_request import PathRequest
 from ..continuation.record import SpecialPointRecord
+from ..continuation.solutions import PathRequest
 from ..linear.mode_shapes import Mode
 from ..simulation.settings import settings
 from ..systems import dynamic_system_of

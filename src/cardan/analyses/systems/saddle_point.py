@@ -255,12 +255,11 @@ class Sparse:
         raise why
 
     def lowest(self, K: Matrix, G: Matrix) -> Lowest:
-        """Same as :meth:`Saddle.lowest`: those next to 0."""
+        """Same as :meth:`Saddle.lowest`: those next to 0; from afar those of beams look alike."""
         if is_small(G):
             return Dense().lowest(K.toarray(), G.toarray())
         n, largest = K.shape[0], float(np.abs(K.data).max(initial=0.0))
         half = csr_array(0.5 * (K + K.T))
-        # far from 0 those of slender beams look alike, and are not told apart in thousands of steps
         unit, shift = diags_array(np.ones(n)), -FREE_TOL * largest
         skew = skewness(K, G, self.factored) / max(largest, 1e-300)
         symmetric = skew <= SKEW

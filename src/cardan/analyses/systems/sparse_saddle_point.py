@@ -41,6 +41,23 @@ class _PlannedPattern:
 
 
 @final
+@dataclass(frozen=True, eq=False)
+class Near:
+    """Factors of [K -Gᵀ; G 0]; of a singular one those of one next to it with other pivots.
+
+    Attributes:
+        solve, solve_transposed: For a right-hand side (n + m,), or several (n + m, k).
+        sign: Of the determinant; 0 where it is not known.
+        below: Eigenvalues below 0 of a symmetric K on what G allows; None where not known.
+    """
+
+    solve: Callable[[Array], Array]
+    solve_transposed: Callable[[Array], Array]
+    sign: float
+    below: int | None
+
+
+@final
 @dataclass(eq=False)
 class SparseSaddle:
     """Factors [K Gᵀ; G 0] block by block; plans of the last patterns are kept.
@@ -90,14 +107,9 @@ class SparseSaddle:
 
         return solve
 
-    def near(
-        self, K: Matrix, G: Matrix
-    ) -> tuple[Callable[[Array], Array], Callable[[Array], Array], float]:
-        """Solvers of [K -Gᵀ; G 0] and its transpose, and the sign of its determinant, 0 if unknown.
-
-        Where the matrix is singular they are those of one next to it, whose pivots were replaced.
-        """
-        planned, by = self._factors(csr_array(K), csr_array(G), False)
+    def near(self, K: Matrix, G: Matrix, symmetric: bool = False) -> Near:
+        """Factors of [K -Gᵀ; G 0]; ``symmetric``: and eigenvalues of a symmetric K below 0."""
+        planned, by = self._factors(csr_array(K), csr_array(G), symmetric)
         signs = np.where(np.arange(len(planned.order)) < K.shape[0], 1.0, -1.0)
 
         def solved(right: Array, transposed: bool) -> Array:
@@ -110,7 +122,9 @@ class SparseSaddle:
         def solve_transposed(right: Array) -> Array:
             return solved((right.T * signs).T, True)
 
-        return solve, solve_transposed, 0.0 if len(by.shifts) else by.determinant()[0]
+        sign = 0.0 if len(by.shifts) else by.determinant()[0]
+        below = _below(by, sign, G.shape[0]) if symmetric and sign else None
+        return Near(solve, solve_transposed, sign, below)
 
     def counted(self, K: Matrix, G: Matrix, symmetric: bool) -> tuple[int | None, float]:
         """Eigenvalues below 0 of K on what G allows, and the sign of its determinant there.
@@ -132,11 +146,7 @@ class SparseSaddle:
         sign = by.determinant()[0]
         if not symmetric:
             return None, sign * (-1) ** m
-        _, negative, zero = by.inertia()
-        # pivots that were replaced count as zero
-        negative, zero = negative + int(np.sum(shifts < 0)), zero - len(shifts)
-        sure = zero == 0 and (-1) ** negative == sign
-        return (negative - m if sure else None), sign * (-1) ** m
+        return _below(by, sign, m), sign * (-1) ** m
 
     def _factors(
         self, K: csr_array, G: csr_array, symmetric: bool
@@ -210,6 +220,21 @@ class SparseSaddle:
         start = matrix.value[np.searchsorted(entries, pairs)][pair]
         at = start + (i - matrix.first[block[i]]) * matrix.stride[block[i]]
         return _PlannedPattern(pattern_plan, order, place, at + j - matrix.first[block[j]])
+
+
+def _below(by: BlockSolver, sign: float, m: int) -> int | None:
+    """Eigenvalues below 0 of K on what G (m, n) allows; None where pivots do not tell.
+
+    Args:
+        by: Factors of a symmetric matrix.
+        sign: Of the determinant of these.
+        m: Number of rows of G.
+    """
+    _, negative, zero = by.inertia()
+    shifts = by.shifts
+    # pivots that were replaced count as zero
+    negative, zero = negative + int(np.sum(shifts < 0)), zero - len(shifts)
+    return negative - m if zero == 0 and (-1) ** negative == sign else None
 
 
 def _differ(a: NDArray[np.integer], b: NDArray[np.integer]) -> bool:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 
 import numpy as np
 import scipy.sparse
@@ -15,6 +16,7 @@ from .tables import Table, Tables
 
 # unknowns of its own that an element of mixed form has: its stress
 INNER = 6
+NO_STIFFNESS: Mapping[int, Array] = MappingProxyType({})
 
 
 @dataclass(frozen=True)
@@ -143,34 +145,34 @@ class Elements(ABC):
     def mixed_balance(self, at: State) -> tuple[Array, Array, Array]:
         """Same as :meth:`balance`, where elements keep unknowns ``at.inner`` themselves."""
         force, gaps, rates = self.balance(at)
-        for group, (plain, mixed) in self._mixed("balance", at):
+        groups = self.tables.groups
+        balanced = [g for g in groups if "balance" in g.kind.functions]
+        plain = {id(g): x for g, x in zip(balanced, self.results("balance", at), strict=True)}
+        mixed = [g for g in groups if "mixed" in g.kind.functions]
+        for group, values in zip(mixed, self.results("mixed", at), strict=True):
             nu = group.kind.nu
-            np.add.at(force, self.tables.columns(group), mixed[:, :nu] - plain[:, :nu])
+            change = values[:, :nu] - plain[id(group)][:, :nu]
+            np.add.at(force, self.tables.columns(group), change)
         return force, gaps, rates
 
     def mixed_tangent(
         self, at: State, parts: Sequence[str] = PARTS
     ) -> dict[str, scipy.sparse.csr_matrix]:
         """Same as :meth:`tangent`, likewise."""
-        matrices, changes = self.tangent(at, parts), list[Array]()
-        for group, (plain, mixed) in self._mixed("balance_tangent", at):
-            nu, start = group.kind.nu, group.kind.parts["K"]
-            changes.append(mixed[:, nu : nu + nu * nu] - plain[:, start : start + nu * nu])
-        numbers = [k for k, g in enumerate(self.tables.groups) if "mixed" in g.kind.functions]
-        K = matrices["K"] + self.tables.pattern("K", tuple(numbers)).matrix(changes)
-        return matrices | {"K": scipy.sparse.csr_matrix(K)}
-
-    def _mixed(self, form: str, at: State) -> list[tuple[Table, tuple[Array, Array]]]:
-        """Groups of mixed elements with their results of a form, and of the mixed one."""
         groups = self.tables.groups
-        plain = [g for g in groups if form in g.kind.functions]
-        mixed_groups = [g for g in groups if "mixed" in g.kind.functions]
-        by_group = {id(g): rows for g, rows in zip(plain, self.results(form, at), strict=True)}
-        pairs = zip(mixed_groups, self.results("mixed", at), strict=True)
-        return [(group, (by_group[id(group)], rows)) for group, rows in pairs]
+        numbers = [k for k, g in enumerate(groups) if "mixed" in g.kind.functions]
+        stiffness = dict[int, Array]()
+        for k, values in zip(numbers, self.results("mixed", at), strict=True):
+            nu = groups[k].kind.nu
+            stiffness[k] = values[:, nu : nu + nu * nu]
+        return self.tangent(at, parts, stiffness=stiffness)
 
     def tangent(
-        self, at: State, parts: Sequence[str] = PARTS, of: Callable[[Table], bool] = _all
+        self,
+        at: State,
+        parts: Sequence[str] = PARTS,
+        of: Callable[[Table], bool] = _all,
+        stiffness: Mapping[int, Array] = NO_STIFFNESS,
     ) -> dict[str, scipy.sparse.csr_matrix]:
         """Matrices of all elements by name.
 
@@ -182,6 +184,7 @@ class Elements(ABC):
             at: The state.
             parts: Which of them.
             of: True of the elements whose matrices they are.
+            stiffness: K of groups by their number (n, nu nu) that have another one.
         """
         tables = self.tables
         numbers = [k for k, g in enumerate(tables.groups) if "balance_tangent" in g.kind.functions]
@@ -191,7 +194,10 @@ class Elements(ABC):
         for name in parts:
             having = [(k, x) for k, x in pairs if name in tables.groups[k].kind.parts]
             pattern = tables.pattern(name, tuple(k for k, _ in having))
-            blocks = [_block(tables, name, k, x) for k, x in having]
+            blocks = [
+                stiffness[k] if name == "K" and k in stiffness else _block(tables, name, k, x)
+                for k, x in having
+            ]
             matrices[name] = pattern.matrix(blocks)
         return matrices
 
