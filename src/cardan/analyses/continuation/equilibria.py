@@ -160,8 +160,8 @@ class EquilibriumFamily:
             return DenseJacobian(_dense(stiffness, _array(G), by_load))
         symmetric = not (rough or self.problem.system.internals)
         symmetric = symmetric and bool(abs(K - K.T).max() <= SKEW * self.unit)
-        K = scaled(0.5 * (K + K.T) if symmetric else K, 1.0 / self.rows, self.columns)
-        return SaddleJacobian(csr_array(K), G, by_load, core, symmetric)
+        K = scaled(K, 1.0 / self.rows, self.columns)
+        return SaddleJacobian(K, G, by_load, core, symmetric)
 
     def _anchored(self, K: Matrix) -> Matrix:
         """A stiffness with springs on directions that are free still: nothing pushes along them."""

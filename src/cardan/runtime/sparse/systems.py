@@ -37,14 +37,22 @@ def balanced(
     if start is not None:
         units *= start
         size *= units[0][rows] * units[1][columns]
+        # columns follow where matrices are nearly symmetric, as those of one pattern are here
+        if _even(_largest(size, starts)):
+            return start
     for _ in range(sweeps):
         most = _largest(size, starts), _largest(size[transposed], begins)
-        if all(np.all((x >= EVEN) & (x * EVEN <= 1)) for x in most):
+        if all(map(_even, most)):
             break
         shares = [1 / np.sqrt(x) for x in most]
         units *= shares
         size *= shares[0][rows] * shares[1][columns]
     return units[0], units[1]
+
+
+def _even(most: Reals) -> bool:
+    """True of numbers near 1."""
+    return bool(most.min(initial=1.0) >= EVEN and most.max(initial=1.0) * EVEN <= 1)
 
 
 def _largest(size: Reals, starts: NDArray[np.integer]) -> Reals:
