@@ -179,3 +179,25 @@ def test_a_column_turns_by_160_degrees_and_comes_back() -> None:
     assert again["P"] == pytest.approx(event["P"], rel=1e-9)
     straight = [one for one in back.points if one.kind == "branch point"][-1]
     assert straight["P"] == pytest.approx(point["P"], rel=1e-9)
+
+
+@pytest.mark.parametrize("stiffness", [1e4, 1e8, 1e10])
+def test_slenderness_costs_no_steps(stiffness: float) -> None:
+    """A cantilever at P L^2 / EI = 10: what it stretches and shears falls with EA L^2 / EI."""
+    scene = cd.Scene("cantilever", gravity=(0, 0, 0))
+    load = scene.parameter("P", 0.0)
+    section = cd.section.general(EA=stiffness, GA=stiffness, GJ=1, EI=1, rhoA=1)
+    beam = scene.beam("beam", (0, 0, 0), (1, 0, 0), section, elements=64)
+    scene.joint("clamp", cd.Fixed(), scene.ground, beam.start)
+    scene.force("load", cd.Force(beam.end, (0, 0, load)))
+    for name, k in (("x", 0), ("z", 2)):
+        scene.output(name, beam.end.position()[k], unit="m")
+    path = cd.compile(scene).continuation(P=(0, 10))
+    assert path.success
+    assert len(path) <= 12
+    assert path.main.iterations <= 50
+    tip = known("elastica_tip_load")["reference"]["table"]["10"]
+    off = np.hypot(path["x"][-1] - 1 + tip["u"], path["z"][-1] - tip["w"])
+    assert off <= 2e-8 + 20 / stiffness
+    # at the end of the range and not beside it
+    assert path["P"][-1] == pytest.approx(10, abs=1e-12)
