@@ -200,7 +200,20 @@ class Step:
         """
         if part in (0.0, 1.0):
             return (self.before, self.after)[int(part)]
-        point = corrected(family, self.before, part * self.ds, self._cubic(family)(part))[0]
+        return self._reached(family, part, self._cubic(family)(part))
+
+    def _reached(
+        self, family: Family, part: float, guess: Array, plane: tuple[Array, float] | None = None
+    ) -> Place:
+        """The place near a guess, or near the tangent: from there stresses of beams are better.
+
+        Raises:
+            SolveError: it is not found.
+        """
+        try:
+            point = corrected(family, self.before, part * self.ds, guess, plane)[0]
+        except SolveError:
+            point = corrected(family, self.before, part * self.ds, None, plane)[0]
         return place(family, point, self.before.tangent)
 
     def at_parameter(self, family: Family, value: float) -> tuple[Place, float] | None:
@@ -218,11 +231,10 @@ class Step:
         along[0, -1] = 1.0
         plane = along, value - start
         try:
-            point = corrected(family, self.before, part * self.ds, cubic(part), plane)[0]
-            there = place(family, point, self.before.tangent)
+            there = self._reached(family, part, cubic(part), plane)
         except SolveError:
             return None
-        way = family.step(self.before.point, point)
+        way = family.step(self.before.point, there.point)
         part = float(self.before.tangent @ (family.weights * way)) / self.ds
         return (there, part) if 0 < part <= 1 else None
 

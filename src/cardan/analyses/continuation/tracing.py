@@ -128,10 +128,10 @@ def _is_before(special: Special, end: Special) -> bool:
 
 def _ends(curve: Curve, watch: Watch, step: Step) -> bool:
     """True when a curve is closed, comes to an end of another one, or has all its places."""
-    start, turned = curve.places[0], not curve.family.weights[-1]
+    start, reverses = curve.places[0], not curve.family.weights[-1]
     # where the parameter counts, a curve that is closed turns back
-    turned = turned or any(p.parameter_rate * start.parameter_rate <= 0 for p in curve.places)
-    if turned and start is not step.before:
+    reverses = reverses or any(p.parameter_rate * start.parameter_rate <= 0 for p in curve.places)
+    if reverses and start is not step.before:
         part, along = step.passes(curve.family, start)
         if along > 0:
             _cut(curve, step, part)
