@@ -200,9 +200,9 @@ class Step:
         """
         if part in (0.0, 1.0):
             return (self.before, self.after)[int(part)]
-        return self._reached(family, part, self._cubic(family)(part))
+        return self._located(family, part, self._cubic(family)(part))
 
-    def _reached(
+    def _located(
         self, family: Family, part: float, guess: Array, plane: tuple[Array, float] | None = None
     ) -> Place:
         """The place near a guess, or near the tangent: from there stresses of beams are better.
@@ -231,7 +231,7 @@ class Step:
         along[0, -1] = 1.0
         plane = along, value - start
         try:
-            there = self._reached(family, part, cubic(part), plane)
+            there = self._located(family, part, cubic(part), plane)
         except SolveError:
             return None
         way = family.step(self.before.point, there.point)
