@@ -75,13 +75,6 @@ class CycleFamily:
         """What repeats."""
         return self.shooting.problem
 
-    @property
-    def along_parameter(self) -> Array:
-        """The direction (N,) in which what is swept changes alone."""
-        direction = np.zeros(len(self.weights))
-        direction[-1] = 1.0
-        return direction
-
     def point(self, at: CycleState, s: float) -> CyclePoint:
         """A start of a lap at a place of what is swept."""
         return CyclePoint(s, replace(at, values=self.way.values(s)))
@@ -145,7 +138,7 @@ class CycleFamily:
         """Derivative of a lap across the flow (n, n), less of a free period."""
         n, at = len(self.problem.units), point.at
         along = self.problem.rate(at) if self.problem.free_period else None
-        gradient = self.problem.energy_gradient(at)
+        gradient = None if self.problem.level is None else self.problem.uphill(at)
         return monodromy(self._matrix(point)[:n, :n] + np.eye(n), along, gradient)
 
     def multipliers(self, point: CyclePoint) -> Complexes:
@@ -185,8 +178,10 @@ def problem_and_way(
     way = loading(system, kinds, base, request.swept, {}, "continuation")
     if way.stations is not None:
         raise ModelError("continuation: give (start, end) of what is swept, and no values within")
-    if level is not None and ENERGY in way.swept:
-        level = replace(level, size=float(np.ptp(way.swept[ENERGY])))
+    if level is not None:
+        size = float(np.ptp(way.swept[ENERGY])) if ENERGY in way.swept else level.size
+        # the work of forces is another one with other parameters
+        level = replace(level, size=size, _works={})
     inputs = {**problem.inputs, **(request.inputs or {})}
     problem = replace(problem, model=model, system=system, inputs=inputs, level=level, _flows={})
     return problem, way
