@@ -26,6 +26,7 @@ from .shooting import Phase, Shooting
 CACHED = 12  # derivatives, each of many runs
 MOTIONLESS = 1e-9  # of units: a motion that is none
 NODE = 6  # increments: lengths do not grow with the system
+ON_WAY = 1e-6  # of a range: values that lie on it
 
 
 @dataclass(frozen=True, eq=False)
@@ -188,6 +189,17 @@ def problem_and_way(
 
 
 def place_of(way: Loading, values: Mapping[str, float]) -> float:
-    """The place of swept values on a way."""
+    """The place of swept values on a way.
+
+    Raises:
+        ModelError: something else is swept, or it does not pass these values together.
+    """
     (name, ends), *_ = way.swept.items()
-    return float((values[name] - ends[0]) / (ends[-1] - ends[0]))
+    s = float((values.get(name, np.nan) - ends[0]) / (ends[-1] - ends[0]))
+    for swept, value in way.values(s).items():
+        if not abs(value - values.get(swept, np.nan)) <= ON_WAY * np.ptp(way.swept[swept]):
+            where = ", ".join(f"{name} = {value:.6g}" for name, value in values.items())
+            raise ModelError(
+                f"continuation of cycles: start= is at {where}: sweep that, through it"
+            )
+    return s
