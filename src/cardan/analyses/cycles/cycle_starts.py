@@ -149,8 +149,7 @@ def doubled(family: CycleFamily, point: CyclePoint) -> tuple[CycleFamily, Place]
         raise SolveError("continuation of cycles: those of twice the period were not found")
     # the others are the path that it leaves
     along = row(family, place(family, point, along_parameter(family)).tangent)[0]
-    cosines = [abs(float(half.tangent @ along)) for half in halves]
-    half = halves[int(np.argmin(cosines))]
+    half = min(halves, key=lambda half: abs(float(half.tangent @ along)))
     return twice, place(twice, half.point, half.direction)
 
 
