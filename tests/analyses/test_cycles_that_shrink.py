@@ -9,6 +9,7 @@ import pytest
 from scipy.special import ellipk
 
 import cardan as cd
+from cardan.errors import ModelError
 from cycle_scenes import POINT
 
 END = "reached a Hopf point: the cycle shrinks to rest"
@@ -18,6 +19,7 @@ def between_two_hopf_points(symmetric: bool) -> cd.CompiledModel:
     """x'' = (mu (1 - mu) - y^2) x' - y + ..., y = x or x - mu: cycles between mu = 0 and 1."""
     scene = cd.Scene("two", gravity=(0, 0, 0))
     mu = scene.parameter("mu", -0.2)
+    scene.parameter("other", 0.0)
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("body", **POINT))
     x, v = scene.q("x"), scene.u("x")
     y, bent = (x, 0) if symmetric else (x - mu, 0.4 * (x - mu) ** 2 + 0.3 * mu * (x - mu))
@@ -58,6 +60,13 @@ def test_from_a_cycle_in_between(model: cd.CompiledModel, end: float) -> None:
     path = model.continuation(mu=(0.5, end), of="cycles", start=cycle)
     assert END in path.main.message
     assert path.point("Hopf point 1")["mu"] == pytest.approx(float(end > 0), abs=1e-8)
+
+
+def test_another_sweep_than_that_of_the_start_is_refused() -> None:
+    model = between_two_hopf_points(True)
+    start = model.continuation(mu=(-0.2, 0.5)).point("Hopf point 1")
+    with pytest.raises(ModelError, match=r"start= is at mu = .*: sweep that, through it"):
+        model.continuation(other=(0, 1), of="cycles", start=start)
 
 
 def test_a_mode_without_energy() -> None:

@@ -95,8 +95,6 @@ class Linkage:
         marks: Points of bodies that positions are compared by.
         prescribed: Joint -> what it follows, by the scene.
         parameter: Body -> parameter that is the x of its second joint.
-        inputs: Names.
-        optional: Further arguments of the path.
     """
 
     name: str

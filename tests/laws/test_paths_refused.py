@@ -97,6 +97,14 @@ def test_many_points_are_followed() -> None:
 
 
 @pytest.mark.parametrize(
+    ("bounds", "last"), [((-1, 0), 0.0), ((0, 2), 1.0), ((1e-9, 2), 1.0), ((-1, -1e-9), 0.0)]
+)
+def test_a_start_on_a_bound_lies_within_it(bounds: tuple[float, float], last: float) -> None:
+    path = slide(lambda x, P: P - x).continuation(P=(0, 1), bounds={"x": bounds})
+    assert path["x"][-1] == pytest.approx(last, abs=1e-5)
+
+
+@pytest.mark.parametrize(
     ("more", "error", "match"),
     [
         ({"search": -1}, cd.ArgumentError, r"search=-1: give the number"),

@@ -21,7 +21,7 @@ from .path_equations import RATE, SOURCES, condition, equations, steps
 from .path_stability import stability
 
 SECTIONS = 12  # branches with a heading each; those of longer lists are folded
-LEVEL = 1e-6  # Koiter's coefficients that are 0, of the larger one
+LEVEL = 1e-6  # Koiter's coefficients that are 0, as parts of the larger one or of 1
 ENDS = {
     "finished": "an end that was asked for was reached",
     "closed": "back at its start",
@@ -280,4 +280,6 @@ def _meaning(a: float, b: float) -> str:
         return "x does not change at first"
     if a:
         return "rises to one side, falls to the other"
+    if abs(b) <= LEVEL:
+        return "does not change to this order"
     return "rises" if b > 0 else "falls"

@@ -6,12 +6,13 @@ from collections.abc import Iterator, Mapping
 from functools import singledispatch
 
 from ..analyses.continuation import follow
+from ..analyses.continuation.configurations import COORDINATE
 from ..analyses.continuation.curve import Curve
 from ..analyses.continuation.equilibrium_solutions import EquilibriumSolutions
 from ..analyses.continuation.position_solutions import PositionSolutions
 from ..analyses.continuation.solutions import Solutions
 from ..analyses.continuation.special_points import BRANCH, EVENT, FOLD, HOPF
-from ..analyses.cycles.cycle_solutions import TORUS, CycleSolutions
+from ..analyses.cycles.cycle_solutions import STILL, TORUS, CycleSolutions
 from ..analyses.cycles.cycle_starts import DOUBLING
 from ..equations.reading.typesetting import typeset
 from ..errors import counted
@@ -108,7 +109,7 @@ def _(of: PositionSolutions) -> Iterator[d.Block]:
     items.append(("g contains the closure of the loops",))
     if drivers.locked:
         items.append((f"what is locked, and stays: {', '.join(drivers.locked)}",))
-    driven = drivers.named("coordinate")
+    driven = drivers.named(COORDINATE)
     if driven:
         said = f": what drives, from a to b: {', '.join(driven)}"
         items.append((*equation("q_k", "(1 - sigma) * a + sigma * b"), said))
@@ -230,6 +231,7 @@ CONDITIONS: Mapping[str, d.Text] = {
         "Torus point: a complex pair of multipliers has the modulus 1. Disturbances turn from lap "
         "to lap, and neither grow nor decay.",
     ),
+    STILL: ("State of rest: the amplitude is 0. Behind it the same cycles follow, mirrored.",),
     EVENT: (
         "Event: a value that was asked for is passed, or an element changes its mode: a stop, a "
         "latch, friction. Behind the latter the equations are others, and the curve has a corner.",

@@ -149,9 +149,7 @@ class Drivers:
             raise ModelError(
                 f"{who} cannot move: the loops and locked= determine the whole position"
             )
-        if rank == nu:
-            return
-        if rank + self.lost(q).shape[1] == nu:
+        if rank == nu or rank + self.lost(q).shape[1] == nu:
             return
         free = np.abs(np.linalg.svd(J)[2][rank:, :nu]).max(axis=0)
         rows = np.array([str(row.joint or row.name) for row in m.model.manifest.speeds])

@@ -112,11 +112,11 @@ def continuation(
     moved = {**(swept or {}), **named}
     request = PathRequest(moved, q, locked or {}, u, inputs, parameters, t, start)
     begin = STARTS[of](model, request)
-    _refuse_outside(begin, bounds)
+    limits = _limits(begin, bounds)
     longest = {} if step is None else {"longest": step, "first": min(step, Reach().first)}
 
     def tests(of: Solutions) -> list[Test]:
-        return _tests(of, [*_ends(begin), *of.ends], until, bounds, events)
+        return _tests(of, [*_ends(begin), *of.ends], until, limits, events)
 
     run = Tracer(tests, points, search, Reach(**longest))
     depth = 99 if branches is True else int(branches)
@@ -157,23 +157,31 @@ def _refuse_nonsense(
                 raise ArgumentError(f"continuation: {said}={{'{name}': {value}}}: give a number")
 
 
-def _refuse_outside(begin: PathStart, bounds: Mapping[str, tuple[float, float]] | None) -> None:
-    """Refuse bounds that the start lies beyond.
+def _limits(
+    begin: PathStart, bounds: Mapping[str, tuple[float, float]] | None
+) -> dict[str, tuple[float, float]]:
+    """Bounds within which the start lies: those that it lies on are a little farther out.
 
     Raises:
         ArgumentError: bounds that nothing lies between. ModelError: the start does not.
     """
+    limits = dict[str, tuple[float, float]]()
     for name, (low, high) in (bounds or {}).items():
         if not low < high:
             raise ArgumentError(
                 f"continuation: bounds={{'{name}': ({low}, {high})}}: the first is the lower one"
             )
         value = begin.solutions.quantity(name)(begin.places[0].point)
-        if not -BEYOND <= (value - low) / (high - low) <= 1 + BEYOND:
+        margin = BEYOND * (high - low)
+        if not low - margin <= value <= high + margin:
             raise ModelError(
                 f"continuation: the path starts at {name} = {value:.6g}, and bounds= end it "
                 f"outside of {low:.6g} to {high:.6g}"
             )
+        limits[name] = (
+            low - 2 * margin * (value <= low + margin), high + 2 * margin * (value >= high - margin)
+        )  # fmt: skip
+    return limits
 
 
 def _ends(begin: PathStart) -> Iterator[Test]:
@@ -188,7 +196,7 @@ def _tests(
     solutions: Solutions,
     ends: list[Test],
     until: Mapping[str, float] | None,
-    bounds: Mapping[str, tuple[float, float]] | None,
+    bounds: Mapping[str, tuple[float, float]],
     events: Mapping[str, float] | None,
 ) -> list[Test]:
     """Ends of a path and events on it."""
@@ -198,6 +206,6 @@ def _tests(
         return Test(f"{name} = {value:.10g}", lambda at: of(at.point) - value, ends)
 
     tests = [*ends, *(test(name, float(value), True) for name, value in (until or {}).items())]
-    for name, limits in (bounds or {}).items():
+    for name, limits in bounds.items():
         tests += [test(name, float(value), True) for value in limits]
     return tests + [test(name, float(value), False) for name, value in (events or {}).items()]

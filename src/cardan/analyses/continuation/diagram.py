@@ -75,9 +75,7 @@ def _curves(branch: BranchRecord, along: str, up: str) -> list[tuple[Array, Arra
     lengths = np.linalg.norm(np.diff(table / size, axis=0), axis=1)
     distinct = np.concatenate([[True], lengths > 1e-9])
     s, table = np.concatenate([[0.0], np.cumsum(lengths)])[distinct], table[distinct]
-    stable = [
-        entry[3] for entry, distinct_entry in zip(entries, distinct, strict=True) if distinct_entry
-    ]
+    stable = [entry[3] for entry, one in zip(entries, distinct, strict=True) if one]
     if len(s) < 3:
         return [(table[:, 0], table[:, 1], stable[0] is None or bool(stable[0]))]
     curve, last, styles = CubicSpline(s, table), True, list[bool]()

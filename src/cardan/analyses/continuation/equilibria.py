@@ -103,13 +103,6 @@ class EquilibriumFamily:
             return True
         return bool(np.abs(pushes).max() <= PUSH)
 
-    @property
-    def along_parameter(self) -> Array:
-        """The direction (N,) in which the load rises alone."""
-        direction = np.zeros(len(self.weights))
-        direction[-1] = 1.0
-        return direction
-
     def start(self, point: Point, s: float = 0.0) -> Loaded:
         """An equilibrium under the load at a place of its path."""
         return Loaded(s, self.way.at(s), point)
@@ -197,14 +190,13 @@ class EquilibriumFamily:
             force, gap = self.problem.residual(self.problem.under(at.point, load), load)
             return np.concatenate([force / self.rows, gap])
 
-        try:
-            if rough:
-                return (off(SHORT_STEP) - here) / SHORT_STEP
-            slope: Array = (off(LOAD_STEP) - off(-LOAD_STEP)) / (2 * LOAD_STEP)
-            if np.isfinite(slope).all():
-                return slope
-        except SolveError:
-            pass
+        if not rough:
+            try:
+                slope: Array = (off(LOAD_STEP) - off(-LOAD_STEP)) / (2 * LOAD_STEP)
+                if np.isfinite(slope).all():
+                    return slope
+            except SolveError:
+                pass
         return (off(SHORT_STEP) - here) / SHORT_STEP
 
 

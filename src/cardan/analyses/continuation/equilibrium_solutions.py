@@ -22,6 +22,7 @@ from ..statics.static_problem import Problem
 from ..statics.statics import sweepable
 from ..systems import dynamic_system_of
 from .equilibria import EquilibriumFamily, Loaded
+from .family import along_parameter
 from .first_places import first_places
 from .follow import Place, Step
 from .mode_changes import corner_within
@@ -191,6 +192,6 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
     named = ", ".join(f"{name} = {value:.10g}" for name, value in way.values(1.0).items())
     return PathStart(
         EquilibriumSolutions.of(model, family),
-        *first_places(family, family.start(first.point), family.along_parameter),
+        *first_places(family, family.start(first.point), along_parameter(family)),
         Test.at(named, 1.0, family),
     )

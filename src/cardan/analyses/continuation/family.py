@@ -120,6 +120,12 @@ def length(family: Family, dz: Array) -> float:
     return float(np.sqrt(np.sum(family.weights * dz**2)))
 
 
+def along_parameter(family: Family) -> Array:
+    """The direction (N,) in which the parameter grows alone."""
+    direction: Array = np.eye(len(family.weights))[-1]
+    return direction
+
+
 def row(family: Family, dz: Array) -> Array:
     """The row (1, N) whose product with an increment is that with dz."""
     return (family.weights * dz)[None, :]

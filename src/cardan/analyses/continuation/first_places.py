@@ -9,10 +9,9 @@ from ...errors import SolveError
 from .family import DenseJacobian, Family, Point, length
 from .follow import Place, place
 from .singular_point import half_branches, singular_point
-from .special_points import BRANCH, Special
+from .special_points import BRANCH, MOST_LOST, Special
 
 LOST = 1e-13  # singular values of rank that is lost, in the largest entry of J
-MOST_LOST = 3
 PARALLEL = 1 - 1e-6  # cosine of directions that are one, or opposite ones
 SAME = 1e-6  # lengths of increments between points that are one
 

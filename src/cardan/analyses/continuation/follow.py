@@ -271,15 +271,7 @@ class Step:
 
 
 class End(SolveError):
-    """The curve is not followed any further.
-
-    Attributes:
-        place: The last place.
-    """
-
-    def __init__(self, message: str, last: Place) -> None:
-        super().__init__(message)
-        self.place = last
+    """The curve is not followed any further."""
 
 
 def steps(
@@ -312,7 +304,7 @@ def steps(
             refused += 1
             ds *= 0.5
             if ds < reach.shortest:
-                raise End(f"ends, as steps become too short{reason}", here)
+                raise End(f"ends, as steps become too short{reason}")
         yield step
         quick = math.sqrt(CONTRACTION / theta) if theta > 0 else GROWTH
         calm = TURN / turn if turn > 0 else GROWTH

@@ -12,6 +12,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError
+from .family import along_parameter
 from .singular_point import HalfBranch
 from .solutions import Quantity, Solutions
 from .special_points import Special
@@ -49,9 +50,8 @@ def postbuckling(
     """
     x, P = solutions.quantity(name), solutions.quantity(load)
     critical = P(special.place.point)
-    along = np.zeros_like(special.place.tangent)
-    along[-1] = 1.0
-    reach = P(solutions.family.moved(special.place.point, along)) - critical
+    family = solutions.family
+    reach = P(family.moved(special.place.point, along_parameter(family))) - critical
     if abs(critical) <= ZERO * abs(reach):
         raise ModelError(
             f"postbuckling: '{load}' is 0 at the point, and a and b are parts of it; shift the "

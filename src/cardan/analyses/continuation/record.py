@@ -313,7 +313,6 @@ class ContinuationRecord:
             )
             points = branch.points
             lines += [f"    {point}" for point in points[:MAX_PRINTED]]
-            lines += (
-                [f"    ... {len(points) - MAX_PRINTED} more"] if len(points) > MAX_PRINTED else []
-            )
+            more = len(points) - MAX_PRINTED
+            lines += [f"    ... {more} more"] * (more > 0)
         return "\n".join(lines)

@@ -264,15 +264,12 @@ def _fold(family: Family, step: Step, interval: Interval, number: int) -> Specia
 
 def _onset(family: Family, onset: Onset, step: Step, interval: Interval, number: int) -> Special:
     """The place where an onset lies."""
+
+    def value(part: float) -> float:
+        return onset.value(step.at(family, part))
+
     try:
-        part = float(
-            brentq(
-                lambda part: onset.value(step.at(family, part)),
-                interval.low,
-                interval.high,
-                xtol=EXACT,
-            )
-        )
+        part = float(brentq(value, interval.low, interval.high, xtol=EXACT))
         return Special(onset.kind, "", step.at(family, part), number, part)
     except SolveError:
         return Special(onset.kind, "", interval.after, number, interval.high, accurate=False)

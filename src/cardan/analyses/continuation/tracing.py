@@ -51,13 +51,10 @@ class _Look:
 
     def stays(self, step: Step) -> bool:
         """True unless signs change where nothing crosses: the step leads to another curve."""
-        self.corner = self.watch.corner(step, len(self.curve.places) - 1)
-        smooth = self.shortened(step)
         number = len(self.curve.places) - 1
-        self.special = list[Special]()
-        passed = [*within(self.curve.family, number, self.watch, smooth)]
-        passed.sort(key=lambda special: special.kind != BRANCH)
-        for special in passed:
+        self.corner, self.special = self.watch.corner(step, number), []
+        passed = within(self.curve.family, number, self.watch, self.shortened(step))
+        for special in sorted(passed, key=lambda special: special.kind != BRANCH):
             if not any(self._is_at(s, special) for s in self.special + self.curve.special[-1:]):
                 self.special.append(special)
         return step.ds < SURE or not any(s.jump for s in self.special)
@@ -109,7 +106,7 @@ def _traced(
             curve.special.append(replace(corner.special, part=1.0))
             if corner.onward is None:
                 curve.places.append(step.after)
-                raise End(f"nothing balances behind {corner.special.label}", step.after)
+                raise End(f"nothing balances behind {corner.special.label}")
             curve.places.append(corner.onward)
             on_step(curve)
             return corner.onward
@@ -128,10 +125,10 @@ def _is_before(special: Special, end: Special) -> bool:
 
 def _ends(curve: Curve, watch: Watch, step: Step) -> bool:
     """True when a curve is closed, comes to an end of another one, or has all its places."""
-    start, reverses = curve.places[0], not curve.family.weights[-1]
+    start, counts = curve.places[0], curve.family.weights[-1] > 0
     # where the parameter counts, a curve that is closed turns back
-    reverses = reverses or any(p.parameter_rate * start.parameter_rate <= 0 for p in curve.places)
-    if reverses and start is not step.before:
+    back = any(p.parameter_rate * start.parameter_rate <= 0 for p in curve.places)
+    if (back or not counts) and start is not step.before:
         part, along = step.passes(curve.family, start)
         if along > 0:
             _cut(curve, step, part)

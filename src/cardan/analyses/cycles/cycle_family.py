@@ -26,6 +26,7 @@ from .shooting import Phase, Shooting
 CACHED = 12  # derivatives, each of many runs
 MOTIONLESS = 1e-9  # of units: a motion that is none
 NODE = 6  # increments: lengths do not grow with the system
+ON_WAY = 1e-6  # of a range: values that lie on it
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,13 +75,6 @@ class CycleFamily:
     def problem(self) -> CycleProblem:
         """What repeats."""
         return self.shooting.problem
-
-    @property
-    def along_parameter(self) -> Array:
-        """The direction (N,) in which what is swept changes alone."""
-        direction = np.zeros(len(self.weights))
-        direction[-1] = 1.0
-        return direction
 
     def point(self, at: CycleState, s: float) -> CyclePoint:
         """A start of a lap at a place of what is swept."""
@@ -145,7 +139,7 @@ class CycleFamily:
         """Derivative of a lap across the flow (n, n), less of a free period."""
         n, at = len(self.problem.units), point.at
         along = self.problem.rate(at) if self.problem.free_period else None
-        gradient = self.problem.energy_gradient(at)
+        gradient = None if self.problem.level is None else self.problem.uphill(at)
         return monodromy(self._matrix(point)[:n, :n] + np.eye(n), along, gradient)
 
     def multipliers(self, point: CyclePoint) -> Complexes:
@@ -185,14 +179,27 @@ def problem_and_way(
     way = loading(system, kinds, base, request.swept, {}, "continuation")
     if way.stations is not None:
         raise ModelError("continuation: give (start, end) of what is swept, and no values within")
-    if level is not None and ENERGY in way.swept:
-        level = replace(level, size=float(np.ptp(way.swept[ENERGY])))
+    if level is not None:
+        size = float(np.ptp(way.swept[ENERGY])) if ENERGY in way.swept else level.size
+        # the work of forces is another one with other parameters
+        level = replace(level, size=size, _works={})
     inputs = {**problem.inputs, **(request.inputs or {})}
     problem = replace(problem, model=model, system=system, inputs=inputs, level=level, _flows={})
     return problem, way
 
 
 def place_of(way: Loading, values: Mapping[str, float]) -> float:
-    """The place of swept values on a way."""
+    """The place of swept values on a way.
+
+    Raises:
+        ModelError: something else is swept, or it does not pass these values together.
+    """
     (name, ends), *_ = way.swept.items()
-    return float((values[name] - ends[0]) / (ends[-1] - ends[0]))
+    s = float((values.get(name, np.nan) - ends[0]) / (ends[-1] - ends[0]))
+    for swept, value in way.values(s).items():
+        if not abs(value - values.get(swept, np.nan)) <= ON_WAY * np.ptp(way.swept[swept]):
+            where = ", ".join(f"{name} = {value:.6g}" for name, value in values.items())
+            raise ModelError(
+                f"continuation of cycles: start= is at {where}: sweep that, through it"
+            )
+    return s

@@ -273,12 +273,8 @@ class CycleProblem:
         assert self.level is not None
         return float(np.linalg.norm(self.step(self.level.equilibrium, at.x)))
 
-    def energy_gradient(self, at: CycleState) -> Array | None:
-        """The direction (n,) along which the energy grows, of length 1; None where none is kept."""
-        return None if self.level is None else self.uphill(at)
-
     def uphill(self, at: CycleState) -> Array:
-        """The same where energy is kept."""
+        """The direction (n,) along which the energy grows, of length 1."""
         assert self.level is not None
         gradient = self.level.gradient(self.system, self.flow(at.values), at.x, self.t) * self.units
         return np.asarray(gradient / (np.linalg.norm(gradient) or 1.0))

@@ -101,7 +101,7 @@ class CycleSolutions:
         """Same as :meth:`.Solutions.count`."""
         # where energy is kept all moduli are 1, up to the rounding of differences
         edge = EDGE if self.family.problem.level is None else NEUTRAL
-        return int(np.sum(np.abs(self.family.multipliers(place.point)) > 1 + edge))
+        return unstable(self.family.multipliers(place.point), edge)
 
     def growth(self, place: Place) -> tuple[float, float]:
         """Same as :meth:`.Solutions.growth`: of a pair, from lap to lap.

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...errors import ModelError, SolveError, brief
 from ...runtime.models.loaded_model import LoadedModel
-from ..continuation.family import row
+from ..continuation.family import along_parameter, row
 from ..continuation.follow import Place, place
 from ..continuation.record import SpecialPointRecord
 from ..continuation.singular_point import half_branches, singular_point
@@ -46,7 +46,7 @@ def family_and_place(model: LoadedModel, request: PathRequest) -> tuple[CycleFam
     if isinstance(begin, CycleRecord):
         problem, way = problem_and_way(_with_energy(begin.problem, begin.at), begin.model, request)
         family, at = _at_range_start(problem, way, begin.at)
-        first = place(family, family.point(at, 0.0), family.along_parameter)
+        first = place(family, family.point(at, 0.0), along_parameter(family))
     elif isinstance(begin, SpecialPointRecord) and isinstance(begin.solution, CycleRecord):
         family, first = _from_doubling(begin, begin.solution, request)
     elif isinstance(begin, SpecialPointRecord) and begin.kind == HOPF:
@@ -148,9 +148,8 @@ def doubled(family: CycleFamily, point: CyclePoint) -> tuple[CycleFamily, Place]
     if not halves:
         raise SolveError("continuation of cycles: those of twice the period were not found")
     # the others are the path that it leaves
-    along = row(family, place(family, point, family.along_parameter).tangent)[0]
-    cosines = [abs(float(half.tangent @ along)) for half in halves]
-    half = halves[int(np.argmin(cosines))]
+    along = row(family, place(family, point, along_parameter(family)).tangent)[0]
+    half = min(halves, key=lambda half: abs(float(half.tangent @ along)))
     return twice, place(twice, half.point, half.direction)
 
 

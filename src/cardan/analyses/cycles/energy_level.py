@@ -1,4 +1,4 @@
-"""The energy of motions that keep it, by which their cycles are told gaps.
+"""The energy of motions that keep it, by which their cycles are told apart.
 
 A system that keeps its energy has a family of cycles for every mode, all with the same parameters.
 Laps then leave one equation less: what a lap misses along the gradient of the energy follows from

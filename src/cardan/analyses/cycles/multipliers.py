@@ -45,6 +45,6 @@ def multipliers_of(M: Array, lost: int) -> Complexes:
     return np.asarray(values[order][: max(0, len(values) - lost)])
 
 
-def unstable(multipliers: Complexes) -> int:
-    """Number of multipliers outside of the unit circle."""
-    return int(np.sum(np.abs(multipliers) > 1 + NEUTRAL))
+def unstable(multipliers: Complexes, edge: float = NEUTRAL) -> int:
+    """Number of multipliers outside of the unit circle, by more than an edge."""
+    return int(np.sum(np.abs(multipliers) > 1 + edge))

@@ -9,6 +9,7 @@ import numpy as np
 from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.curve import Curve
 from ..continuation.equilibria import EquilibriumFamily, Loaded
+from ..continuation.family import along_parameter
 from ..continuation.follow import Place as ArcPlace
 from ..continuation.follow import Reach, place
 from ..continuation.mode_changes import corner_within
@@ -43,7 +44,7 @@ def follow_by_length(
     """
     family = EquilibriumFamily.of(problem, way, start.point)
     stabilities, names = StabilityCache(problem), [e.name for e in model.manifest.events]
-    curve = Curve(family, [place(family, family.start(start.point), family.along_parameter)])
+    curve = Curve(family, [place(family, family.start(start.point), along_parameter(family))])
     last = _place(stabilities, curve.places[0], None)
     noted = 0
 

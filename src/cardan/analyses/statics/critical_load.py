@@ -17,6 +17,7 @@ from scipy.optimize import brentq
 
 from ...errors import SolveError
 from ..continuation.equilibria import EquilibriumFamily, Loaded
+from ..continuation.family import along_parameter
 from ..continuation.follow import Reach, place, steps
 from ..continuation.special_points import fold_within
 from .continuation_step import Crossing, Place, place_of
@@ -130,7 +131,7 @@ def limit_load(problem: Problem, loading: Loading, places: Sequence[Place]) -> P
     begin = firm[-1] if firm else last
     family = EquilibriumFamily.of(problem, loading, begin.point, begin.s)
     try:
-        start = place(family, family.start(begin.point, begin.s), family.along_parameter)
+        start = place(family, family.start(begin.point, begin.s), along_parameter(family))
         longest = min(LONGEST, 2 * (1 - begin.s))
         for step, _ in zip(steps(family, start, Reach(FIRST, longest)), range(MOST), strict=False):
             if not step.after.point.s <= 1:

@@ -152,5 +152,4 @@ def _period(model: CompiledModel, text: str | None) -> object:
     from ...scene.files.expression import parse
 
     names = {name: Symbol(name) for name in (*model.parameters, *model.inputs)}
-    period = parse(text, names, where="--period")
-    return period if period.free_symbols else float(period)
+    return parse(text, names, where="--period")
