@@ -18,7 +18,7 @@ ROOT, LEVEL = 1e-3, 1e-9  # the same of a fold at a branch point, and the differ
 AT_END = 1e-3  # of a step: a fold that is the end of the curve
 PASSED = 1e-3  # of a number at the end of a step: as near to 0 as equations are regular
 HALVED = 30  # parts of steps beside points at which equations are singular
-JUMPED = 1e-2  # of a number at the ends of a step: what is left of it where it passes 0
+JUMPED = 0.1  # of a number at the ends of a step: what is left next to where it passes 0
 
 
 def trace(
@@ -160,27 +160,42 @@ def _tested(
     curve: Curve, tests: Sequence[Test], step: Step, before: list[float], after: list[float]
 ) -> Special | None:
     """Note events within a step; the first that ends the curve."""
-    events, number = list[Special](), len(curve.places) - 1
+    number = len(curve.places) - 1
+    # what is passed on the way to a singular end may be undone behind it, as by cycles at rest
+    events = _singular_ends(curve, tests, step, before, after)
+    short, share = step, 1.0
+    if events:
+        short, share = step.shortened(events[0].place, events[0].part), events[0].part
+        after = [test.value(short.after) for test in tests]
     for test, low, high in zip(tests, before, after, strict=True):
-        if low == 0 or not low * high <= 0:
-            continue
-        if test.kind != EVENT:
-            part, place = _singular_end(curve, test, step)
-            # where a sign alone changes nothing is passed
-            if abs(test.value(place)) <= JUMPED * max(abs(low), abs(high)):
-                events.append(Special(test.kind, test.name, place, number, part))
+        if test.kind != EVENT or low == 0 or not low * high <= 0:
             continue
         try:
-            (place, part), accurate = test.within(curve.family, step, high), True
+            (place, part), accurate = test.within(curve.family, short, high), True
         except SolveError:
-            part, place, accurate = 1.0, step.after, False
-        events.append(Special(EVENT, test.name, place, number, part, accurate=accurate))
+            part, place, accurate = 1.0, short.after, False
+        events.append(Special(EVENT, test.name, place, number, share * part, accurate=accurate))
     ends = {test.name for test in tests if test.ends}
     last = min((s for s in events if s.label in ends), key=lambda s: s.part, default=None)
     curve.special += [
         s for s in events if s.label not in ends and (last is None or s.part <= last.part)
     ]
     return last
+
+
+def _singular_ends(
+    curve: Curve, tests: Sequence[Test], step: Step, before: list[float], after: list[float]
+) -> list[Special]:
+    """Where equations are singular within a step, the first of such places in front."""
+    ends, number = list[Special](), len(curve.places) - 1
+    for test, low, high in zip(tests, before, after, strict=True):
+        if test.kind == EVENT or low == 0 or not low * high <= 0:
+            continue
+        part, place = _singular_end(curve, test, step)
+        # where a sign alone changes nothing is passed
+        if abs(test.value(place)) <= JUMPED * max(abs(low), abs(high)):
+            ends.append(Special(test.kind, test.name, place, number, part))
+    return sorted(ends, key=lambda special: special.part)
 
 
 def _singular_end(curve: Curve, test: Test, step: Step) -> tuple[float, Place]:
