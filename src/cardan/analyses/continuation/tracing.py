@@ -98,7 +98,7 @@ def _traced(
         curve.refused += step.refused
         curve.contraction = max(curve.contraction, step.contraction)
         after = [test.value(step.after) for test in watch.tests]
-        end = _tested(curve, watch.tests, step, values, after)
+        end = _tested(curve, watch.tests, step, values, after, look.special)
         curve.special += [s for s in look.special if end is None or _is_before(s, end)]
         if end is not None:
             curve.special.append(end)
@@ -157,9 +157,10 @@ def _cut(curve: Curve, step: Step, part: float) -> None:
 
 
 def _tested(
-    curve: Curve, tests: Sequence[Test], step: Step, before: list[float], after: list[float]
-) -> Special | None:
-    """Note events within a step; the first that ends the curve."""
+    curve: Curve, tests: Sequence[Test], step: Step, before: list[float], after: list[float],
+    passed: Sequence[Special],
+) -> Special | None:  # fmt: skip
+    """Note events within a step that passes special points; the first that ends the curve."""
     number = len(curve.places) - 1
     # what is passed on the way to a singular end may be undone behind it, as by cycles at rest
     events = _singular_ends(curve, tests, step, before, after)
@@ -172,15 +173,29 @@ def _tested(
             continue
         try:
             (place, part), accurate = test.within(curve.family, short, high), True
+            part *= share
         except SolveError:
-            part, place, accurate = 1.0, short.after, False
-        events.append(Special(EVENT, test.name, place, number, share * part, accurate=accurate))
+            place, part, accurate = _at_singular(
+                curve, test, step, passed, max(abs(low), abs(high))
+            )
+        events.append(Special(EVENT, test.name, place, number, part, accurate=accurate))
     ends = {test.name for test in tests if test.ends}
     last = min((s for s in events if s.label in ends), key=lambda s: s.part, default=None)
     curve.special += [
         s for s in events if s.label not in ends and (last is None or s.part <= last.part)
     ]
     return last
+
+
+def _at_singular(
+    curve: Curve, test: Test, step: Step, passed: Sequence[Special], size: float
+) -> tuple[Place, float, bool]:
+    """The place of an event at which equations are singular, its part, and whether it is exact."""
+    for special in passed:
+        if special.accurate and abs(test.value(special.place)) <= LEVEL * size:
+            return special.place, special.part, True
+    part, place = _singular_end(curve, test, step)
+    return place, part, False
 
 
 def _singular_ends(
