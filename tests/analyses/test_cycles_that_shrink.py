@@ -71,6 +71,9 @@ def test_a_mode_without_energy() -> None:
     assert path["energy"][-1] == pytest.approx(0.0, abs=1e-6)
     periods = 4 * np.sqrt(1 / 9.81) * ellipk(np.sin(path["angle"][:-1] / 2) ** 2)
     np.testing.assert_allclose(path["period"][:-1], periods, rtol=1e-9)
+    columns = path.table()
+    for name in ("energy", "angle", "period", "multiplier"):
+        np.testing.assert_array_equal(columns[name], path[name])
 
 
 @pytest.mark.parametrize("low", [1e-3, 1e-6])

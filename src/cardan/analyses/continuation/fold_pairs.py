@@ -7,9 +7,11 @@ import numpy as np
 from ...errors import SolveError
 from .family import Family
 from .follow import Place, Step
+from .interval import FLAT
 
 LOOKS = 6  # places at which it is looked for
-PROMISING = 0.5  # of the least rate: what a parabola leaves of it where there may be two folds
+PROMISING = 0.5  # of the lesser rate at the ends: what a parabola leaves where there may be folds
+APART = 1e-4  # of a step: places that tell more than one
 
 
 def turn_inside(family: Family, step: Step) -> tuple[Place, float] | None:
@@ -18,19 +20,20 @@ def turn_inside(family: Family, step: Step) -> tuple[Place, float] | None:
     Looked for along parabolas through rates of the parameter; the first one is that of the cubic
     with the parameters and the rates of both ends.
     """
-    ends = step.before, step.after
-    side = np.sign(ends[0].parameter_rate)
-    rates = [side * place.parameter_rate for place in ends]
-    if not min(rates) > 0:
+    side = np.sign(step.before.parameter_rate)
+    low, high = (side * place.parameter_rate for place in (step.before, step.after))
+    if not min(low, high) > FLAT:
         return None
-    low, high = (family.parameter(place.point) for place in ends)
-    chord = side * (high - low) / step.ds
-    parts, rates = [0.0, 1.0, 0.5], [*rates, 1.5 * chord - 0.25 * sum(rates)]
-    for look in range(LOOKS):
-        nearest = np.argsort(rates)[:3]
-        parabola = np.polyfit(np.array(parts)[nearest], np.array(rates)[nearest], 2)
-        bottom = float(-0.5 * parabola[1] / parabola[0]) if parabola[0] > 0 else -1.0
-        if not 0 < bottom < 1 or np.polyval(parabola, bottom) > PROMISING * min(rates[:2]):
+    change = family.parameter(step.after.point) - family.parameter(step.before.point)
+    part, inside = 0.5, 1.5 * side * change / step.ds - 0.25 * (low + high)
+    for _ in range(LOOKS):
+        # rates low + slope h + bend h^2 through both ends and the part
+        bend = (high - low - (inside - low) / part) / (1 - part)
+        slope = high - low - bend
+        bottom = -0.5 * slope / bend if bend > 0 else -1.0
+        if not 0 < bottom < 1 or low + 0.5 * slope * bottom > PROMISING * min(low, high):
+            return None
+        if not APART < bottom < 1 - APART:
             return None
         try:
             place = step.at(family, bottom)
@@ -39,7 +42,7 @@ def turn_inside(family: Family, step: Step) -> tuple[Place, float] | None:
         rate = side * place.parameter_rate
         if rate < 0:
             return place, bottom
-        # the rate of the cubic was none of the curve
-        known = 2 if look == 0 else len(parts)
-        parts, rates = [*parts[:known], bottom], [*rates[:known], rate]
+        if abs(bottom - part) < APART:
+            return None
+        part, inside = bottom, rate
     return None
