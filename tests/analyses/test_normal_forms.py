@@ -135,7 +135,7 @@ def test_a_start_where_positions_branch() -> None:
 
 def test_paths_say_when_nothing_moves_and_what_moves_where_they_end() -> None:
     still = slider(lambda mu, x: -x + 0.1).continuation(mu=(0, 1))
-    assert "nothing depends on mu here" in still.message
+    assert "it stays where it is at any mu" in still.message
     with pytest.warns(SolveWarning, match=r"it moves along 'x' there"):
         domain = slider(lambda mu, x: -x + sp.sqrt(0.25 - mu)).continuation(mu=(0, 1))
     assert domain["mu"][-1] == pytest.approx(0.25, abs=1e-3)
@@ -176,3 +176,9 @@ def test_a_search_beside_a_circle_of_equilibria() -> None:
     (circle,) = [branch for name, branch in path.branches.items() if name.startswith("other")]
     assert circle.status == "closed"
     np.testing.assert_allclose(circle["mu"] ** 2 + (circle["x"] - 1) ** 2, 0.04, atol=1e-9)
+
+
+def test_a_load_that_moves_nothing_may_change_stiffness() -> None:
+    """mu x = 0 at x = 0: the path ends in front of its branch point."""
+    still = slider(lambda mu, x: mu * x - x**3).continuation(mu=(-1, -0.5))
+    assert "nothing depends" not in still.message

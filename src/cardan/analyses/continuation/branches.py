@@ -111,7 +111,7 @@ def _noted(of: Solutions, curve: Curve) -> str:
         np.abs(of.motion(place.tangent)).max(initial=0.0) > STILL for place in curve.places
     ):
         names = " and ".join(of.values(curve.places[0].point))
-        return f"; nothing moves on the way: nothing depends on {names} here"
+        return f"; nothing moves on the way: it stays where it is at any {names}"
     return ""
 
 
