@@ -80,3 +80,41 @@ def test_a_mode_without_energy() -> None:
     assert path["energy"][-1] == pytest.approx(0.0, abs=1e-6)
     periods = 4 * np.sqrt(1 / 9.81) * ellipk(np.sin(path["angle"][:-1] / 2) ** 2)
     np.testing.assert_allclose(path["period"][:-1], periods, rtol=1e-9)
+    columns = path.table()
+    for name in ("energy", "angle", "period", "multiplier"):
+        np.testing.assert_array_equal(columns[name], path[name])
+
+
+@pytest.mark.parametrize("low", [1e-3, 1e-6])
+def test_an_energy_next_to_rest_is_not_stepped_over(low: float) -> None:
+    """A step may lead through rest to the mirrored cycles, whose energies are above the end."""
+    scene = cd.Scene("hard", gravity=(0, 0, 0))
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("body", **POINT))
+    x = scene.q("x")
+    scene.force("spring", cd.JointForce("x", -x - x**3))
+    hard = cd.compile(scene)
+    out: Any = hard.continuation(energy=(0, 0.8), of="cycles", start=hard.modes()[0])
+    events = {"energy": 2 * low}
+    path: Any = hard.continuation(
+        energy=(0.8, low), of="cycles", start=out[-1], points=40, events=events
+    )
+    assert path.main.message.endswith(f"reached energy = {low:.10g}")
+    assert path["energy"][-1] == pytest.approx(low, rel=1e-6)
+    assert path["x.max"][-1] == pytest.approx(np.sqrt(2 * low), rel=1e-3)
+    assert path.point(f"energy = {2 * low:.10g}")["energy"] == pytest.approx(2 * low, rel=1e-6)
+
+
+@pytest.mark.parametrize("low", [1e-5, 0.0])
+def test_small_cycles_of_a_wide_motion_end_at_rest(low: float) -> None:
+    """In units of a wide motion no cycles are solved for next to rest: the path ends there."""
+    scene = cd.Scene("swing", gravity=(0, 0, -9.81))
+    bar: Any = {"mass": 1.0, "inertia": (0, 0, 0), "com": (0, 0, -1)}
+    upper, lower = scene.body("upper", **bar), scene.body("lower", **bar)
+    scene.joint("upper", cd.Revolute("y"), scene.ground, upper)
+    scene.joint("lower", cd.Revolute("y"), upper.at(0, 0, -1), lower)
+    swing = cd.compile(scene)
+    out: Any = swing.continuation(energy=(0, 10.0), of="cycles", start=swing.modes()[1])
+    path: Any = swing.continuation(energy=(0.8, low), of="cycles", start=out[-1], points=40)
+    assert path.main.status == "finished"
+    assert path["energy"][-1] == pytest.approx(low, abs=1e-6)
+    assert path["energy"].max() <= 0.8 + 1e-9

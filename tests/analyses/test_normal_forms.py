@@ -135,7 +135,7 @@ def test_a_start_where_positions_branch() -> None:
 
 def test_paths_say_when_nothing_moves_and_what_moves_where_they_end() -> None:
     still = slider(lambda mu, x: -x + 0.1).continuation(mu=(0, 1))
-    assert "nothing depends on mu here" in still.message
+    assert "it stays where it is at any mu" in still.message
     with pytest.warns(SolveWarning, match=r"it moves along 'x' there"):
         domain = slider(lambda mu, x: -x + sp.sqrt(0.25 - mu)).continuation(mu=(0, 1))
     assert domain["mu"][-1] == pytest.approx(0.25, abs=1e-3)
@@ -145,3 +145,40 @@ def test_paths_say_when_nothing_moves_and_what_moves_where_they_end() -> None:
 def test_a_path_has_two_points_at_least() -> None:
     with pytest.raises(ArgumentError, match="2 at least"):
         slider(lambda mu, x: mu - x).continuation(mu=(0, 1), points=1)
+
+
+@pytest.mark.parametrize("e", [1e-2, 1e-4, 1e-6])
+def test_two_folds_within_a_step(e: float) -> None:
+    """mu = x^3 - e x turns back at x^2 = e / 3: far less than a step."""
+    path = slider(lambda mu, x: mu - x**3 + e * x).continuation(mu=(-1, 1), q={"x": -1.0})
+    assert [point.kind for point in path.points] == ["fold", "fold", "event"]
+    exact = 2 * np.sqrt(e / 3) ** 3
+    loads = [point["mu"] for point in path.points[:2]]
+    np.testing.assert_allclose(loads, [exact, -exact], rtol=1e-6, atol=1e-15)
+
+
+@pytest.mark.parametrize("c", [-1.0, 1.0])
+@pytest.mark.parametrize("ends", [{"mu": (-1, 0)}, {"mu": (-1, 1), "until": {"mu": 0.0}}])
+def test_a_path_to_a_branch_point_ends_there(c: float, ends: Any) -> None:
+    """mu x = c x^3 + x^5: the equations at mu = 0 are singular."""
+    model = slider(lambda mu, x: mu * x - c * x**3 - x**5)
+    path: Any = model.continuation(**ends, branches=1)
+    assert path["mu"][-1] == pytest.approx(0.0, abs=1e-12)
+    assert path.point("branch point 1").branches == ("1a", "1b")
+    assert all(branch.status == "finished" for branch in path.branches.values())
+    assert all(branch["mu"].max() <= 1 + 1e-9 for branch in path.branches.values())
+
+
+def test_a_search_beside_a_circle_of_equilibria() -> None:
+    """x = 0, and a circle that no path leads to: iterations come to where deflation is infinite."""
+    model = slider(lambda mu, x: -x * (mu**2 + (x - 1) ** 2 - 0.04))
+    path: Any = model.continuation(mu=(-0.5, 0.5), search=4)
+    (circle,) = [branch for name, branch in path.branches.items() if name.startswith("other")]
+    assert circle.status == "closed"
+    np.testing.assert_allclose(circle["mu"] ** 2 + (circle["x"] - 1) ** 2, 0.04, atol=1e-9)
+
+
+def test_a_load_that_moves_nothing_may_change_stiffness() -> None:
+    """mu x = 0 at x = 0: the path ends in front of its branch point."""
+    still = slider(lambda mu, x: mu * x - x**3).continuation(mu=(-1, -0.5))
+    assert "nothing depends" not in still.message

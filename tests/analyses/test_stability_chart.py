@@ -57,3 +57,6 @@ def test_nonsense_is_refused() -> None:
         model.stability_chart({"P": (0, 1)}, {})
     with pytest.raises(ModelError, match="Did you mean 'b'"):
         model.stability_chart({"P": (0, 1)}, {"bb": [0.1]})
+    for nothing in ([], [[0.1, 0.2]]):
+        with pytest.raises(ModelError, match="b: give values"):
+            model.stability_chart({"P": (0, 1)}, {"b": nothing})

@@ -93,12 +93,13 @@ def _started(solutions: Solutions, *places: Place) -> tuple[Solutions, Curve]:
 
 
 def _outside(name: str, family: Family) -> Iterator[Test]:
-    """Where branches end that leave the range at its start."""
+    """Where branches end that leave the range at its start, or begin at its end and go on."""
     if name.startswith(OTHER):
         # no path leads there from the start of the range
         yield Test.at("the start", 0.0, family)
     elif name != MAIN and family.weights[-1] > 0:
         yield Test.at("a range before the start", -1.0, family)
+        yield Test.at("a range behind the end", 2.0, family)
 
 
 def _noted(of: Solutions, curve: Curve) -> str:
@@ -110,7 +111,7 @@ def _noted(of: Solutions, curve: Curve) -> str:
         np.abs(of.motion(place.tangent)).max(initial=0.0) > STILL for place in curve.places
     ):
         names = " and ".join(of.values(curve.places[0].point))
-        return f"; nothing moves on the way: nothing depends on {names} here"
+        return f"; nothing moves on the way: it stays where it is at any {names}"
     return ""
 
 

@@ -84,8 +84,10 @@ def _deflated(family: Family, points: Sequence[Point], point: Point) -> Point:
     for _ in range(NEWTON):
         by = family.jacobian(point).bordered(row, none)
         v = by.solve(-family.residual(point), np.zeros(1))[0]
-        tau = 1.0 / (1.0 - float(_repulsion(family, points, point) @ v))
-        step = tau * v
+        share = 1.0 - float(_repulsion(family, points, point) @ v)
+        if share == 0:
+            break
+        step = v / share
         size = length(family, step)
         if not np.isfinite(size):
             break

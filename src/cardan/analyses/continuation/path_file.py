@@ -16,6 +16,7 @@ from ...version import CONTINUATION
 from .record import BranchRecord, ContinuationRecord
 
 UNKNOWN = -1.0  # stability that is not known
+OF_CYCLES = "period", "multiplier"
 CURE = "Save fewer points: points="
 
 
@@ -23,8 +24,9 @@ CURE = "Save fewer points: points="
 def table(path: ContinuationRecord) -> dict[str, Array]:
     """Columns (n,) over the points of all branches, one branch after the other.
 
-    What is swept, coordinates, outputs, ``stable`` and ``stable_held`` (1, 0, or -1 where they are
-    not known), and ``branch``, the number of the branch in ``path.branches``.
+    What is swept, coordinates, outputs, of cycles ``period`` and ``multiplier`` (the largest
+    modulus), ``stable`` and ``stable_held`` (1, 0, or -1 where they are not known), and ``branch``,
+    the number of the branch in ``path.branches``.
     """
     branches = [*path.branches.values()]
     names = _names(branches[0])
@@ -44,7 +46,7 @@ def _names(branch: BranchRecord) -> list[str]:
     """What is swept, then coordinates and outputs, as far as these solutions have them."""
     model, names = branch.model, [*branch.values]
     outputs = [row.name for row in model.manifest.outputs]
-    for name in (*model.coordinates, *outputs):
+    for name in (*model.coordinates, *outputs, *OF_CYCLES):
         try:
             branch.solutions.quantity(name)
         except ModelError:

@@ -19,6 +19,7 @@ from scipy.optimize import brentq
 from ...arrays import Array
 from ...errors import SolveError
 from .family import Family, Point, length
+from .fold_pairs import turn_inside
 from .follow import Place, Step
 from .interval import Interval
 from .oscillations import SMALL, UNDAMPED, oscillation_inside
@@ -186,7 +187,9 @@ def within(family: Family, number: int, watch: Watch, step: Step) -> Iterator[Sp
 
 
 def _inside(family: Family, watch: Watch, step: Step) -> tuple[Place, float] | None:
-    """A place of a step at which an oscillation grows or decays as at neither end, and its part."""
+    """A place of a step where the load runs back or an oscillation grows as at neither end."""
+    if (turn := turn_inside(family, step)) is not None:
+        return turn
     small = len(family.weights) <= SMALL
     if watch.growth is None or watch.oscillation != HOPF or not small:
         return None

@@ -152,6 +152,8 @@ def stability_chart(
         raise ModelError("stability_chart: one name along, one across, such as {'P': (0, 10)}")
     (name, span), (other, column) = next(iter(along.items())), next(iter(across.items()))
     values = np.atleast_1d(np.asarray(column, dtype=np.float64))
+    if values.ndim != 1 or not len(values):
+        raise ModelError(f"stability_chart: {other}: give values (n,), such as [0, 0.5, 1]")
     speeds = {} if name in (*model.parameters, *model.inputs, "t") else {name: span}
     swept = None if speeds else {name: span}
     paths, marks, failed = list[ContinuationRecord | None](), list[ChartPoint](), ""

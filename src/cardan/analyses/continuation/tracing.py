@@ -18,7 +18,7 @@ ROOT, LEVEL = 1e-3, 1e-9  # the same of a fold at a branch point, and the differ
 AT_END = 1e-3  # of a step: a fold that is the end of the curve
 PASSED = 1e-3  # of a number at the end of a step: as near to 0 as equations are regular
 HALVED = 30  # parts of steps beside points at which equations are singular
-JUMPED = 1e-2  # of a number at the ends of a step: what is left of it where it passes 0
+JUMPED = 0.1  # of a number at the ends of a step: what is left next to where it passes 0
 
 
 def trace(
@@ -95,7 +95,7 @@ def _traced(
         curve.refused += step.refused
         curve.contraction = max(curve.contraction, step.contraction)
         after = [test.value(step.after) for test in watch.tests]
-        end = _tested(curve, watch.tests, step, values, after)
+        end = _tested(curve, watch.tests, step, values, after, look.special)
         curve.special += [s for s in look.special if end is None or _is_before(s, end)]
         if end is not None:
             curve.special.append(end)
@@ -154,23 +154,27 @@ def _cut(curve: Curve, step: Step, part: float) -> None:
 
 
 def _tested(
-    curve: Curve, tests: Sequence[Test], step: Step, before: list[float], after: list[float]
-) -> Special | None:
-    """Note events within a step; the first that ends the curve."""
-    events, number = list[Special](), len(curve.places) - 1
+    curve: Curve, tests: Sequence[Test], step: Step, before: list[float], after: list[float],
+    passed: Sequence[Special],
+) -> Special | None:  # fmt: skip
+    """Note events within a step that passes special points; the first that ends the curve."""
+    number = len(curve.places) - 1
+    # what is passed on the way to a singular end may be undone behind it, as by cycles at rest
+    events = _singular_ends(curve, tests, step, before, after)
+    short, share = step, 1.0
+    if events:
+        short, share = step.shortened(events[0].place, events[0].part), events[0].part
+        after = [test.value(short.after) for test in tests]
     for test, low, high in zip(tests, before, after, strict=True):
-        if low == 0 or not low * high <= 0:
-            continue
-        if test.kind != EVENT:
-            part, place = _singular_end(curve, test, step)
-            # where a sign alone changes nothing is passed
-            if abs(test.value(place)) <= JUMPED * max(abs(low), abs(high)):
-                events.append(Special(test.kind, test.name, place, number, part))
+        if test.kind != EVENT or low == 0 or not low * high <= 0:
             continue
         try:
-            (place, part), accurate = test.within(curve.family, step, high), True
+            (place, part), accurate = test.within(curve.family, short, high), True
+            part *= share
         except SolveError:
-            part, place, accurate = 1.0, step.after, False
+            place, part, accurate = _at_singular(
+                curve, test, step, passed, max(abs(low), abs(high))
+            )
         events.append(Special(EVENT, test.name, place, number, part, accurate=accurate))
     ends = {test.name for test in tests if test.ends}
     last = min((s for s in events if s.label in ends), key=lambda s: s.part, default=None)
@@ -178,6 +182,32 @@ def _tested(
         s for s in events if s.label not in ends and (last is None or s.part <= last.part)
     ]
     return last
+
+
+def _at_singular(
+    curve: Curve, test: Test, step: Step, passed: Sequence[Special], size: float
+) -> tuple[Place, float, bool]:
+    """The place of an event at which equations are singular, its part, and whether it is exact."""
+    for special in passed:
+        if special.accurate and abs(test.value(special.place)) <= LEVEL * size:
+            return special.place, special.part, True
+    part, place = _singular_end(curve, test, step)
+    return place, part, False
+
+
+def _singular_ends(
+    curve: Curve, tests: Sequence[Test], step: Step, before: list[float], after: list[float]
+) -> list[Special]:
+    """Where equations are singular within a step, the first of such places in front."""
+    ends, number = list[Special](), len(curve.places) - 1
+    for test, low, high in zip(tests, before, after, strict=True):
+        if test.kind == EVENT or low == 0 or not low * high <= 0:
+            continue
+        part, place = _singular_end(curve, test, step)
+        # where a sign alone changes nothing is passed
+        if abs(test.value(place)) <= JUMPED * max(abs(low), abs(high)):
+            ends.append(Special(test.kind, test.name, place, number, part))
+    return sorted(ends, key=lambda special: special.part)
 
 
 def _singular_end(curve: Curve, test: Test, step: Step) -> tuple[float, Place]:
