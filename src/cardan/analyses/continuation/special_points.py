@@ -19,10 +19,9 @@ from scipy.optimize import brentq
 from ...arrays import Array
 from ...errors import SolveError
 from .family import Family, Point, length
-from .fold_pairs import turn_inside
 from .follow import Place, Step
+from .hidden_points import SMALL, UNDAMPED, oscillation_inside, turn_inside
 from .interval import Interval
-from .oscillations import SMALL, UNDAMPED, oscillation_inside
 from .singular_point import HalfBranch, SingularPoint, half_branches, singular_point
 
 FOLD, BRANCH, HOPF, EVENT = "fold", "branch point", "Hopf point", "event"

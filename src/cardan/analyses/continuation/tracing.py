@@ -127,8 +127,8 @@ def _ends(curve: Curve, watch: Watch, step: Step) -> bool:
     """True when a curve is closed, comes to an end of another one, or has all its places."""
     start, counts = curve.places[0], curve.family.weights[-1] > 0
     # where the parameter counts, a curve that is closed turns back
-    back = any(p.parameter_rate * start.parameter_rate <= 0 for p in curve.places)
-    if (back or not counts) and start is not step.before:
+    reverses = any(p.parameter_rate * start.parameter_rate <= 0 for p in curve.places)
+    if (reverses or not counts) and start is not step.before:
         part, along = step.passes(curve.family, start)
         if along > 0:
             _cut(curve, step, part)
