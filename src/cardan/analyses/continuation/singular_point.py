@@ -32,7 +32,7 @@ DIFFERENCE = 1e-4  # increments over which J is differentiated: it only steers N
 # of the smallest singular value that is not 0: those that are, and unfolding parameters above which
 # curves pass each other; and what rounding leaves of either
 SINGULAR, UNFOLDED = 1e-4, 1e-9
-ROUNDING = 1e-14
+ROUNDING, DISTINCT = 1e-14, 0.01
 RADIUS, RADII = 0.02, 6  # of the sphere; how many, each a tenth of that before
 CROSSING, STRAIGHT = 4, 0.03  # half-branches of two curves, and their turn [rad] from 0
 CHORD, CLOSED, SLOW = 30, 1e-14, 0.3  # iterations on the surface, what may be left, contraction
@@ -163,9 +163,11 @@ def _orthonormal(
     values, B, V = jacobian.weakest(k)
     more = jacobian.weakest(k + 1)[0]
     next_value = float(more.max()) if len(more) > k else 1.0
+    # in slender beams all that is left is rounding of J, which the next value must stand out from
+    zero = max(SINGULAR * next_value, min(ROUNDING, DISTINCT * next_value))
     if (
         next_value <= ROUNDING
-        or values.max() > SINGULAR * next_value
+        or values.max() > zero
         or unfolded > max(UNFOLDED * next_value, ROUNDING)
     ):
         raise SolveError("no singular point next to the start")
