@@ -87,8 +87,7 @@ def continuation(
         points: Points of a branch at most.
         step: Longest step, as a part of the size of the system, of a radian and of the range.
         check: Raise where the path ends in between, instead of warning.
-        progress: Show a bar; by default where standard error is a terminal. Or a function of the
-            part of ``points`` that is done.
+        progress: Show a bar, by default on terminals; or a function of the part that is done.
         start: Of cycles: the cycle to start from, see ``model.cycle``, whose parameters and inputs
             stay; or a Hopf point of equilibria or a period doubling of cycles, at which others
             begin.
@@ -104,30 +103,58 @@ def continuation(
     Source: H. B. Keller, Applications of Bifurcation Theory (1977), 359-384; M. Géradin, A.
     Cardona, Flexible Multibody Dynamics (2001), chapter 9.
     """
-    if not isinstance(locked, Mapping | None) or not isinstance(swept, Mapping | None):
-        raise ModelError("continuation: locked= and what is swept go by name, such as P=(0, 10)")
-    if of not in STARTS:
-        raise ModelError(f"continuation: of='{of}' does not exist.{near(of, STARTS)}")
     _refuse_nonsense(branches, search, points, step, until, events)
+    _refuse_unnamed(swept, locked)
     moved = {**(swept or {}), **named}
     request = PathRequest(moved, q, locked or {}, u, inputs, parameters, t, start)
-    begin = STARTS[of](model, request)
+    begin = _start(model, of, request)
     limits = _limits(begin, bounds)
-    longest = {} if step is None else {"longest": step, "first": min(step, Reach().first)}
-
-    def tests(of: Solutions) -> list[Test]:
-        return _tests(of, [*_ends(begin), *of.ends], until, limits, events)
-
-    run = Tracer(tests, points, search, Reach(**longest))
-    depth = 99 if branches is True else int(branches)
+    run = Tracer(
+        lambda of: _tests(of, [*_ends(begin), *of.ends], until, limits, events),
+        points, search, _reach(step),
+    )  # fmt: skip
     with showing(progress, f"continuation of '{model.name}'") as show:
-        record = run.all_of(begin, depth, show)
-    ended = record.branches[MAIN]
-    if ended.status not in ("finished", "closed"):
+        return _checked(run.all_of(begin, 99 if branches is True else int(branches), show), check)
+
+
+def _refuse_unnamed(*arguments: object) -> None:
+    """Refuse values without names.
+
+    Raises:
+        ModelError: there are some.
+    """
+    if not all(isinstance(values, Mapping | None) for values in arguments):
+        raise ModelError("continuation: locked= and what is swept go by name, such as P=(0, 10)")
+
+
+def _start(model: LoadedModel, of: str, request: PathRequest) -> PathStart:
+    """Where a path of some kind starts.
+
+    Raises:
+        ModelError: the kind does not exist, or as its start says.
+    """
+    if of not in STARTS:
+        raise ModelError(f"continuation: of='{of}' does not exist.{near(of, STARTS)}")
+    return STARTS[of](model, request)
+
+
+def _reach(step: float | None) -> Reach:
+    """Controls of steps whose longest one may be given."""
+    return Reach() if step is None else Reach(first=min(step, Reach().first), longest=step)
+
+
+def _checked(path: ContinuationRecord, check: bool) -> ContinuationRecord:
+    """The path, with a warning where it ends in between.
+
+    Raises:
+        SolveError: it does, with ``check``.
+    """
+    main = path.branches[MAIN]
+    if main.status not in ("finished", "closed"):
         if check:
-            raise SolveError(ended.message)
-        warn(ended.message, SolveWarning)
-    return record
+            raise SolveError(main.message)
+        warn(main.message, SolveWarning)
+    return path
 
 
 def _refuse_nonsense(

@@ -55,7 +55,7 @@ def _crossing(family: Family, point: Point, lost: int) -> tuple[list[Place], lis
     """
     singular = singular_point(family, point, lost)
     if length(family, family.step(point, singular.point)) > SAME:
-        raise SolveError("the start is no singular point")
+        raise SolveError("the start is not singular")
     halves = half_branches(singular)
     if not halves:
         raise SolveError("no curve leaves the start")

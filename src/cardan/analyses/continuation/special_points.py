@@ -46,7 +46,7 @@ class Test:
         value: The number.
         ends: Whether the curve ends there.
         parameter: Value of the parameter at which that is so; None where it depends on more.
-        kind: Of the special point; where it is no event the equations are singular there.
+        kind: Of the special point; the equations are singular at others than events.
     """
 
     name: str

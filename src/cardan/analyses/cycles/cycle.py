@@ -56,8 +56,7 @@ def cycle(
 
     Args:
         model: The compiled model.
-        start: State to begin the search with: coordinates, speeds and internal states by name (the
-            rest as in ``simulate``), or (nx,).
+        start: State to begin the search with, by name (others as in ``simulate``), or (nx,).
         period: Of a lap [s]; a function of the parameters and inputs by name, or a SymPy expression
             in parameters. None: unknown, or that of the section.
         section: The event that ends a lap: its name, or what ``events=`` of ``simulate`` takes such
@@ -95,13 +94,11 @@ def cycle(
     system = dynamic_system_of(model)
     forcing = signals(model.manifest.inputs, inputs, None, (t, t))
     units = np.concatenate([system.columns, system.columns, np.ones(model.nz)])
+    end = None if section is None else section_of(model, section, where, crossing)
+    mirror = None if symmetry is None else symmetry_map(system, model, symmetry)
     problem = CycleProblem(
         model, system, settings(method, rtol, atol, None, None, None), dict(inputs or {}), t,
-        longest,
-        None if section is None else section_of(model, section, where, crossing),
-        period_rule(model, period),
-        None if symmetry is None else symmetry_map(system, model, symmetry),
-        laps, units,
+        longest, end, period_rule(model, period), mirror, laps, units,
     )  # fmt: skip
     span = longest if period is None else problem.period_of(CycleState(units, units, longest))
     problem = replace(problem, how=watched(problem.how, forcing, span, None))
@@ -109,11 +106,19 @@ def cycle(
     refuse_forcing(problem, at)
     problem, at = prepared(problem, at, guess, settle)
     refuse_memory(problem, at)
-    record = recorded(problem, solve(Shooting.of(problem, at), at))
+    return _checked(recorded(problem, solve(Shooting.of(problem, at), at)), check)
+
+
+def _checked(record: CycleRecord, check: bool) -> CycleRecord:
+    """The cycle, with a warning where none was reached.
+
+    Raises:
+        SolveError: none was, with ``check``.
+    """
     if not record.converged:
         if check:
             raise SolveError(f"cycle: {record.message}")
-        warn(f"cycle of '{model.name}': {record.message}", SolveWarning)
+        warn(f"cycle of '{record.model.name}': {record.message}", SolveWarning)
     return record
 
 
