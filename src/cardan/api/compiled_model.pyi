@@ -736,8 +736,7 @@ class CompiledModel(LoadedModel):
             points: Points of a branch at most.
             step: Longest step, as a part of the size of the system, of a radian and of the range.
             check: Raise where the path ends in between, instead of warning.
-            progress: Show a bar; by default where standard error is a terminal. Or a function of the
-                part of ``points`` that is done.
+            progress: Show a bar, by default on terminals; or a function of the part that is done.
             start: Of cycles: the cycle to start from, see ``model.cycle``, whose parameters and inputs
                 stay; or a Hopf point of equilibria or a period doubling of cycles, at which others
                 begin.
@@ -813,8 +812,7 @@ class CompiledModel(LoadedModel):
         impacts.
 
         Args:
-            start: State to begin the search with: coordinates, speeds and internal states by name (the
-                rest as in ``simulate``), or (nx,).
+            start: State to begin the search with, by name (others as in ``simulate``), or (nx,).
             period: Of a lap [s]; a function of the parameters and inputs by name, or a SymPy expression
                 in parameters. None: unknown, or that of the section.
             section: The event that ends a lap: its name, or what ``events=`` of ``simulate`` takes such

@@ -126,8 +126,9 @@ class Continuation(ContinuationRecord):
     ) -> dict[str, Array]:
         """Columns (n,) over the points of all branches, one branch after the other.
 
-        What is swept, coordinates, outputs, ``stable`` and ``stable_held`` (1, 0, or -1 where they are
-        not known), and ``branch``, the number of the branch in ``path.branches``.
+        What is swept, coordinates, outputs, of cycles ``period`` and ``multiplier`` (the largest
+        modulus), ``stable`` and ``stable_held`` (1, 0, or -1 where they are not known), and ``branch``,
+        the number of the branch in ``path.branches``.
         """
 
 @final

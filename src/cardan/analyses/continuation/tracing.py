@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -16,7 +17,7 @@ from .special_points import BRANCH, EVENT, EXACT, FOLD, SURE, Corner, Special, T
 SAME = 1e-6  # lengths of increments between branch points that are one
 ROOT, LEVEL = 1e-3, 1e-9  # the same of a fold at a branch point, and the difference of loads
 AT_END = 1e-3  # of a step: a fold that is the end of the curve
-PASSED = 1e-3  # of a number at the end of a step: as near to 0 as equations are regular
+PASSED = 1e-4  # of a number at the ends of a step: where equations can be solved beside its 0
 HALVED = 30  # parts of steps beside points at which equations are singular
 JUMPED = 0.1  # of a number at the ends of a step: what is left next to where it passes 0
 
@@ -213,19 +214,21 @@ def _singular_ends(
 def _singular_end(curve: Curve, test: Test, step: Step) -> tuple[float, Place]:
     """The part of a step at which a number passes 0 where equations are singular, and the place.
 
-    That is the nearest one at which they can be solved.
+    That is one a little before, at which they can be solved: nearer to it rounding grows.
     """
     nearest = 1.0, step.after
-    before, smallest = test.value(step.before), abs(test.value(step.after))
-    small = PASSED * smallest
+    before, after = test.value(step.before), test.value(step.after)
+    small = PASSED * max(abs(before), abs(after))
+    aim = math.copysign(small, before)
+    smallest = abs(after - aim)
 
     def value(part: float) -> float:
         nonlocal nearest, smallest
         place = step.at(curve.family, part)
-        number = test.value(place)
-        if abs(number) <= smallest:
-            nearest, smallest = (part, place), abs(number)
-        return 0.0 if abs(number) <= small else number
+        off = test.value(place) - aim
+        if abs(off) <= smallest:
+            nearest, smallest = (part, place), abs(off)
+        return 0.0 if abs(off) <= 0.5 * small else off
 
     try:
         brentq(value, 0, 1, xtol=EXACT)
