@@ -182,3 +182,21 @@ def test_a_load_that_moves_nothing_may_change_stiffness() -> None:
     """mu x = 0 at x = 0: the path ends in front of its branch point."""
     still = slider(lambda mu, x: mu * x - x**3).continuation(mu=(-1, -0.5))
     assert "nothing depends" not in still.message
+
+
+@pytest.mark.parametrize("e", [0.1, 1e-2, 1e-3, 1e-4])
+def test_an_oscillation_that_begins_next_to_a_fold(e: float) -> None:
+    """x'' + (x - e) x' = 2 (P - x^2): damping is 0 at x = e, P = e^2, and the load turns at 0."""
+    scene = cd.Scene("near", gravity=(0, 0, 0))
+    load = scene.parameter("P", 1.0)
+    body = scene.body("body", mass=1.0, inertia=(1, 1, 1))
+    scene.joint("x", cd.Prismatic("x"), scene.ground, body)
+    x, v = scene.q("x"), scene.u("x")
+    scene.force("push", cd.JointForce("x", 2 * (load - x**2) - (x - e) * v))
+    path = cd.compile(scene).continuation(P=(1, -1), q={"x": 1.0}, bounds={"x": (-2, 2)})
+    hopf, fold, _ = path.points
+    assert (hopf.kind, fold.kind) == ("Hopf point", "fold")
+    assert hopf.values["P"] == pytest.approx(e**2, rel=1e-6)
+    assert hopf["x"] == pytest.approx(e, rel=1e-6)
+    assert hopf.frequency == pytest.approx(2 * np.sqrt(e), rel=1e-6)
+    assert abs(fold.values["P"]) < 1e-12

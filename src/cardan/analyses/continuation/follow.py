@@ -29,6 +29,7 @@ ROUNDING, TIGHT, NOISE, NEARLY = 1e-13, 1e-9, 1e-7, 1e-4
 CONTRACTION, TURN, SHARP, GROWTH = 0.05, 0.3, 0.6, 2.0
 FIRST, LONGEST, SHORTEST = 0.02, 0.25, 1e-9
 DIVERGED = 0.9  # contraction above which corrections lead nowhere
+EXACT = 1e-13  # of a step: places of test functions
 SAME = 1e-7  # of a step: places that are one
 ASIDE = 0.7  # corrections, as a part of a step, that lead to another curve
 
@@ -202,6 +203,23 @@ class Step:
             return (self.before, self.after)[int(part)]
         return self._located(family, part, self._cubic(family)(part))
 
+    def part(self, family: Family, point: Point) -> float:
+        """The part at which a point lies."""
+        way = family.step(self.before.point, point)
+        return float(self.before.tangent @ (family.weights * way)) / self.ds
+
+    def fold(self, family: Family, low: float, high: float) -> Place:
+        """The place between two parts where the parameter turns back.
+
+        Raises:
+            SolveError: the curve is not singular in between.
+        """
+
+        def parameter_rate(part: float) -> float:
+            return self.at(family, part).parameter_rate
+
+        return self.at(family, float(brentq(parameter_rate, low, high, xtol=EXACT)))
+
     def _located(
         self, family: Family, part: float, guess: Array, plane: tuple[Array, float] | None = None
     ) -> Place:
@@ -234,8 +252,7 @@ class Step:
             there = self._located(family, part, cubic(part), plane)
         except SolveError:
             return None
-        way = family.step(self.before.point, there.point)
-        part = float(self.before.tangent @ (family.weights * way)) / self.ds
+        part = self.part(family, there.point)
         return (there, part) if 0 < part <= 1 else None
 
     def passes(self, family: Family, there: Place) -> tuple[float, int]:

@@ -11,6 +11,7 @@ Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), sections
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -18,20 +19,20 @@ from scipy.optimize import brentq
 
 from ...arrays import Array
 from ...errors import SolveError
-from .family import Family, Point, length
-from .follow import Place, Step
+from .family import Family, length
+from .follow import EXACT, Place, Step
 from .hidden_points import SMALL, UNDAMPED, oscillation_inside, turn_inside
 from .interval import Interval
 from .singular_point import HalfBranch, SingularPoint, half_branches, singular_point
 
 FOLD, BRANCH, HOPF, EVENT = "fold", "branch point", "Hopf point", "event"
-EXACT = 1e-13  # of a step: places of test functions
 NARROW, THIN = 0.05, 2.0**-30  # of a step: where points are looked for, and given up
 SINGLE = 1e-6  # of a step: oscillations that begin so near to one another count as one
 NEAR = 2.0  # widths of a bracket within which a point must lie
 MOST_LOST = 3  # of the rank
 # length of increments that rounding leaves of a singular point; halvings that tell it better
 UNCERTAIN, BISECTED = 1e-10, 40
+AROUND = 1e-5  # of a step: places on either side of a fold
 JUMP = 2.0  # distance of the ends of a part of a step, over its length
 SURE = 1e-5  # steps that are not shortened where they seem to lead to another curve
 Count = Callable[[Place], int | None]
@@ -212,7 +213,10 @@ def _searched(
         yield Special(BRANCH, "", place, number, part, accurate=False, jump=True)
         return
     if interval.folds and not (interval.crosses or interval.unexplained or interval.begins):
-        yield _fold(family, step, interval, number)
+        fold = _fold(family, step, interval, number)
+        yield fold
+        if watch.growth is not None and fold.accurate:
+            yield from _around_fold(family, number, watch, step, interval, fold.part)
         return
     if interval.begins and not (interval.folds or interval.crosses or interval.unexplained):
         for k in interval.begins:
@@ -255,11 +259,28 @@ def _searched(
         yield from _searched(family, number, watch, step, half)
 
 
+def _around_fold(
+    family: Family, number: int, watch: Watch, step: Step, interval: Interval, part: float
+) -> Iterator[Special]:
+    """What lies on either side of a fold, which explains but one direction that changes."""
+    for low, high in ((interval.low, part - AROUND), (part + AROUND, interval.high)):
+        try:
+            ends = (step.at(family, low), step.at(family, high)) if low < high else None
+        except SolveError:
+            continue
+        if ends is not None:
+            counts = watch.count(ends[0]), watch.count(ends[1])
+            onsets = _signs(watch, ends[0]), _signs(watch, ends[1])
+            side = Interval.of(family, (low, high), *ends, counts, onsets)
+            if not side.folds:
+                yield from _searched(family, number, watch, step, side)
+
+
 def _fold(family: Family, step: Step, interval: Interval, number: int) -> Special:
     """The place where the parameter turns back."""
     try:
-        place = fold_within(family, step, interval.low, interval.high)
-        return Special(FOLD, "", place, number, _part(family, step, place.point))
+        place = step.fold(family, interval.low, interval.high)
+        return Special(FOLD, "", place, number, step.part(family, place.point))
     except SolveError:
         return Special(FOLD, "", interval.after, number, interval.high, accurate=False)
 
@@ -277,25 +298,6 @@ def _onset(family: Family, onset: Onset, step: Step, interval: Interval, number:
         return Special(onset.kind, "", interval.after, number, interval.high, accurate=False)
 
 
-def fold_within(family: Family, step: Step, low: float, high: float) -> Place:
-    """The place between two parts of a step where the parameter turns back.
-
-    Raises:
-        SolveError: the curve is not singular in between.
-    """
-
-    def parameter_rate(part: float) -> float:
-        return step.at(family, part).parameter_rate
-
-    return step.at(family, float(brentq(parameter_rate, low, high, xtol=EXACT)))
-
-
-def _part(family: Family, step: Step, point: Point) -> float:
-    """The part of a step at which a point lies."""
-    off = family.step(step.before.point, point)
-    return float(step.before.tangent @ (family.weights * off)) / step.ds
-
-
 def _crossing(
     family: Family, watch: Watch, step: Step, interval: Interval, lost: int, number: int
 ) -> Special | None:
@@ -306,7 +308,7 @@ def _crossing(
             singular = singular_point(family, start, k)
         except SolveError:
             continue
-        part = _part(family, step, singular.point)
+        part = step.part(family, singular.point)
         width = interval.high - interval.low
         if not interval.low - NEAR * width <= part <= interval.high + NEAR * width:
             continue
@@ -365,14 +367,13 @@ def _hopf(family: Family, watch: Watch, step: Step, interval: Interval, number: 
     low, high, count = interval.low, interval.high, interval.counts[0]
     frequency = np.nan
     try:
-        (before, slow), (after, fast) = map(growth, (interval.before, interval.after))
-        if before * after < 0 and min(abs(before / slow), abs(after / fast)) > UNDAMPED:
-
-            def rate(part: float) -> float:
-                return growth(step.at(family, part))[0]
-
-            low = high = float(brentq(rate, low, high, xtol=EXACT))
-        # without damping nothing grows before, and nothing decays
+        with suppress(SolveError):
+            (before, slow), (after, fast) = map(growth, (interval.before, interval.after))
+            if before * after < 0 and min(abs(before / slow), abs(after / fast)) > UNDAMPED:
+                low = high = float(
+                    brentq(lambda part: growth(step.at(family, part))[0], low, high, xtol=EXACT)
+                )
+        # without damping nothing grows before, and nothing decays; near folds nothing oscillates
         while high - low > EXACT:
             middle = 0.5 * (low + high)
             if watch.count(step.at(family, middle)) == count:

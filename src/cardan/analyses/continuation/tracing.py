@@ -11,8 +11,8 @@ from scipy.optimize import brentq
 from ...errors import SolveError
 from .curve import Curve
 from .family import length
-from .follow import End, Place, Reach, Step, steps
-from .special_points import BRANCH, EVENT, EXACT, FOLD, SURE, Corner, Special, Test, Watch, within
+from .follow import EXACT, End, Place, Reach, Step, steps
+from .special_points import BRANCH, EVENT, FOLD, SURE, Corner, Special, Test, Watch, within
 
 SAME = 1e-6  # lengths of increments between branch points that are one
 ROOT, LEVEL = 1e-3, 1e-9  # the same of a fold at a branch point, and the difference of loads

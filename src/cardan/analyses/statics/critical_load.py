@@ -19,7 +19,6 @@ from ...errors import SolveError
 from ..continuation.equilibria import EquilibriumFamily, Loaded
 from ..continuation.family import along_parameter
 from ..continuation.follow import Reach, place, steps
-from ..continuation.special_points import fold_within
 from .continuation_step import Crossing, Place, place_of
 from .equilibrium import DIRECT
 from .force_balance import balance
@@ -137,7 +136,7 @@ def limit_load(problem: Problem, loading: Loading, places: Sequence[Place]) -> P
             if not step.after.point.s <= 1:
                 return None
             if step.after.parameter_rate <= 0:
-                fold: Loaded = fold_within(family, step, 0.0, 1.0).point
+                fold: Loaded = step.fold(family, 0.0, 1.0).point
                 stability = stand(problem, fold.point, fold.load)
                 return place_of(fold.s, fold.point, stability, begin)
     except SolveError:
