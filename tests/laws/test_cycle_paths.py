@@ -123,7 +123,9 @@ def test_laps_by_another_program_come_back(name: str) -> None:
         # and not before: the period is no multiple of one
         for parts in (2, 3):
             x = solve_ivp(rates(cycle), (0, cycle.period / parts), cycle.x, rtol=1e-9).y[:, -1]
-            assert np.abs(x - cycle.x).max() > 1e3 * LAPS * np.abs(cycle.x).max()
+            # a crank that swings by little about its place
+            least = 0.1 if name in OPEN else 0.01
+            assert np.abs(x - cycle.x).max() > least * np.abs(cycle.x).max()
 
 
 @pytest.mark.parametrize("name", some(OPEN, 4))
