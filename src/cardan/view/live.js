@@ -1,4 +1,3 @@
-"use strict";
 // A model that runs in the page: the kernels and its functions are WebAssembly in one memory.
 
 class LiveModel {

@@ -11,6 +11,7 @@ from ...ir.function import Function
 from ...ir.recursion import Recursion
 from ...schema.manifest import Manifest
 from ..export import model_file
+from ..export.constants import Name, Value
 from ..export.model_file import Content
 from ..flat_scene import time_jumps
 from ..header import Exported
@@ -63,12 +64,12 @@ def build(
         start: Values to start from, by block.
     """
     manifest = base(equations).data
-    functions = _functions(equations, frames)
+    written = functions(equations, frames)
     kernels = prebuilt.places(KERNELS)
     module = Module(kernels["heap_base"] + -kernels["heap_base"] % 16, table_base=kernels["table"])
     described: dict[str, Exported] = {}
     sizes: dict[str, int] = {}
-    for name, function in functions.items():
+    for name, function in written.items():
         program = lowered(function)
         wasm.add(module, program)
         out = sum(output.size for output in function.outputs)
@@ -76,10 +77,8 @@ def build(
         sizes |= {f"{name}_{key}_size": count for key, count in counts.items()}
         described[name] = Exported("", program.blocks, counts)
     memory = Memory(module, kernels, sizes)
-    # behind the inputs stand forces along the speeds
-    inputs = [*model_file.starts(manifest, "r"), *[0.0] * len(manifest.speeds)]
-    fields = {"nr": len(inputs), "r": memory.numbers("inputs", inputs)}
-    model_file.declare(memory, manifest, Content(described, start, fields), (METHOD,))
+    memory.numbers("inputs", inputs(manifest))
+    model_file.declare(memory, manifest, Content(described, start, fields(manifest)), (METHOD,))
     encoded = module.encoded()
     return LiveModel(
         encoded,
@@ -87,22 +86,37 @@ def build(
         memory.addresses["cardan_scene"],
         module.end,
         module.table_end,
-        {name: (k, sizes[f"{name}_out_size"]) for k, name in enumerate(functions)},
+        {name: (k, sizes[f"{name}_out_size"]) for k, name in enumerate(written)},
         {record: {n: at for n, (at, _) in places(record).items()} for record in RECORDS},
     )
 
 
-def _functions(
+def inputs(manifest: Manifest) -> list[float]:
+    """Inputs where a run starts; behind those of the model stand forces along the speeds."""
+    return [*model_file.starts(manifest, "r"), *[0.0] * len(manifest.speeds)]
+
+
+def fields(manifest: Manifest) -> dict[str, Value]:
+    """Fields of ``cardan_export`` that differ from those of an export."""
+    return {"nr": len(inputs(manifest)), "r": Name("inputs")}
+
+
+def functions(
     equations: EquationRecord, frames: Sequence[str]
 ) -> dict[str, Function | Recursion]:
-    """The functions of a page by their names."""
-    functions: dict[str, Function | Recursion] = {"rhs": live.rhs(equations)}
+    """The functions of a page by their names.
+
+    Args:
+        equations: Of the model.
+        frames: As of :func:`build`.
+    """
+    listed: dict[str, Function | Recursion] = {"rhs": live.rhs(equations)}
     available = equations.names()
     for name in (*CALLED, *SHOWN):
         if name in available:
-            functions[name] = equations.form(name)
-    functions["frames"] = live.frames(equations, frames)
+            listed[name] = equations.form(name)
+    listed["frames"] = live.frames(equations, frames)
     jumps = time_jumps(equations.system)
     if jumps is not None:
-        functions[jumps.name] = jumps
-    return functions
+        listed[jumps.name] = jumps
+    return listed

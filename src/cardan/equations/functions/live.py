@@ -69,13 +69,13 @@ def frames(equations: EquationRecord, names: Sequence[str]) -> Function:
         DerivationError: there is no such frame.
     """
     c = _context(equations, equations.system)
-    outputs = []
+    nodes: list[int] = []
     for name in names:
         frame = frame_number(equations.system, name)
         numbers = (c.k.rotation(frame), c.k.position(frame), of_system.velocity(c.k, frame))
-        nodes = tuple(node for matrix in numbers for node in matrix.nodes)
-        outputs.append(Output(name, (NUMBERS,), nodes))
-    return _function(equations.blocks, "frames", tuple(outputs), c)
+        nodes += [node for matrix in numbers for node in matrix.nodes]
+    output = Output("frames", (len(names), NUMBERS), tuple(nodes))
+    return _function(equations.blocks, "frames", (output,), c)
 
 
 def _context(equations: EquationRecord, system: System) -> Context:
