@@ -1,4 +1,4 @@
-"""A page in which a model runs: equations and integrator as WebAssembly, with sliders and a mouse."""
+"""A page in which a model runs: equations and integrator as WebAssembly, sliders and a mouse."""
 
 from __future__ import annotations
 
@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .api.compiled_model import CompiledModel
 from .api.equations import Equations
 from .api.scene import Scene
 from .arguments import checked
+from .arrays import Array
 from .codegen.wasm import live_model
 from .codegen.wasm.memory import places, size
 from .errors import ArgumentError, ModelError, brief, near
@@ -21,7 +23,9 @@ from .runtime.trajectory.trajectory import TrajectoryRecord
 from .schema.manifest import Manifest
 from .view import live_page
 from .view import page as pages
-from .view.drawing import SPRINGS
+from .view.drawing import SPRINGS, Drawing
+from .view.packing import JsonObject
+from .view.solids import Solid
 
 # what a slider runs over where nobody says: parts of the value, or this where it is 0
 SPAN, AROUND_ZERO = (0.25, 4.0), (-1.0, 1.0)
@@ -29,6 +33,7 @@ SPAN, AROUND_ZERO = (0.25, 4.0), (-1.0, 1.0)
 PREVIEW = 5.0
 # time in which coordinates go onto the constraints: nothing moves [s]
 INSTANT = 1e-9
+ENERGIES = ("kinetic", "potential", "total")
 # words of addresses that mean something else
 TAKEN = frozenset({"t", "show", "theme", "bare", "view"})
 Range = tuple[float, float] | None
@@ -81,97 +86,109 @@ def page(
         ModelError: beams or superelements, or nothing that can be drawn.
         ArgumentError: an unknown parameter, input, history or frame; an empty range.
     """
-    equations = scene if isinstance(scene, Equations) else derive(scene)
-    if not isinstance(equations, Equations):
-        raise ModelError(
-            f"'{equations.system.name}': a page that computes takes rigid bodies in joint "
-            "coordinates; beams, cables and superelements do not run in it. Record their motion: "
-            "model.simulate(10.0).animate('page.html')"
-        )
+    equations = _equations(scene)
     if page not in ("auto", *pages.PAGES):
         raise ArgumentError(f"page='{page}': there is no such page.{near(page, pages.PAGES)}")
     model = compiled(equations)
     x = np.asarray(model.simulate((0.0, INSTANT), q=q, u=u, check=True).x[0])
     preview = _preview(model, x)
     options = pages.PageOptions(traces=(traces,) if isinstance(traces, str) else traces)
-    drawing = pages.drawing_of([preview], options)
-    manifest = preview.manifest
     for name in options.traces:
         if name not in model.frames:
             raise ArgumentError(f"traces: '{name}' is no frame.{near(name, model.frames)}")
-    has_meshes = any(s["kind"] == "mesh" for body in drawing.bodies for s in body.solids)
+    drawing = pages.drawing_of([preview], options)
+    spec, module = _described(equations, preview, drawing, x)
+    spec |= {"drag": drag, "rtol": rtol, "atol": 1e-3 * rtol}
+    spec["sliders"] = _sliders(equations, preview, sliders)
+    spec["shapes"] = live_page.shapes(preview, spec["sliders"])
+    spec["plots"] = _plots(preview.manifest, "energy" if plots is None else plots)
     if page == "auto":
-        page = "3d" if has_meshes and meshes is not False else "plain"
-    bodies = [body.name for body in drawing.bodies]
+        solids = [solid for body in drawing.bodies for solid in body.solids]
+        page = "3d" if meshes is not False and _has_meshes(solids) else "plain"
+    return live_page.page(drawing, spec, module, path, page, pages.detail_of(meshes), title)
+
+
+def _equations(scene: Scene | Equations) -> Equations:
+    """Equations in joint coordinates.
+
+    Raises:
+        ModelError: beams or superelements.
+    """
+    equations = scene if isinstance(scene, Equations) else derive(scene)
+    if isinstance(equations, Equations):
+        return equations
+    raise ModelError(
+        f"'{equations.system.name}': a page that computes takes rigid bodies in joint coordinates; "
+        "beams, cables and superelements do not run in it. Record their motion: "
+        "model.simulate(10.0).animate('page.html')"
+    )
+
+
+def _has_meshes(solids: Sequence[Solid]) -> bool:
+    return any(solid["kind"] == "mesh" for solid in solids)
+
+
+def _described(
+    equations: Equations, preview: TrajectoryRecord, drawing: Drawing, x: Array
+) -> tuple[JsonObject, bytes]:
+    """What ``live.js`` has to know of the model, and the model as WebAssembly."""
+    manifest = preview.manifest
+    bodies, traces = [body.name for body in drawing.bodies], list(drawing.traces)
     ends = [row.frames for row in manifest.forces if row.kind in SPRINGS]
-    frames = [*bodies, *options.traces, *(row[end] for row in ends for end in "ab")]
+    frames = [*bodies, *traces, *(row[end] for row in ends for end in "ab")]
     live = live_model.build(equations, frames, {})
-    row = places("cardan_exported_function")
-    vector = np.asarray(model.parameters.vector)
-    rows = _sliders(manifest, vector, sliders, equations)
-    spec = {
+    exported = "cardan_exported_function"
+    assert preview.model is not None
+    return {
         "scene": live.scene,
         "end": live.end,
         "table": live.table,
         "functions": live.functions,
         "records": live.records,
-        "exported": {
-            "size": size("cardan_exported_function"),
-            "function": row["function"][0],
-        },
-        "parameters": vector.tolist(),
+        "exported": {"size": size(exported), "function": places(exported)["function"][0]},
+        "parameters": preview.model.parameters.vector.tolist(),
         "inputs": [float(entry.default) for entry in manifest.inputs],
         "start": {"x": x.tolist(), "s": [float(entry.default) for entry in manifest.s]},
         "closed": bool(manifest.projected and manifest.multipliers),
         "instant": INSTANT,
-        "rtol": rtol,
-        "atol": 1e-3 * rtol,
-        "sliders": rows,
-        "shapes": live_page.shapes(preview, rows),
-        "plots": _plots(manifest, "energy" if plots is None else plots),
         "bodies": bodies,
-        "frames": len(frames),
-        "traces": list(options.traces),
-        "drag": drag,
-    }
-    detail = pages.detail_of(meshes)
-    return live_page.page(drawing, spec, live.module, path, page, detail, title)
+        "traces": traces,
+    }, live.module
 
 
-def _preview(model: Any, x: Any) -> TrajectoryRecord:
+def _preview(model: CompiledModel, x: Array) -> TrajectoryRecord:
     """Some motion by which the camera is placed; the start alone where there is none."""
     try:
         motion = model.simulate(PREVIEW, x0=x)
         if motion.success and np.isfinite(motion.x).all():
-            return _record(motion)
+            return motion
     except ModelError:
+        # a model that cannot run for so long is shown all the same
         pass
-    return _record(model.simulate((0.0, INSTANT), x0=x))
-
-
-def _record(motion: TrajectoryRecord) -> TrajectoryRecord:
-    return motion
+    return model.simulate((0.0, INSTANT), x0=x)
 
 
 def _sliders(
-    manifest: Manifest, p: Any, sliders: Any, equations: Equations
-) -> list[dict[str, Any]]:
+    equations: Equations,
+    preview: TrajectoryRecord,
+    sliders: Mapping[str, Range] | Sequence[str] | None,
+) -> list[JsonObject]:
     """What each slider changes, and its range.
 
     Raises:
         ArgumentError: an unknown name, an empty range.
     """
-    if isinstance(sliders, str):
-        sliders = [sliders]
+    assert preview.model is not None
+    manifest, p = preview.manifest, preview.model.parameters.vector
     inputs = [entry.name for entry in manifest.inputs]
     parameters = [entry.name for entry in manifest.parameters]
-    if sliders is None:
+    if isinstance(sliders, str):
+        sliders = [sliders]
+    elif sliders is None:
         declared = [one.name for one in equations.system.parameters if one.declared]
         sliders = [*declared, *inputs]
-    ranges: Mapping[str, Any] = (
-        sliders if isinstance(sliders, Mapping) else dict.fromkeys(sliders)
-    )
-    rows: list[dict[str, Any]] = []
+    ranges = sliders if isinstance(sliders, Mapping) else dict.fromkeys(sliders)
+    rows: list[JsonObject] = []
     for name, span in ranges.items():
         if name in parameters:
             kind, index = "parameter", parameters.index(name)
@@ -191,7 +208,7 @@ def _sliders(
     return rows
 
 
-def _span(name: str, span: Any, value: float) -> tuple[float, float]:
+def _span(name: str, span: Range, value: float) -> tuple[float, float]:
     """Ends of the range of a slider.
 
     Raises:
@@ -212,7 +229,7 @@ def _span(name: str, span: Any, value: float) -> tuple[float, float]:
     return low, high
 
 
-def _plots(manifest: Manifest, plots: str | Sequence[str]) -> list[dict[str, Any]]:
+def _plots(manifest: Manifest, plots: str | Sequence[str]) -> list[JsonObject]:
     """Curves of histories, by unit; where their numbers come from.
 
     Raises:
@@ -224,8 +241,8 @@ def _plots(manifest: Manifest, plots: str | Sequence[str]) -> list[dict[str, Any
         sources[row.name] = "x", k, row.unit
     for k, output in enumerate(manifest.outputs):
         sources[output.name] = "outputs", k, output.unit
-    energies = {name: ("energy", k, "J") for k, name in enumerate(("kinetic", "potential", "total"))}
-    groups: dict[str, list[dict[str, Any]]] = {}
+    energies = {name: ("energy", k, "J") for k, name in enumerate(ENERGIES)}
+    groups: dict[str, list[JsonObject]] = {}
     for name in (plots,) if isinstance(plots, str) else plots:
         if name != "energy" and name not in sources:
             hint = near(name, ["energy", *sources])

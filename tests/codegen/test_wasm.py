@@ -1,11 +1,10 @@
-"""WebAssembly has the bits of C without contraction, for every operator, statement and mechanism."""
+"""WebAssembly has the bits of C without contraction, for every operator and mechanism."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-import cardan as cd
 from cardan.codegen.wasm.module import signed, unsigned
 from cardan.codegen.writing import generate, lowered
 from cardan.schema.blocks import ORDER

@@ -1,4 +1,4 @@
-"""The model of a live page as C: the same functions, data and kernels, built by the compiler here."""
+"""The model of a live page as C: the same functions, data and kernels, built here."""
 
 from __future__ import annotations
 
@@ -58,9 +58,9 @@ def library(equations, frames, folder: Path) -> ctypes.CDLL:
     content = Content(described, {}, live_model.fields(manifest))
     text = model_file.text(manifest, content, (live_model.METHOD,))
     inputs = ", ".join(map(repr, live_model.inputs(manifest)))
-    files["model.c"] = text.replace(
-        "const double cardan_default_q", f"static const double inputs[] = {{{inputs}}};\nconst double cardan_default_q"
-    )
+    start = "const double cardan_default_q"
+    declared = f"static const double inputs[] = {{{inputs}}};"
+    files["model.c"] = text.replace(start, f"{declared}\n{start}")
     files["model.h"] = header.slots(manifest)
     files["functions.h"] = header.prototypes(manifest.name, described, ["simulate.h"])
     files["main.c"] = MAIN

@@ -139,7 +139,7 @@ def _members(record: str) -> list[tuple[str, str, str]]:
 
 @cache
 def kinds(record: str) -> dict[str, str]:
-    """Type in C of every field of a record of numbers and pointers; a pointer has the type ``*``."""
+    """Type in C of every field of a record; a pointer has the type ``*``."""
     return {name: kind for name, _, kind in _members(record)}
 
 

@@ -50,9 +50,7 @@ class Declarations(Protocol):
     def external(self, declared: str) -> None:
         """Declare a constant that stands elsewhere."""
 
-    def numbers(
-        self, name: str, values: Array | Sequence[float], kind: str = ""
-    ) -> Name | None:
+    def numbers(self, name: str, values: Array | Sequence[float], kind: str = "") -> Name | None:
         """Declare an array of numbers, or of records of them by rows; NULL where it is empty.
 
         Args:

@@ -52,11 +52,13 @@ PARAMETERS = {
 }
 # instructions
 GET, SET, TEE = b"\x20", b"\x21", b"\x22"
-CONST_I, CONST_D, LOAD_I, LOAD_D, STORE_I, STORE_D = b"\x41", b"\x44", b"\x28", b"\x2b", b"\x36", b"\x39"
+CONST_I, LOAD_I, STORE_I = b"\x41", b"\x28", b"\x36"
+CONST_D, LOAD_D, STORE_D = b"\x44", b"\x2b", b"\x39"
 ADD_I, MUL_I, OR_I, LESS_I, EQUAL_I = b"\x6a", b"\x6c", b"\x72", b"\x48", b"\x46"
 EQ, NE, LT, GT, LE = b"\x61", b"\x62", b"\x63", b"\x64", b"\x65"
 NUMBER = b"\xb8"  # of an unsigned int
-SELECT, DROP, END, LOOP, IF, ELSE, REPEAT = b"\x1b", b"\x1a", b"\x0b", b"\x03\x40", b"\x04\x40", b"\x05", b"\x0d"
+SELECT, DROP, FILL = b"\x1b", b"\x1a", b"\xfc\x0b\0"
+LOOP, REPEAT, IF, ELSE, END = b"\x03\x40", b"\x0d", b"\x04\x40", b"\x05", b"\x0b"
 # operators that are instructions
 PLAIN = {
     "add": b"\xa0",
@@ -268,11 +270,9 @@ class _Writer:
         op = node[0]
         if op == "const":
             return [CONST_D + struct.pack("<d", node[1])]
-        if op in PLAIN:
-            return [*(part for k in node[1:] for part in self.read(k)), PLAIN[op]]
-        if op in CALLED:
-            name, signature = CALLED[op]
-            return [*(part for k in node[1:] for part in self.read(k)), self.kernel(name, signature)]
+        if op in PLAIN or op in CALLED:
+            code: Code = [part for k in node[1:] for part in self.read(k)]
+            return [*code, PLAIN[op] if op in PLAIN else self.kernel(*CALLED[op])]
         return _SPECIAL[op](self, node)
 
     def kernel(self, name: str, signature: Signature) -> str:
@@ -361,9 +361,12 @@ class _Writer:
     def _run(self, routine: str) -> Code:
         """A function of the program is called with what its caller has."""
         kind = self.shared.kinds[routine]
-        code: Code = [p for name in PARAMETERS[kind] for p in self.get(self.locals[f".{name}"])]
-        code.append(routine)
+        code: Code = [*self._arguments(kind), routine]
         return code if kind.startswith("prepare") else self._noted(code)
+
+    def _arguments(self, kind: str) -> Code:
+        """What a function of a kind is called with."""
+        return [part for name in PARAMETERS[kind] for part in self.get(self.locals[f".{name}"])]
 
     def _noted(self, code: Code) -> Code:
         """A status that is kept."""
@@ -374,7 +377,7 @@ class _Writer:
         signature = Signature("i" * (len(s.sizes) + 4), "i")
         code: Code = [part for n in s.sizes for part in integer(n)]
         code += integer(self.shared.tables[s.constants])
-        code += [part for name in PARAMETERS["function"] for part in self.get(self.locals[f".{name}"])]
+        code += self._arguments("function")
         return self._noted([*code, self.kernel(s.name, signature)])
 
     def _solve(self, s: Solve) -> Code:
@@ -385,9 +388,8 @@ class _Writer:
         for node, run in groupby(s.entries):
             start, at = at, at + len(list(run))
             if node == ZERO and at - start > FEW:
-                # memory.fill
                 code += [*self.pointer(array.base), *integer(8 * (array.start + start)), ADD_I]
-                code += [*integer(0), *integer(8 * (at - start)), b"\xfc\x0b\0"]
+                code += [*integer(0), *integer(8 * (at - start)), FILL]
             elif node is not None:
                 for k in range(start, at):
                     place = Place(s.arrays[k >= size], k - size * (k >= size))
@@ -420,13 +422,15 @@ class _Writer:
         """The step whose number the row begins with."""
         if k == len(steps) - 1:
             return self._run(steps[k])
-        code: Code = [*self.get(self.locals[".at"]), LOAD_I + memory(2, 0), *integer(k), EQUAL_I, IF]
+        code: Code = [*self.get(self.locals[".at"]), LOAD_I + memory(2, 0)]
+        code += [*integer(k), EQUAL_I, IF]
         return [*code, *self._run(steps[k]), ELSE, *self._chosen(steps, k + 1), END]
 
     def _strided(self, s: StridedLoop) -> Code:
         """Rows move on in memory of their own."""
         size, table = len(s.steps) * s.width, self.shared.tables[s.table]
-        row, at, i = self.shared.scratch("row", 4 * size), self.local(".at", I32), self.local(".i", I32)
+        row = self.shared.scratch("row", 4 * size)
+        at, i = self.local(".at", I32), self.local(".i", I32)
         code: Code = []
         for k in range(size):
             code += [*integer(row), *integer(table), LOAD_I + memory(2, 4 * k)]

@@ -71,10 +71,13 @@ def _places(path: Path) -> dict[str, int]:
     module = wasmtime.Module(store.engine, path.read_bytes())
     assert not module.imports, f"{path.name} needs more than itself"
     exports = wasmtime.Instance(store, module, []).exports(store)
-    places = {"table": exports["__indirect_function_table"].size(store)}
+    places: dict[str, int] = {}
     for name in (each.name for each in module.exports):
-        if isinstance(exports[name], wasmtime.Global):
-            places[name.removeprefix("__")] = exports[name].value(store)
+        one = exports[name]
+        if isinstance(one, wasmtime.Global):
+            places[name.removeprefix("__")] = int(one.value(store))
+        elif isinstance(one, wasmtime.Table):
+            places["table"] = one.size(store)
     return places
 
 

@@ -101,9 +101,7 @@ def fields(manifest: Manifest) -> dict[str, Value]:
     return {"nr": len(inputs(manifest)), "r": Name("inputs")}
 
 
-def functions(
-    equations: EquationRecord, frames: Sequence[str]
-) -> dict[str, Function | Recursion]:
+def functions(equations: EquationRecord, frames: Sequence[str]) -> dict[str, Function | Recursion]:
     """The functions of a page by their names.
 
     Args:

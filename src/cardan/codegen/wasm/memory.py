@@ -13,7 +13,8 @@ from ..export.constants import Array, Name, Value
 from .module import Module
 
 # letters of ``struct`` by types in C, all little-endian
-FORMATS = {"*": "i", "cardan_function": "i", "ptrdiff_t": "i", "int32_t": "i", "double": "d", "real": "d"}
+FORMATS = dict.fromkeys(("*", "cardan_function", "ptrdiff_t", "int32_t"), "i")
+FORMATS |= dict.fromkeys(("double", "real"), "d")
 _DECLARED = re.compile(r"(\w+) (\w+)(?:\[.*\])?$")
 
 

@@ -42,9 +42,7 @@ MODULES = {
         KernelModule("functions", ("functions.c",)),
         KernelModule("superelements", ("functions.c", "superelements.c")),
         # runs of models in joint coordinates
-        KernelModule(
-            "kernels", ("functions.c",), ("export.c", "simulate.c"), ("dop853",), "-Os"
-        ),
+        KernelModule("kernels", ("functions.c",), ("export.c", "simulate.c"), ("dop853",), "-Os"),
     )
 }
 

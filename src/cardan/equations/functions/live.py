@@ -42,8 +42,7 @@ def _rhs(equations: EquationRecord, system: System) -> Function:
     # tau stands behind the inputs
     graph, before = c.k.graph, len(equations.blocks["r"])
     forces = {
-        graph.var("tau", k): graph.var("r", before + k)
-        for k in range(len(equations.blocks["tau"]))
+        graph.var("tau", k): graph.var("r", before + k) for k in range(len(equations.blocks["tau"]))
     }
     nodes = [node for output in results for node in output.nodes]
     _, nodes = rebuild(graph, nodes, forces, into=graph)
@@ -52,9 +51,7 @@ def _rhs(equations: EquationRecord, system: System) -> Function:
         outputs.append(replace(output, nodes=tuple(nodes[at : at + output.size])))
         at += output.size
     inputs, tau = dict(equations.blocks), equations.blocks["tau"]
-    inputs["r"] = Block(
-        "r", (*inputs["r"].entries, *tau.entries), (*inputs["r"].units, *tau.units)
-    )
+    inputs["r"] = Block("r", (*inputs["r"].entries, *tau.entries), (*inputs["r"].units, *tau.units))
     return _function(inputs, "rhs", tuple(outputs), c)
 
 

@@ -339,8 +339,9 @@ class Objects:
             ) from None
         path, check = self.directory / entry.file, partial(self._verify_sources, symbol)
         recipe = Recipe(name, path, self.directory, self.reproducible, by, check)
-        loaded = address, prepare, built, library, None, None, recipe, blocks, self.lanes.get(symbol, 1)
-        return Code(symbol, entry, built.fresh, *loaded)
+        loaded = Code(symbol, entry, built.fresh, address, prepare, built, library)
+        lanes = self.lanes.get(symbol, 1)
+        return replace(loaded, recipe=recipe, blocks=blocks, lanes=lanes)
 
     def _expressions(self, symbol: str, missing: CompilerMissing) -> Function:
         """The saved Function of a symbol.

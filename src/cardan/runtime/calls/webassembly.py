@@ -14,7 +14,6 @@ from collections.abc import Mapping
 from functools import lru_cache
 from importlib import import_module
 from importlib.util import find_spec
-from pathlib import Path
 from typing import Any
 
 from ...codegen.languages import wasm
@@ -53,7 +52,7 @@ def version() -> str:
 
 
 def _lasting(thing: Any) -> Any:
-    """An object of wasmtime that stays as it is when Python ends, as its library may be gone then."""
+    """An object of wasmtime that is never deleted when Python ends: its library may be gone."""
     _LASTING.add(thing)
     return thing
 
