@@ -38,6 +38,7 @@ WORKING = {
     "report": (ARM, "--time", "0.1", "--methods", "DOP853", "RK4"),
     "bench": (ARM, "--peers", "casadi", "--functions", "mass_matrix"),
     "export": (ARM, "-o", "arm_c", "--functions", "bias"),
+    "convert": (ARM, "-o", "arm.yaml"),
     "doctor": (),
 }
 READING = [name for name in WORKING if name != "doctor"]
