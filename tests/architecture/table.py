@@ -117,6 +117,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     "explain.writers": frozenset(),
     "codegen.languages": frozenset({"expressions"}),
     "runtime.formats": frozenset({"contents"}),
+    "view.motion_files": frozenset({"motion_format"}),
     "schema.integrators": frozenset({"integrator", "alpha_family"}),
     "scene.files": frozenset(
         {"angles", "document", "expression", "meshes", "options", "pose", "robot", "unread"}

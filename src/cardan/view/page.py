@@ -366,13 +366,13 @@ def _resampled(motion: TrajectoryRecord, fps: float) -> TrajectoryRecord:
     span = float(motion.t[-1] - motion.t[0])
     count = int(min(PICTURES, max(2.0, abs(span) * fps + 1.5)))
     times = np.linspace(motion.t[0], motion.t[-1], count)
-    if motion.dense is not None and (motion.model is not None or frame_history.is_recorded(motion)):
+    if frame_history.can_resample(motion):
         return motion.resample(times)
     if motion.dense is None and len(motion) <= PICTURES:
         return motion
     # the rows that are there, of which many may be close to each other
     sign = 1.0 if span >= 0 else -1.0
-    return _some(motion, np.unique(np.searchsorted(sign * motion.t, sign * times).clip(0, last)))
+    return rows_of(motion, np.unique(np.searchsorted(sign * motion.t, sign * times).clip(0, last)))
 
 
 def _with_energies(resampled: TrajectoryRecord, motion: TrajectoryRecord) -> TrajectoryRecord:
@@ -387,7 +387,7 @@ def _with_energies(resampled: TrajectoryRecord, motion: TrajectoryRecord) -> Tra
     return resampled
 
 
-def _some(motion: TrajectoryRecord, rows: NDArray[np.intp]) -> TrajectoryRecord:
+def rows_of(motion: TrajectoryRecord, rows: NDArray[np.intp]) -> TrajectoryRecord:
     """The motion at some of its rows, with what is stored of them."""
     poses = {k: v[rows] for k, v in motion.stored.items() if k.startswith("pose ")}
     constant = {k: v for k, v in motion.stored.items() if k == "parameters"}
