@@ -1,4 +1,4 @@
-"""Export: a model as plain C that compiles alone, with a package for NumPy on top."""
+"""Export: a model as plain C that compiles alone, with what calls it on top."""
 
 from __future__ import annotations
 
@@ -17,11 +17,12 @@ from ...schema.functions import FUNCTIONS
 from ...schema.manifest import Manifest
 from .. import flat_scene, header, layout, manifest
 from ..header import Exported
-from ..languages import LANGUAGES, cython
+from ..languages import BINDINGS
 from ..sources import source
 from ..writing import generate
 from . import companions, model_file
 from . import prefix as prefixes
+from .jacobians import with_jacobians
 from .model_file import Content
 from .readme import readme
 
@@ -37,7 +38,7 @@ class ExportRequest:
 
     Attributes:
         target: The directory.
-        language: ``"cython"`` or ``"c"``.
+        language: ``"c"``, or what calls the C, such as ``"cython"``.
         integrators: By their kernels.
         reproducible: Whether flags forbid contraction.
         prefix: Before all names.
@@ -64,8 +65,8 @@ class ExportRequest:
             CodegenError: an unknown word, a directory that holds other things.
         """
         target, methods = Path(directory).resolve(), tuple(name.lower() for name in integrators)
-        if language not in LANGUAGES:
-            raise CodegenError(f"language '{language}' does not exist.{near(language, LANGUAGES)}")
+        if language not in BINDINGS:
+            raise CodegenError(f"language '{language}' does not exist.{near(language, BINDINGS)}")
         for name in methods:
             if name not in companions.INTEGRATORS:
                 hint = near(name, companions.INTEGRATORS)
@@ -108,17 +109,17 @@ def _texts(data: Manifest, request: ExportRequest, content: Content) -> dict[str
     methods, functions, elements = request.integrators, content.functions, data.absolute
     flags = (*FLAGS, f"-ffp-contract={'off' if request.reproducible else 'on'}")
     line = f"cc {' '.join(flags)} -DCARDAN_EXAMPLE -o example *.c -lm && ./example"
-    package = cython.package(data) if request.language == "cython" else ""
+    binding = BINDINGS[request.language]
     headers = ["simulate.h" if methods else "export.h", *(["mesh_export.h"] if elements else [])]
     files = companions.kernels(methods, elements)
     files |= {
         "functions.h": header.prototypes(data.name, functions, headers, content.declared),
         "model.c": model_file.text(data, content, methods),
         "example.c": f"/* Try it:  {line} */\n{source('example.c')}",
-        "README.md": readme(data, functions, line, bool(methods), package),
+        "README.md": readme(data, functions, line, bool(methods), binding),
         **content.files,
     }
-    return files | (cython.files(data, flags) if package else {})
+    return files | (binding.files(data, flags) if binding else {})
 
 
 def export(
@@ -155,6 +156,10 @@ def export(
             raise CodegenError(f"functions: {brief(one)}: give names, or ('pose', 'hand')")
     request = ExportRequest.checked(directory, language, integrators, reproducible, prefix)
     requested = _requested(equations, functions, request.integrators)
+    binding = BINDINGS[language]
+    if binding and binding.jacobians:
+        named = _requested(equations, functions or [*_usual(equations)], ())
+        requested = with_jacobians(equations, language, named, requested)
 
     def fill(folder: Path) -> Content:
         _write(folder, equations, requested, loops)
@@ -210,8 +215,7 @@ def _requested(
         DerivationError: one does not exist.
     """
     available = equations.names()
-    # what equations do not tell, such as an energy, is left out
-    usual = [name for name in STANDARD if name in available]
+    usual = _usual(equations)
     requested = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or usual]
     if integrators or not functions:
         # what keeps a closed system closed belongs to its dynamics
@@ -231,6 +235,12 @@ def _requested(
                 why or f"function '{name}' does not exist.{near(name, available)}"
             )
     return requested
+
+
+def _usual(equations: EquationRecord) -> list[str]:
+    """Functions where none are named, without what equations do not tell, such as an energy."""
+    available = equations.names()
+    return [name for name in STANDARD if name in available]
 
 
 def _ordered(entries: Mapping[str, FunctionRow]) -> dict[str, Exported]:

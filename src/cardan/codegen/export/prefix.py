@@ -30,7 +30,9 @@ def check(prefix: str, language: str) -> None:
             "digits and _, such as 'arm_'"
         )
     if prefix and language != "c":
-        raise CodegenError(f"prefix='{prefix}': it goes with language='c'; packages do not collide")
+        raise CodegenError(
+            f"prefix='{prefix}': it goes with language='c'; what Python loads does not collide"
+        )
 
 
 def add(folder: Path, prefix: str) -> None:
