@@ -44,6 +44,7 @@ class Equations(Explained, Linearizable):
         reproducible: bool = False,
         loops: bool | None = None,
         prefix: str = "",
+        precision: str = "double",
     ) -> Path:
         """Write C that needs nothing but a C compiler, and what makes it easy to use.
 
@@ -62,6 +63,8 @@ class Equations(Explained, Linearizable):
             loops: As :func:`cardan.compile` takes it.
             prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
                 different prefixes can be linked into one program. With ``language="c"``.
+            precision: ``"single"`` for float instead of double everywhere, as processors of
+                microcontrollers have it. With ``language="c"``.
 
         Returns:
             The directory. It appears whole or not at all.
@@ -73,7 +76,7 @@ class Equations(Explained, Linearizable):
         from ..analyses.simulation.export_plan import started
         from ..codegen.export.export import export
 
-        how = (language, integrators, reproducible, loops, prefix)
+        how = (language, integrators, reproducible, loops, prefix, precision)
         return export(self, directory, partial(started, CompiledModel), functions, *how)
 
     @checked
@@ -117,12 +120,13 @@ class FiniteElementEquations(FiniteElementRecord):
         integrators: Sequence[str] = (),
         reproducible: bool = False,
         prefix: str = "",
+        precision: str = "double",
     ) -> Path:
         """Write C that needs no cardan, as :meth:`Equations.export` does."""
         from ..analyses.simulation.export_plan import planned
         from ..codegen.export.finite_elements import export
 
-        how = (language, integrators, reproducible, prefix)
+        how = (language, integrators, reproducible, prefix, precision)
         plan = partial(planned, CompiledModel)
         return export(self, directory, plan, functions, *how)
 

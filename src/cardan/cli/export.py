@@ -45,6 +45,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                       help="flags under which every compiler gives equal bits")  # fmt: skip
     what.add_argument("--prefix", metavar="NAME", default="",
                       help="before all names, such as arm_: several in one program")  # fmt: skip
+    what.add_argument("--precision", choices=("double", "single"), default="double",
+                      help="single: float everywhere, for microcontrollers")  # fmt: skip
     parser.add_argument("--json", action="store_true", help="print JSON for another program")
 
 
@@ -69,6 +71,7 @@ def run(options: argparse.Namespace) -> int:
             integrators=options.integrators,
             reproducible=options.reproducible,
             prefix=options.prefix,
+            precision=options.precision,
             **chosen,
         )
     files = sorted(path.name for path in folder.iterdir())

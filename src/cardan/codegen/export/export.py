@@ -21,6 +21,7 @@ from ..languages import BINDINGS
 from ..sources import source
 from ..writing import generate
 from . import companions, model_file
+from . import precision as precisions
 from . import prefix as prefixes
 from .jacobians import with_jacobians
 from .model_file import Content
@@ -42,6 +43,7 @@ class ExportRequest:
         integrators: By their kernels.
         reproducible: Whether flags forbid contraction.
         prefix: Before all names.
+        precision: Of all numbers, ``"double"`` or ``"single"``.
     """
 
     target: Path
@@ -49,6 +51,7 @@ class ExportRequest:
     integrators: tuple[str, ...]
     reproducible: bool
     prefix: str
+    precision: str
 
     @classmethod
     def checked(
@@ -58,6 +61,7 @@ class ExportRequest:
         integrators: Sequence[str],
         reproducible: bool,
         prefix: str,
+        precision: str,
     ) -> ExportRequest:
         """The options, checked.
 
@@ -72,8 +76,9 @@ class ExportRequest:
                 hint = near(name, companions.INTEGRATORS)
                 raise CodegenError(f"integrators: '{name}' does not exist.{hint}")
         prefixes.check(prefix, language)
+        precisions.check(precision, language, methods)
         check(target)
-        return cls(target, language, methods, reproducible, prefix)
+        return cls(target, language, methods, reproducible, prefix, precision)
 
 
 def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
@@ -92,6 +97,8 @@ def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
         layout.add_files(folder, _texts(layout.manifest_of(folder), request, content))
         if request.prefix:
             prefixes.add(folder, request.prefix)
+        if request.precision == "single":
+            precisions.apply(folder)
         (folder / layout.LOCK).unlink()
 
     try:
@@ -132,6 +139,7 @@ def export(
     reproducible: bool = False,
     loops: bool | None = None,
     prefix: str = "",
+    precision: str = "double",
 ) -> Path:
     """Write C that needs nothing but a C compiler, and what makes it easy to use.
 
@@ -139,7 +147,7 @@ def export(
         equations: What to write.
         directory: A new or empty one, or an earlier export of cardan, which is replaced.
         start: Folder of a model -> values to start from, by block; of other blocks the scene's.
-        functions, language, integrators, reproducible, loops, prefix: As
+        functions, language, integrators, reproducible, loops, prefix, precision: As
             ``equations.export`` takes them.
 
     Returns:
@@ -154,7 +162,8 @@ def export(
     for one in functions or ():
         if not isinstance(one, str) and not (isinstance(one, tuple | list) and len(one) == 2):
             raise CodegenError(f"functions: {brief(one)}: give names, or ('pose', 'hand')")
-    request = ExportRequest.checked(directory, language, integrators, reproducible, prefix)
+    options = (language, integrators, reproducible, prefix, precision)
+    request = ExportRequest.checked(directory, *options)
     requested = _requested(equations, functions, request.integrators)
     binding = BINDINGS[language]
     if binding and binding.jacobians:

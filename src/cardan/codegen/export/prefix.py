@@ -7,7 +7,6 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from ...errors import CodegenError, brief
-from ...schema.manifest import Manifest
 from .. import layout
 from . import linkage
 
@@ -44,16 +43,7 @@ def add(folder: Path, prefix: str) -> None:
     for name, text in texts.items():
         more = _declared(text, prefix) if name in shared else ""
         texts[name] = renamed(text + more, names, prefix)
-    layout.add_files(folder, texts)
-
-    def renamed_functions(manifest: Manifest) -> Manifest:
-        functions = {
-            name: entry.replaced(sha256=manifest.sha256[entry.file])
-            for name, entry in manifest.functions.items()
-        }
-        return manifest.replaced(prefix=prefix, functions=functions)
-
-    layout.change(folder, renamed_functions)
+    layout.replace_texts(folder, texts, prefix=prefix)
 
 
 def _names(texts: Mapping[str, str]) -> frozenset[str]:

@@ -62,7 +62,7 @@ CARDAN_INLINE void cardan_growth(int order, const real *error, real *growth)
         const real fourth = cardan_sqrt(cardan_sqrt(*error));
         *growth = CARDAN_SAFETY / cardan_sqrt(fourth);
     } else {
-        *growth = CARDAN_SAFETY * cardan_pow(*error, CARDAN_REAL(-1.0 / order));
+        *growth = CARDAN_SAFETY * cardan_pow(*error, CARDAN_REAL(-1.0 / (double)order));
     }
 }
 
