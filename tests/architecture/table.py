@@ -115,7 +115,7 @@ FAMILIES: dict[str, frozenset[str]] = {
         }
     ),
     "explain.writers": frozenset(),
-    "codegen.languages": frozenset({"expressions"}),
+    "codegen.languages": frozenset({"binding", "expressions"}),
     "runtime.formats": frozenset({"contents"}),
     "view.motion_files": frozenset({"motion_format"}),
     "schema.integrators": frozenset({"integrator", "alpha_family"}),

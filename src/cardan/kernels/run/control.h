@@ -70,7 +70,11 @@ CARDAN_INLINE void cardan_growth(int order, const real *error, real *growth)
         const real fourth = cardan_sqrt(cardan_sqrt(*error));
         *growth = CARDAN_SAFETY / cardan_sqrt(fourth);
     } else {
+<<<<<<< HEAD
         *growth = CARDAN_SAFETY * CARDAN_COARSE(cardan_pow(*error, CARDAN_REAL(-1.0 / order)));
+=======
+        *growth = CARDAN_SAFETY * cardan_pow(*error, CARDAN_REAL(-1.0 / (double)order));
+>>>>>>> cd515482e519b77ac0068a378e81671ac22d4fb7
     }
 }
 
