@@ -14,6 +14,7 @@ start here:
   cardan report arm.urdf --time 10           which integrator for which error
   cardan check arm.urdf                      what is wrong with it, and the cure
   cardan export arm.urdf -o arm_c            C to take away
+  cardan page arm.urdf -o arm.html           a page in which it runs
   cardan bench arm.urdf                      how fast, how exact, beside other programs
   cardan simulate --help                     all that can be said about a run
   cardan doctor                              what works on this machine
@@ -48,6 +49,7 @@ EXAMPLES = re.compile(r"\n\n(?=(?:examples|start here):\n)")
 COMMANDS = {
     "demo": (".demo", "derive, compile and simulate a robot, and show every step"),
     "check": (".check", "complaints about a scene, each with its cure"),
+    "page": (".page", "a page in which the model runs, with sliders and a mouse"),
     "inspect": (".inspect", "graph, coordinates, equations and counts of a scene"),
     "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
     "equilibrium": (".equilibrium", "where a mechanism rests, and whether stably"),

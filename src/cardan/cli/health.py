@@ -18,7 +18,7 @@ from ..errors import BuildError, CompilerMissing
 from ..peers import processor
 from ..runtime.build import cache, cache_folder, limited_subprocess, prebuilt, prune, toolchain
 from ..runtime.build.object_file import Object
-from ..runtime.calls import abi, batch, lanes
+from ..runtime.calls import abi, batch, lanes, webassembly
 from ..version import VERSION
 
 NEEDED = ("numpy", "scipy", "sympy", "rich", "defusedxml", "ruamel.yaml")
@@ -30,6 +30,7 @@ OPTIONAL = {
     "mpmath": ("errors in model.report(), against 40 digits", "test"),
     "example-robot-data": ("robots for cardan demo", "demo"),
     "ziglang": ("a C compiler from the package index", "compiler"),
+    "wasmtime": ("fast functions without a C compiler", "wasm"),
 }
 PROBE = "double cardan_probe(double x);\ndouble cardan_probe(double x) { return 2 * x; }\n"
 PIP = "pip install"
@@ -109,7 +110,12 @@ def _compiler() -> Finding:
             if probe(21.0) != 42.0:
                 raise BuildError(f"{chosen.command[0]} compiles wrong code: 2 x 21 is not 42")
     except BuildError as error:
-        cure = f"{PIP} 'cardan[compiler]'; until then functions run in NumPy, slower"
+        if webassembly.available():
+            says = f"{error}; functions run as WebAssembly in {webassembly.version()}"
+            return Finding("compiler", True, says, f"{PIP} 'cardan[compiler]' is a little faster")
+        cure = (
+            f"{PIP} 'cardan[wasm]' or 'cardan[compiler]'; until then functions run in NumPy, slower"
+        )
         return Finding("compiler", False, str(error), cure)
     except OSError as error:
         cure = "make room, or set TMPDIR to another folder"
@@ -130,7 +136,8 @@ def _batches() -> Finding:
         text = f"{lanes.width()} states side by side (CARDAN_LANES), "
         text += f"{batch.threads()} threads (CARDAN_THREADS)"
     except CompilerMissing:
-        return Finding("batches", True, "in NumPy, without a compiler")
+        way = "one by one" if webassembly.available() else "in NumPy"
+        return Finding("batches", True, f"{way}, without a compiler")
     except BuildError as error:
         return Finding("batches", False, str(error), "correct or unset it")
     return Finding("batches", True, text)

@@ -28,7 +28,7 @@ SINGULAR = 1  # CARDAN_SINGULAR of cardan.h
 UNSOLVED = -8  # CARDAN_UNSOLVED of run.h
 RAISED = 1 << 16  # status of a function that raised, beside those of cardan.h
 NUMBERS = 4_000_000  # held at once: every node has a value for every state of a piece
-CURE = "pip install 'cardan[compiler]' makes it some hundred times faster"
+CURE = "pip install 'cardan[compiler]' or 'cardan[wasm]' makes it some hundred times faster"
 # cardan_function: an array of blocks, results, work
 NUMBER = ctypes.POINTER(ctypes.c_double)
 CALLBACK = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(NUMBER), ctypes.c_void_p, ctypes.c_void_p)

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from ....arguments import checked
 from ....errors import CompilerMissing, counted
 from ....runtime.build import cache
-from ....runtime.calls import abi, function_costs
+from ....runtime.calls import abi, function_costs, webassembly
 from ....runtime.calls.measuring import Row
 from ....runtime.models.finite_elements import element_costs
 from ....runtime.models.loaded_model import LoadedModel
@@ -124,4 +124,4 @@ def _compiler() -> str:
     try:
         return cache.compiler().identity.splitlines()[0]
     except CompilerMissing:
-        return "no C compiler, Python"
+        return webassembly.version() if webassembly.available() else "no C compiler, Python"
