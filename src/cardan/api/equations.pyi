@@ -55,18 +55,21 @@ class Equations(Explained, Linearizable):
         self,
         path: str | Path,
         progress: Callable[[str], object] | None = None,
+        notation: str = "cardan",
     ) -> Path:
         """Write equations as a page.
 
         Args:
             path: Its ending says how: ``.html``, ``.tex`` or ``.md``.
             progress: Told what is under way.
+            notation: Whose symbols the page uses: ``"cardan"``, ``"rs"`` (Roberson and Schwertassek),
+                ``"gc"`` (Géradin and Cardona) or ``"kane"`` (Kane and Levinson).
 
         Returns:
             The file.
 
         Raises:
-            DerivationError: another ending.
+            DerivationError: another ending, an unknown notation.
         """
     def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str='cython', integrators: Sequence[str]=(), reproducible: bool=False, loops: bool | None=None, prefix: str='', precision: str='double') -> Path:
         """Write C that needs nothing but a C compiler, and what makes it easy to use.
@@ -119,18 +122,21 @@ class FiniteElementEquations(FiniteElementRecord):
         self,
         path: str | Path,
         progress: Callable[[str], object] | None = None,
+        notation: str = "cardan",
     ) -> Path:
         """Write equations as a page.
 
         Args:
             path: Its ending says how: ``.html``, ``.tex`` or ``.md``.
             progress: Told what is under way.
+            notation: Whose symbols the page uses: ``"cardan"``, ``"rs"`` (Roberson and Schwertassek),
+                ``"gc"`` (Géradin and Cardona) or ``"kane"`` (Kane and Levinson).
 
         Returns:
             The file.
 
         Raises:
-            DerivationError: another ending.
+            DerivationError: another ending, an unknown notation.
         """
     def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str='c', integrators: Sequence[str]=(), reproducible: bool=False, prefix: str='', precision: str='double') -> Path:
         """Write C that needs no cardan, as :meth:`Equations.export` does."""

@@ -1,6 +1,6 @@
 """Languages a model can be written in: name -> module.
 
-``c`` writes a Program: it has ``write`` and ``SUFFIX``. What calls the exported C, such as
+``c`` and ``wasm`` write a Program: they have ``write`` and ``SUFFIX``. What calls the exported C, such as
 ``cython``, writes from the manifest: it has a ``BINDING``.
 """
 
@@ -8,10 +8,16 @@ from __future__ import annotations
 
 from types import ModuleType
 
-from . import c, casadi, cython, jax
+from . import c, casadi, cython, jax, wasm
 from .binding import Binding
 
-LANGUAGES: dict[str, ModuleType] = {"cython": cython, "c": c, "casadi": casadi, "jax": jax}
+LANGUAGES: dict[str, ModuleType] = {
+    "cython": cython,
+    "c": c,
+    "casadi": casadi,
+    "jax": jax,
+    "wasm": wasm,
+}
 # those that an export may be asked for: what calls its C, or nothing beside it
 BINDINGS: dict[str, Binding | None] = {
     name: getattr(module, "BINDING", None)
