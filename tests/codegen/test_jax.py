@@ -200,7 +200,6 @@ def test_the_c_compiles_without_a_warning(compiler: str, folder: Path) -> None:
 @pytest.mark.slow
 def test_panda(tmp_path: Path) -> None:
     """check_grads of first order, on the arm with its 113 parameters."""
-    pytest.importorskip("example_robot_data")
     from mechanisms.robots import panda
 
     cd.derive(panda()).export(tmp_path / "c", ["forward_dynamics"], language="jax")

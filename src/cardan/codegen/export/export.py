@@ -20,7 +20,7 @@ from ..header import Exported
 from ..languages import BINDINGS
 from ..sources import source
 from ..writing import generate
-from . import companions, model_file
+from . import companions, lanes, model_file
 from . import precision as precisions
 from . import prefix as prefixes
 from .jacobians import with_jacobians
@@ -117,13 +117,17 @@ def _texts(data: Manifest, request: ExportRequest, content: Content) -> dict[str
     flags = (*FLAGS, f"-ffp-contract={'off' if request.reproducible else 'on'}")
     line = f"cc {' '.join(flags)} -DCARDAN_EXAMPLE -o example *.c -lm && ./example"
     binding = BINDINGS[request.language]
-    headers = ["simulate.h" if methods else "export.h", *(["mesh_export.h"] if elements else [])]
-    files = companions.kernels(methods, elements)
+    side_by_side = lanes.methods(data, methods) if request.precision == "double" else []
+    top = "simulate_lanes.h" if side_by_side else "simulate.h" if methods else "export.h"
+    headers = [top, *(["mesh_export.h"] if elements else [])]
+    files = companions.kernels(methods, elements) | (
+        lanes.files(side_by_side) if side_by_side else {}
+    )
     files |= {
         "functions.h": header.prototypes(data.name, functions, headers, content.declared),
         "model.c": model_file.text(data, content, methods),
         "example.c": f"/* Try it:  {line} */\n{source('example.c')}",
-        "README.md": readme(data, functions, line, bool(methods), binding),
+        "README.md": readme(data, functions, line, (bool(methods), bool(side_by_side)), binding),
         **content.files,
     }
     return files | (binding.files(data, flags) if binding else {})

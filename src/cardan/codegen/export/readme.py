@@ -25,6 +25,10 @@ ELEMENT_FILES = {
     "`functions.json`, `mesh.npz`": "expressions and numbers, for programs",
 }
 RUN_FILES = {"`simulate.h`": "a run from C: methods, tolerances, rows of output, events"}
+LANE_FILES = {
+    "`simulate_lanes.h`, `model_lanes.c`, `lane_*.c`": "runs side by side in vectors: "
+    "`simulate_lanes.h` says how to compile them; `example_lanes.c` is an example"
+}
 NOTATION = """\
 Values are called `<owner>_<quantity>_<component>`; above a section stand formulas of what it
 computes: R turns axes of the child to those of its parent, p is where the child is, S its modes of
@@ -41,7 +45,7 @@ def readme(
     manifest: Manifest,
     functions: Mapping[str, Exported],
     compile_line: str,
-    simulates: bool,
+    runs: tuple[bool, bool],
     binding: Binding | None = None,
 ) -> str:
     """The file.
@@ -50,12 +54,13 @@ def readme(
         manifest: Of the model.
         functions: Those of the export.
         compile_line: How to compile and run the example.
-        simulates: Whether integrators came along.
+        runs: Whether integrators came along, and whether they run side by side.
         binding: What calls the C, if anything does.
     """
     meshed = manifest.absolute
     files = {**FILES, "`example.c`": f"a call from C: `{compile_line}`"}
-    files |= (ELEMENT_FILES if meshed else {}) | (RUN_FILES if simulates else {})
+    files |= (ELEMENT_FILES if meshed else {}) | (RUN_FILES if runs[0] else {})
+    files |= LANE_FILES if runs[1] else {}
     if binding:
         package = binding.package(manifest)
         files[binding.listed.format(package=package)] = binding.use.format(package=package)

@@ -1,4 +1,4 @@
-"""What calls the exported C from another program: its files, and how they are used."""
+"""Bindings: calls of the exported C from other programs, their files and their use."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ...schema.request import Request, reads
 
 @dataclass(frozen=True)
 class Binding:
-    """How another program calls the exported C.
+    """Calls of the exported C from another program.
 
     Attributes:
         package: Name under which Python imports it.
@@ -71,7 +71,7 @@ class BoundFunction:
 
     @property
     def result(self) -> ResultRow:
-        """What it gives: several results one after the other, as a compiled model has them."""
+        """The result: several ones one after the other, as a compiled model has them."""
         outputs = self.entry.outputs
         if len(outputs) == 1:
             return outputs[0]

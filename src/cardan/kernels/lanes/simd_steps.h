@@ -104,4 +104,19 @@ typedef struct cardan_lane_method {
     void (*worst)(cardan_simd *a);
 } cardan_lane_method;
 
+/* What an exported model has in lanes: model_lanes.c defines one, cardan_scene_lanes. */
+typedef struct cardan_lane_choice {
+    const char *name; /* of the method */
+    const cardan_lane_method *method;
+    ptrdiff_t order; /* of its error */
+} cardan_lane_choice;
+typedef struct cardan_lane_build {
+    ptrdiff_t lanes;
+    cardan_any_function rhs;
+    ptrdiff_t (*attempt)(cardan_simd *a);
+    ptrdiff_t (*move)(cardan_simd *a);
+    const cardan_lane_choice *methods;
+    ptrdiff_t method_count;
+} cardan_lane_build;
+
 #endif

@@ -199,33 +199,42 @@ static int drive(const cardan_export *model, const cardan_simulation *settings, 
     return status;
 }
 
-int cardan_simulate(const cardan_export *model, cardan_simulation *settings, void *memory)
+int cardan_simulation_open(const cardan_export *model, const cardan_simulation *settings,
+                           cardan_run *run, void *memory)
 {
     const cardan_exported_method *method = method_of(model, settings->method);
-    cardan_run run = {0};
     block at;
     int status;
 
+    *run = (cardan_run){0};
     if (!method)
         return CARDAN_SIZE;
-    describe(model, &run);
-    choose(method, settings, &run);
-    (void)lay(model, memory, &run, &at);
-    set_options(&run, settings->rho_inf > 0 ? settings->rho_inf : USUAL_RHO_INF, at.options);
-    for (ptrdiff_t k = 0; k < run.tick_count; k++)
+    describe(model, run);
+    choose(method, settings, run);
+    (void)lay(model, memory, run, &at);
+    if (!memory)
+        return 0;
+    set_options(run, settings->rho_inf > 0 ? settings->rho_inf : USUAL_RHO_INF, at.options);
+    for (ptrdiff_t k = 0; k < run->tick_count; k++)
         at.ticks[k] = (cardan_tick){.event = model->ticks[k].event, .period = model->ticks[k].period,
                                     .phase = model->ticks[k].phase};
-    run.stops = at.stops;
-    run.options = at.options, run.ticks = at.ticks, run.log = at.log;
-    cardan_run_lay(&run, at.memory, (size_t)model->zeros, cardan_work_length(model));
-    run.rows = settings->rows, run.capacity = settings->time_count;
+    run->stops = at.stops;
+    run->options = at.options, run->ticks = at.ticks, run->log = at.log;
+    cardan_run_lay(run, at.memory, (size_t)model->zeros, cardan_work_length(model));
+    run->rows = settings->rows, run->capacity = settings->time_count;
     if (settings->times)
-        run.times = settings->times, run.time_count = settings->time_count;
+        run->times = settings->times, run->time_count = settings->time_count;
     if (model->mesh)
-        run.mesh = at.prepared;
-    status = prepare(model, settings, &at, &run);
-    if (status == 0)
-        status = enter(model, settings, at.prepared, &run);
+        run->mesh = at.prepared;
+    status = prepare(model, settings, &at, run);
+    return status == 0 ? enter(model, settings, at.prepared, run) : status;
+}
+
+int cardan_simulate(const cardan_export *model, cardan_simulation *settings, void *memory)
+{
+    cardan_run run;
+    int status = cardan_simulation_open(model, settings, &run, memory);
+
     if (status == 0)
         status = drive(model, settings, &run);
     settings->row_count = run.count, settings->steps = run.steps, settings->t = run.t;

@@ -35,6 +35,9 @@ typedef struct cardan_simulation {
 
 /* Bytes of memory, aligned as malloc does, that the run takes; 0: there is no such method. */
 size_t cardan_simulation_size(const cardan_export *model, const cardan_simulation *settings);
+/* A run that is ready to start; without memory its sizes alone. Returns a status. */
+int cardan_simulation_open(const cardan_export *model, const cardan_simulation *settings,
+                           cardan_run *run, void *memory);
 /* Run. Returns an answer of run.h: CARDAN_DONE, CARDAN_EVENT where an event ended it, another one
  * where it broke down. */
 int cardan_simulate(const cardan_export *model, cardan_simulation *settings, void *memory);

@@ -328,10 +328,8 @@ class Objects:
             BuildError: one is missing or was changed.
         """
         if self.manifest.precision != "double":
-            raise BuildError(
-                f"{self.directory} holds C in {self.manifest.precision} precision, for programs of "
-                "your own: export the model with precision='double' to open it here"
-            )
+            what = f"{self.directory} holds C in {self.manifest.precision} precision"
+            raise BuildError(f"{what}: export the model with precision='double' to open it here")
         for name, stated in self.manifest.sha256.items():
             if name.endswith(".h"):
                 self._verify(self.directory / Path(name).name, stated)
