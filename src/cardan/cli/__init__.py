@@ -16,6 +16,7 @@ start here:
   cardan export arm.urdf -o arm_c            C to take away
   cardan bench arm.urdf                      how fast, how exact, beside other programs
   cardan simulate --help                     all that can be said about a run
+  cardan parts                               ready subsystems, to simulate or to include
   cardan doctor                              what works on this machine
 
 completion of commands and options:  eval "$(cardan --completion bash)"   (or zsh, fish)
@@ -61,6 +62,7 @@ COMMANDS = {
     "report": (".report", "speed against error of every integrator on a scene"),
     "bench": (".bench", "speed, error and agreement beside other programs"),
     "export": (".export", "C that needs no cardan, with a package for NumPy"),
+    "parts": (".parts", "ready subsystems: list them, write one as a scene file"),
     "doctor": (".doctor", "what works on this machine, and what to do about the rest"),
 }
 
