@@ -63,6 +63,7 @@ COMMANDS = {
     "bench": (".bench", "speed, error and agreement beside other programs"),
     "export": (".export", "C that needs no cardan, with a package for NumPy"),
     "parts": (".parts", "ready subsystems: list them, write one as a scene file"),
+    "convert": (".convert", "a scene as URDF, or a robot as a scene file"),
     "doctor": (".doctor", "what works on this machine, and what to do about the rest"),
 }
 

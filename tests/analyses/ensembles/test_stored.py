@@ -90,5 +90,5 @@ def test_what_is_no_ensemble(runs: cd.Ensemble, tmp_path: Path) -> None:
         cd.load_motion(runs.save(tmp_path / "runs.nc"))
     with pytest.raises(cd.ModelError, match="there is no such file"):
         cd.load_ensemble(tmp_path / "none.nc")
-    with pytest.raises(cd.ModelError, match="whose ending is one of"):
+    with pytest.raises(cd.ModelError, match="files that end in one of"):
         runs.save(tmp_path / "runs.h5")
