@@ -51,6 +51,7 @@ _PUBLIC: dict[str, str] = {
     "identify": "analyses.identification.identify",
     "convert": "analyses.conversion.convert",
     "sample": "analyses.ensembles.sampling",
+    "parts": "parts",
     "Ensemble": "api.results",
     "Trajectory": "api.trajectory",
     "load_motion": "runtime.trajectory.storage",
@@ -82,8 +83,8 @@ _FACED = frozenset(
 )
 _MODULES = frozenset(
     {
-        *("constraints", "convert", "inertia", "orbit", "sample", "section", "shape", "stability"),
-        "superelement",
+        *("constraints", "convert", "inertia", "orbit", "parts", "sample", "section", "shape"),
+        *("stability", "superelement"),
     }
 )
 _RENAMED = {"load_model": "load", "load_motion": "load", "load_ensemble": "load"}

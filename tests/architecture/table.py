@@ -29,7 +29,7 @@ ORDER = (
         "solids",
         "explain",
     ),
-    *("api", "pipeline", "live", "peers", "cli", "__init__", "__main__"),
+    *("api", "pipeline", "parts", "live", "peers", "cli", "__init__", "__main__"),
 )
 
 # a shipped model runs without the compiler half: these rooms know files and saved Functions only

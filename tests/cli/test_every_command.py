@@ -38,10 +38,11 @@ WORKING = {
     "report": (ARM, "--time", "0.1", "--methods", "DOP853", "RK4"),
     "bench": (ARM, "--peers", "casadi", "--functions", "mass_matrix"),
     "export": (ARM, "-o", "arm_c", "--functions", "bias"),
+    "parts": (),
     "convert": (ARM, "-o", "arm.yaml"),
     "doctor": (),
 }
-READING = [name for name in WORKING if name != "doctor"]
+READING = [name for name in WORKING if name not in ("parts", "doctor")]
 MODULES = [cli, *(import_module(f"cardan.cli.{name}") for name in COMMANDS)]
 HELP = [cli.help_of(module.__doc__)[1] for module in MODULES]
 # a comment stands behind two blanks or more, what the shell does with the output behind >

@@ -1,7 +1,8 @@
 """Pictures of the documents: pages as Chromium shows them.
 
 ``docs/page.png`` of the README is the Panda arm, ``docs/mode.png`` a mode of a superelement,
-``docs/link.png`` one in motion, ``docs/antenna.png`` eight of them.
+``docs/link.png`` one in motion, ``docs/antenna.png`` eight of them, ``docs/parts_*.png`` the parts
+of the library.
 ``make picture`` writes them, with names of pictures only those; it needs Chromium and the package
 playwright.
 """
@@ -13,14 +14,18 @@ import runpy
 import shutil
 import sys
 import tempfile
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
 import cardan as cd
 from cardan.cli.demo import PACKAGE, SCENES, locate
+from cardan.parts import PARTS
 
 ROOT = Path(__file__).parents[2]
+SHADES = 128  # of a small picture
+PATIENCE = 120_000  # milliseconds, as the graphics are computed by software
 OPTIONS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 
 
@@ -65,7 +70,15 @@ def antenna(folder: Path) -> str:
     return f"{page.saved().as_uri()}#t={result['motion'].t[result['stress'].argmax()]}&bare"
 
 
+def part(name: str, folder: Path) -> str:
+    """The page of a part of the library, a little after its start."""
+    scene = PARTS[name]()
+    motion = cd.compile(scene).simulate(**scene.settings | {"t": 0.2})
+    return f"{motion.animate(folder / f'{name}.html').saved().as_uri()}#t=0.05&bare"
+
+
 PICTURES = {
+    **{f"parts_{name}": (partial(part, name), (480, 320)) for name in PARTS},
     "page": (panda, (1280, 720)),
     "mode": (mode, (960, 480)),
     "link": (link, (960, 480)),
@@ -75,6 +88,7 @@ PICTURES = {
 
 def main() -> int:
     """Write the pictures. Returns the exit status."""
+    from PIL import Image
     from playwright.sync_api import sync_playwright
 
     chromium = os.environ.get("CHROMIUM") or shutil.which("chromium")
@@ -87,9 +101,12 @@ def main() -> int:
             address, (width, height) = PICTURES[name]
             page = browser.new_page(viewport={"width": width, "height": height})
             page.goto(address(Path(folder)))
-            page.wait_for_selector("body[data-ready]")
+            page.wait_for_selector("body[data-ready]", timeout=PATIENCE)
             page.wait_for_timeout(500)
-            page.screenshot(path=ROOT / "docs" / f"{name}.png")
+            path = ROOT / "docs" / f"{name}.png"
+            page.screenshot(path=path)
+            if name.startswith("parts_"):
+                Image.open(path).quantize(SHADES).save(path, optimize=True)
         browser.close()
     return 0
 

@@ -17,6 +17,7 @@ start here:
   cardan page arm.urdf -o arm.html           a page in which it runs
   cardan bench arm.urdf                      how fast, how exact, beside other programs
   cardan simulate --help                     all that can be said about a run
+  cardan parts                               ready subsystems, to simulate or to include
   cardan doctor                              what works on this machine
 
 completion of commands and options:  eval "$(cardan --completion bash)"   (or zsh, fish)
@@ -63,6 +64,7 @@ COMMANDS = {
     "report": (".report", "speed against error of every integrator on a scene"),
     "bench": (".bench", "speed, error and agreement beside other programs"),
     "export": (".export", "C that needs no cardan, with a package for NumPy"),
+    "parts": (".parts", "ready subsystems: list them, write one as a scene file"),
     "convert": (".convert", "a scene as URDF, or a robot as a scene file"),
     "doctor": (".doctor", "what works on this machine, and what to do about the rest"),
 }

@@ -1,6 +1,6 @@
 """Many runs of one model: side by side in lanes, shared by threads or a client, reduced on the way.
 
-What a run gives depends on its local numbers alone: it has the same bits whether it is computed in
+What a run gives depends on its own numbers alone: it has the same bits whether it is computed in
 lanes, one by one, in threads or elsewhere with the same build.
 """
 
