@@ -13,8 +13,9 @@ import pytest
 
 from cardan.analyses.simulation.stepper import stepper
 from cardan.errors import SolveWarning
-from cardan.runtime.trajectory.storage import load, save
+from cardan.runtime.trajectory.storage import load
 from cardan.runtime.trajectory.trajectory import TrajectoryRecord
+from cardan.view.motion_files import save
 from kernels.problem import METHODS, PENDULUM_POSITION, PENDULUM_VELOCITY, Problem, pendulum
 
 FINE: dict[str, dict[str, Any]] = {
