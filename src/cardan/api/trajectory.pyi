@@ -1,7 +1,6 @@
 """Written from the functions of its verbs: pytest tests/golden/test_verbs.py --accept"""
 
 from collections.abc import Iterable, Mapping, Sequence
-from pandas import DataFrame
 from pathlib import Path
 from typing import Any, final
 
@@ -90,7 +89,7 @@ class Trajectory(TrajectoryRecord):
         """
     def to_pandas(
         self,
-    ) -> DataFrame:
+    ) -> Any:
         """A ``pandas.DataFrame``: a row for every time, a column for every history.
 
         Columns are coordinates, speeds, inputs, internal states, modes and outputs, by the names that

@@ -38,4 +38,4 @@ def _plain(text: object) -> object:
     return value
 
 
-JSON = FileFormat("JSON", (".json",), _written)
+JSON = FileFormat("JSON", (".json",), _written, empty=True)
