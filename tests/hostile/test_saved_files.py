@@ -17,9 +17,13 @@ KINDS: dict[str, Callable[[Path], Kind]] = {
         for name in saved_kinds.MOTIONS
     },
     "ensemble": saved_kinds.ensemble,
+    "linear model": saved_kinds.linear,
     "checkpoint": saved_kinds.checkpoint,
 }
-QUICK = ("motion ball", "motion archived ball", "motion blade", "ensemble", "checkpoint")
+QUICK = (
+    *("motion ball", "motion archived ball", "motion blade"),
+    *("ensemble", "linear model", "checkpoint"),
+)
 
 
 def _quick(names: tuple[str, ...]) -> list[object]:
