@@ -12,7 +12,7 @@ import pytest
 
 from cardan.codegen.languages import wasm
 from cardan.codegen.program.program import Program
-from cardan.codegen.wasm import prebuilt
+from cardan.schema import wasm_kernels
 from codegen.running import ORDER, Answer, guarded
 
 wasmtime = pytest.importorskip("wasmtime", reason="wasmtime is not installed")
@@ -26,7 +26,7 @@ def engine() -> Any:
 
 @cache
 def kernels(name: str) -> Any:
-    return wasmtime.Module(engine(), prebuilt.content(name))
+    return wasmtime.Module(engine(), wasm_kernels.content(name))
 
 
 class Machine:

@@ -19,10 +19,11 @@ KINDS: dict[str, Callable[[Path], Kind]] = {
     "ensemble": saved_kinds.ensemble,
     "linear model": saved_kinds.linear,
     "checkpoint": saved_kinds.checkpoint,
+    "part": saved_kinds.part,
 }
 QUICK = (
     *("motion ball", "motion archived ball", "motion blade"),
-    *("ensemble", "linear model", "checkpoint"),
+    *("ensemble", "linear model", "checkpoint", "part"),
 )
 
 

@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.codegen.wasm import build, prebuilt
-from cardan.view.page import text_of
+from cardan.codegen.wasm import build
+from cardan.schema import wasm_kernels
+from cardan.view.packing import text_of
 from view import live_native
 
 NODE = shutil.which("node")
@@ -217,14 +218,14 @@ def test_beams_are_recorded_instead() -> None:
 
 def test_kernels_are_those_of_the_sources() -> None:
     """``make wasm`` compiles them anew."""
-    assert json.loads(prebuilt.INDEX.read_text("utf-8"))["sources"] == prebuilt.digest()
+    assert json.loads(wasm_kernels.INDEX.read_text("utf-8"))["sources"] == build.digest()
 
 
 @pytest.mark.slow
 def test_kernels_are_compiled_to_the_same_bytes(tmp_path: Path) -> None:
     version = pytest.importorskip("importlib.metadata").version("ziglang")
-    if f"ziglang {version}" != json.loads(prebuilt.INDEX.read_text("utf-8"))["compiler"]:
+    if f"ziglang {version}" != json.loads(wasm_kernels.INDEX.read_text("utf-8"))["compiler"]:
         pytest.skip("another version of ziglang")
     build.build(tmp_path)
     for path in tmp_path.iterdir():
-        assert path.read_bytes() == (prebuilt.HERE / path.name).read_bytes(), path.name
+        assert path.read_bytes() == (wasm_kernels.FOLDER / path.name).read_bytes(), path.name

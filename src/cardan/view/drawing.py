@@ -110,20 +110,6 @@ class Drawing:
     follow: int | None = None
     layers: Sequence[str] = USUAL
 
-    @property
-    def still(self) -> Drawing:
-        """The bodies of the first row, and what stands around them."""
-        return replace(
-            self,
-            abscissa=replace(self.abscissa, values=self.abscissa.values[:1]),
-            bodies=[replace(body, poses=body.poses[:1]) for body in self.bodies],
-            springs=[replace(s, ends=(s.ends[0][:1], s.ends[1][:1])) for s in self.springs],
-            arrows=[],
-            traces={},
-            histories=[],
-            events=[],
-        )
-
 
 def solids_of(
     motion: TrajectoryRecord, colored_by: str | None = None

@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Array
-from ..codegen.wasm import prebuilt
 from ..errors import CardanError
 from ..runtime.trajectory.trajectory import TrajectoryRecord
+from ..schema import wasm_kernels
 from .drawing import Drawing, solids_of
-from .packing import JsonObject, deflated
-from .page import Page, drawing_page, text_of
+from .packing import JsonObject, deflated, text_of
+from .page import Page, drawing_page
 from .solids import Solid
 
 KERNELS = "kernels"
@@ -50,13 +50,27 @@ def page(
     scripts = ("live.js", "live_panel.js", *(["plain.js"] if kind == "plain" else []))
     program = "".join(map(text_of, scripts)).replace('"use strict";', "")
     parts = {
-        "KERNELS": deflated(prebuilt.content(KERNELS)),
+        "KERNELS": deflated(wasm_kernels.content(KERNELS)),
         "MODEL": deflated(module),
         "PROGRAM": deflated(program.encode()),
         "START": text_of("live_start.js"),
     }
     block = MARK.sub(lambda mark: parts[mark[1]], text_of("live.html"))
-    return drawing_page(drawing.still, path, kind, detail, title, (spec, block))
+    return drawing_page(_still(drawing), path, kind, detail, title, (spec, block))
+
+
+def _still(drawing: Drawing) -> Drawing:
+    """The bodies of the first row, and what stands around them."""
+    return replace(
+        drawing,
+        abscissa=replace(drawing.abscissa, values=drawing.abscissa.values[:1]),
+        bodies=[replace(body, poses=body.poses[:1]) for body in drawing.bodies],
+        springs=[replace(s, ends=(s.ends[0][:1], s.ends[1][:1])) for s in drawing.springs],
+        arrows=[],
+        traces={},
+        histories=[],
+        events=[],
+    )
 
 
 def shapes(motion: TrajectoryRecord, sliders: Sequence[JsonObject]) -> list[JsonObject]:

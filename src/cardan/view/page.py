@@ -26,7 +26,7 @@ from . import curves, plain_page, scene_page
 from . import drawing as drawn
 from .curves import HasHistories
 from .drawing import Abscissa, Drawing
-from .packing import JsonObject, deflated
+from .packing import JsonObject, deflated, text_of
 from .supports import supports
 
 PICTURES = 1500  # a longer motion gets fewer pictures per second
@@ -352,11 +352,6 @@ def _filled(
 def _encodable(text: str) -> str:
     """A text without the halves of characters that names of files may hold: UTF-8 has none."""
     return text.encode("utf-8", "replace").decode("utf-8")
-
-
-def text_of(name: str) -> str:
-    """A file of this folder."""
-    return (HERE / name).read_text(encoding="utf-8")
 
 
 @cache

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -66,6 +67,19 @@ def test_a_data_set_has_labels(runs: cd.Ensemble, tmp_path: Path) -> None:
         np.testing.assert_array_equal(elbow, runs["elbow"])
         assert [*data["entry"].values] == ["shoulder", "elbow", "shoulder.u", "elbow.u"]
     assert runs.to_xarray()["Gr__e___"].attrs["name"] == "Größe, α"
+
+
+def test_a_data_set_goes_into_a_bucket(runs: cd.Ensemble) -> None:
+    """By zarr, piece by piece, here in memory."""
+    xarray = pytest.importorskip("xarray")
+    for needed in ("zarr", "fsspec"):
+        pytest.importorskip(needed)
+    data = runs.to_xarray()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # zarr says that texts are new in its format
+        data.to_zarr("memory://bucket/runs.zarr", mode="w")
+        again = xarray.open_zarr("memory://bucket/runs.zarr")
+    np.testing.assert_array_equal(again["states"].values, runs["states"])
 
 
 def test_what_is_no_ensemble(runs: cd.Ensemble, tmp_path: Path) -> None:

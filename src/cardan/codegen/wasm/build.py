@@ -6,6 +6,7 @@ the same bytes.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import shutil
 import subprocess
@@ -13,11 +14,12 @@ import sys
 import tempfile
 from importlib.metadata import version
 from pathlib import Path
+from typing import NamedTuple
 
-from ...schema import kernel_files
+from ...schema import kernel_files, wasm_kernels
 from ..export import linkage
-from . import prebuilt
 
+HERE = Path(__file__).parent
 # no data behind errno and no contraction: the bits of a reproducible build
 FLAGS = (
     *("-std=c99", "-target", "wasm32-wasi", "-mexec-model=reactor", "-ffp-contract=off"),
@@ -32,14 +34,53 @@ RUNS = (
 TABLE = ("-Wl,--export-table", "-Wl,--growable-table")
 
 
+class KernelModule(NamedTuple):
+    """A module of the kernels.
+
+    Attributes:
+        name: Of its file.
+        sources: C files of this folder.
+        kernels, integrators: Files of the kernels to which others lead, and methods among them.
+        optimization: For the compiler.
+    """
+
+    name: str
+    sources: tuple[str, ...]
+    kernels: tuple[str, ...] = ()
+    integrators: tuple[str, ...] = ()
+    optimization: str = "-O2"
+
+
+MODULES = {
+    module.name: module
+    for module in (
+        # what generated functions call
+        KernelModule("functions", ("functions.c",)),
+        KernelModule("superelements", ("functions.c", "superelements.c")),
+        # runs of models in joint coordinates
+        KernelModule("kernels", ("functions.c",), ("export.c", "simulate.c"), ("dop853",), "-Os"),
+    )
+}
+
+
+def digest() -> str:
+    """Hash of all sources."""
+    total = hashlib.sha256()
+    for path in (*kernel_files.files("*.[ch]"), *sorted(HERE.glob("*.c"))):
+        content = path.read_bytes()
+        total.update(f"\0{path.name}\0{len(content)}\0".encode())
+        total.update(content)
+    return total.hexdigest()
+
+
 def build(folder: Path) -> None:
     """Compile all modules into a folder, with their index."""
-    for module in prebuilt.MODULES.values():
+    for module in MODULES.values():
         methods = [f"cardan_{one}_method" for one in module.integrators]
         exported = [f"-Wl,--export={one}" for one in (*(RUNS if methods else ()), *methods)]
         roots = [*module.kernels, *(f"{one}.c" for one in module.integrators)]
         sources = [kernel_files.file(n) for n in linkage.closure(roots) if n.endswith(".c")]
-        sources += [prebuilt.HERE / name for name in module.sources]
+        sources += [HERE / name for name in module.sources]
         include = [f"-I{path}" for path in kernel_files.includes()]
         subprocess.run(
             [
@@ -52,15 +93,15 @@ def build(folder: Path) -> None:
             check=True,
         )
     index = {
-        "sources": prebuilt.digest(),
+        "sources": digest(),
         "compiler": f"ziglang {version('ziglang')}",
         "places": {
             name: _places(folder / f"{name}.wasm")
-            for name, module in prebuilt.MODULES.items()
+            for name, module in MODULES.items()
             if module.integrators
         },
     }
-    (folder / prebuilt.INDEX.name).write_text(json.dumps(index, indent=1) + "\n", "utf-8")
+    (folder / wasm_kernels.INDEX.name).write_text(json.dumps(index, indent=1) + "\n", "utf-8")
 
 
 def _places(path: Path) -> dict[str, int]:
@@ -86,7 +127,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as scratch:
         build(Path(scratch))
         for path in sorted(Path(scratch).iterdir()):
-            shutil.copy(path, prebuilt.HERE / path.name)
+            shutil.copy(path, wasm_kernels.FOLDER / path.name)
             print(f"{path.name}: {path.stat().st_size} bytes")
 
 

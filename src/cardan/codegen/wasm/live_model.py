@@ -9,6 +9,7 @@ from ...equations.functions import live
 from ...equations.record import EquationRecord
 from ...ir.function import Function
 from ...ir.recursion import Recursion
+from ...schema import wasm_kernels
 from ...schema.manifest import Manifest
 from ..export import model_file
 from ..export.constants import Name, Value
@@ -18,7 +19,6 @@ from ..header import Exported
 from ..languages import wasm
 from ..manifest import base
 from ..writing import lowered
-from . import prebuilt
 from .memory import Memory, places
 from .module import Module
 
@@ -65,7 +65,7 @@ def build(
     """
     manifest = base(equations).data
     written = functions(equations, frames)
-    kernels = prebuilt.places(KERNELS)
+    kernels = wasm_kernels.places(KERNELS)
     module = Module(kernels["heap_base"] + -kernels["heap_base"] % 16, table_base=kernels["table"])
     described: dict[str, Exported] = {}
     sizes: dict[str, int] = {}

@@ -17,7 +17,8 @@
 #include <float.h>
 #include <math.h>
 
-static const real ORTHOGONAL = 1e-15, DEPENDENT = 1e-16, SHARE = 0.1, LEAST_SCALE = 1e-12;
+static const real ORTHOGONAL = CARDAN_ROUNDING(1e-15, 5e-7);
+static const real DEPENDENT = CARDAN_ROUNDING(1e-16, 6e-8), SHARE = 0.1, LEAST_SCALE = 1e-12;
 enum { MOST_SWEEPS = 30 };
 
 /* arrays within the workspace */

@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, Any
 
 from ... import processes, regular_file
 from ...build_progress import listed, stage
-from ...codegen.writing import lowered
 from ...errors import BuildError, CompilerMissing, DerivationError, ModelError, near
 from ...schema.c_functions import FunctionRow
 from ...schema.manifest import Manifest, from_file
@@ -111,6 +110,7 @@ class Objects:
         reproducible: bool = False,
         threads: int | None = None,
         available: Sequence[str] | None = None,
+        translate: webassembly.Translate | None = None,
     ) -> None:
         self.directory = Path(directory)
         self.reproducible = reproducible
@@ -124,7 +124,7 @@ class Objects:
         self.reference: tuple[tuple[Any, ...], Any] | None = (
             None  # of the last judgement, and for what
         )
-        self._provide = provide
+        self._provide, self._translate = provide, translate
         # others compile the same scene in the same folder, with other functions
         self._available = available
         self.lock = threading.RLock()
@@ -306,12 +306,11 @@ class Objects:
     def _evaluated(self, symbol: str, function: Function) -> Code:
         """A function where there is no compiler: as WebAssembly, or as its expressions."""
         entry = self.manifest.functions[symbol]
-        if webassembly.available():
+        if self._translate is not None and webassembly.available():
+            self._machine = self._machine or webassembly.Machine()
+            blocks = {block.name: len(block) for block in function.inputs}
             with stage(f"model '{self.manifest.name}': compiling {symbol} by {webassembly.NAME}"):
-                if self._machine is None:
-                    self._machine = webassembly.Machine()
-                blocks = {block.name: len(block) for block in function.inputs}
-                one = self._machine.function(lowered(function), entry, blocks)
+                one = self._machine.function(self._translate, function, entry, blocks)
             return Code(symbol, entry, True, one.address, one.prepare, wasm=one, blocks=blocks)
         announce()
         expressions = Interpreted(function)
@@ -382,6 +381,11 @@ class Objects:
         Raises:
             BuildError: one is missing or was changed.
         """
+        if self.manifest.precision != "double":
+            raise BuildError(
+                f"{self.directory} holds C in {self.manifest.precision} precision, for programs of "
+                "your own: export the model with precision='double' to open it here"
+            )
         for name, stated in self.manifest.sha256.items():
             if name.endswith(".h"):
                 self._verify(self.directory / Path(name).name, stated)

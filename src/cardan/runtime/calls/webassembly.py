@@ -1,6 +1,6 @@
 """Functions of a model as WebAssembly, compiled by wasmtime where there is no C compiler.
 
-They are written from the saved expressions in the moment they are wanted, and called as compiled C
+They are written from the saved expressions in the moment they are needed, and called as compiled C
 is, by an address, so that kernels run them in loops of C.
 """
 
@@ -10,27 +10,34 @@ import atexit
 import ctypes
 import threading
 import weakref
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import lru_cache
-from importlib import import_module
+from importlib import import_module, metadata
 from importlib.util import find_spec
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
-from ...codegen.languages import wasm
-from ...codegen.program.program import Program
-from ...codegen.wasm import prebuilt
 from ...errors import BuildError
+from ...schema import wasm_kernels
 from ...schema.blocks import ORDER
 from ...schema.c_functions import FunctionRow
-from ...schema.records import WasmFunction
+from ...schema.records import WasmFunction as Record
+from ...schema.wasm_kernels import WasmFunction
 from ..build import kernels
+
+if TYPE_CHECKING:
+    import wasmtime
+
+    from ...ir.function import Function
 
 NAME = "wasmtime"
 PAGE, NUMBER, POINTER = 65536, 8, 4
+# writes a function
+Translate: TypeAlias = "Callable[[Function], WasmFunction]"
+Counts = ctypes.c_ssize_t * len(ORDER)
 # places are taken and given back by one thread at a time
 _PLACES = threading.Lock()
 _LASTING: weakref.WeakSet[Any] = weakref.WeakSet()
-Counts = ctypes.c_ssize_t * len(ORDER)
+T = TypeVar("T")
 
 
 def available() -> bool:
@@ -38,114 +45,128 @@ def available() -> bool:
     return find_spec(NAME) is not None
 
 
-@lru_cache(maxsize=1)
-def _wasmtime() -> Any:
-    return import_module(NAME)
-
-
-@lru_cache(maxsize=1)
 def version() -> str:
     """Name and version of what compiles."""
-    from importlib.metadata import version
-
-    return f"{NAME} {version(NAME)}"
+    return f"{NAME} {metadata.version(NAME)}"
 
 
-def _lasting(thing: Any) -> Any:
+def _lasting(thing: T) -> T:
     """An object of wasmtime that is never deleted when Python ends: its library may be gone."""
     _LASTING.add(thing)
     return thing
 
 
 @atexit.register
-def _keep() -> None:
+def _leave() -> None:
     for thing in _LASTING:
         ctypes.pythonapi.Py_IncRef(ctypes.py_object(thing))
 
 
 @lru_cache(maxsize=1)
-def _engine() -> Any:
-    return _lasting(_wasmtime().Engine())
+def _engine() -> wasmtime.Engine:
+    from wasmtime import Engine
+
+    return _lasting(Engine())
 
 
 @lru_cache(maxsize=4)
-def _kernels(name: str) -> Any:
-    """A compiled module of the kernels."""
-    return _lasting(_wasmtime().Module(_engine(), prebuilt.content(name)))
+def _compiled(name: str) -> wasmtime.Module:
+    """A module of the kernels."""
+    from wasmtime import Module
+
+    return _lasting(Module(_engine(), wasm_kernels.content(name)))
+
+
+class _Kernels:
+    """A memory with the functions of the kernels."""
+
+    def __init__(self, store: wasmtime.Store, name: str) -> None:
+        from wasmtime import Func, Instance, Linker, Memory
+
+        exports = Instance(store, _compiled(name), []).exports(store)
+        self.store, self.linker = store, _lasting(Linker(_engine()))
+        for one in exports:
+            self.linker.define(store, "kernels", one, exports[one])
+        initialize, memory = exports["_initialize"], exports["memory"]
+        assert isinstance(initialize, Func)
+        assert isinstance(memory, Memory)
+        initialize(store)
+        self.memory = memory
+
+    @property
+    def end(self) -> int:
+        """First address behind the memory."""
+        return self.memory.size(self.store) * PAGE
+
+    def load(self, content: bytes, size: int) -> Mapping[str, object]:
+        """Exports of a module, for which so many bytes are added to the memory."""
+        from wasmtime import Module
+
+        self.memory.grow(self.store, -(-size // PAGE))
+        module = _lasting(Module(_engine(), content))
+        exports: Mapping[str, object] = self.linker.instantiate(self.store, module).exports(
+            self.store
+        )
+        return exports
 
 
 class Machine:
-    """A memory with functions that work on it, one at a time."""
+    """A store of wasmtime: its functions run one at a time."""
 
     def __init__(self) -> None:
-        self._store = _lasting(_wasmtime().Store(_engine()))
-        self._linker: dict[str, Any] = {}
-        self._lock = ctypes.create_string_buffer(1)
-        self._memory: Any = None
+        from wasmtime import Store
 
-    def function(self, program: Program, entry: FunctionRow, blocks: Mapping[str, int]) -> Compiled:
+        self.store = _lasting(Store(_engine()))
+        self.lock = ctypes.create_string_buffer(1)
+        self._kernels: dict[str, _Kernels] = {}
+
+    def function(
+        self,
+        translate: Translate,
+        function: Function,
+        entry: FunctionRow,
+        blocks: Mapping[str, int],
+    ) -> Compiled:
         """Compile a function.
 
         Args:
-            program: The function.
+            translate: Writes it.
+            function: As it is saved.
             entry: What the manifest says of it.
             blocks: Numbers of each input block.
 
         Raises:
-            BuildError: the program is not what the manifest says, or all places are taken.
+            BuildError: the function is not what the manifest says, or all places are taken.
         """
-        sizes = program.work_size, program.prepared_size
-        if sizes != (entry.work_size, entry.prepared_size):
+        written = translate(function)
+        if (written.work_size, written.prepared_size) != (entry.work_size, entry.prepared_size):
             raise BuildError(
                 f"{entry.symbol}: what is saved is not what its manifest says. Compile or export "
                 "the model again"
             )
-        linker = self._linked("functions")
-        counts = [blocks.get(name, 0) if name in entry.inputs else 0 for name in ORDER]
-        counts[ORDER.index("w")], counts[ORDER.index("p")] = entry.prepared_size, 0
-        # where everything lies behind the constants; pages are whole
-        module = wasm.module(program, base := self._memory.size(self._store) * PAGE)
-        at = module.end
-        addresses = []
-        for count in (*counts, blocks.get("p", 0), entry.output_size, entry.work_size):
-            addresses.append(at)
+        name = written.kernels
+        if name not in self._kernels:
+            self._kernels[name] = _Kernels(self.store, name)
+        memory = self._kernels[name]
+        content, end = written.module(base := memory.end)
+        counts = {one: blocks.get(one, 0) if one in entry.inputs else 0 for one in ORDER}
+        counts |= {"w": entry.prepared_size, "p": blocks.get("p", 0)}
+        rooms = {**counts, "out": entry.output_size, "work": entry.work_size}
+        # everything lies behind the constants, at even numbers; then the record of the blocks
+        at, addresses = end, dict[str, int]()
+        for one, count in rooms.items():
+            addresses[one] = at
             at += NUMBER * (count + count % 2)
-        self._memory.grow(self._store, -(-(at + POINTER * len(ORDER) - base) // PAGE))
-        pointers = b"".join(x.to_bytes(POINTER, "little") for x in addresses[: len(ORDER)])
-        self._memory.write(self._store, pointers, at)
-        compiled = _lasting(_wasmtime().Module(_engine(), module.encoded()))
-        instance = linker.instantiate(self._store, compiled).exports(self._store)
-        library = _wasmtime_library()
-        return Compiled(
-            self,
-            (instance[entry.symbol], instance[f"prepare_{entry.symbol}"]),
-            (Counts(*addresses[: len(ORDER)]), Counts(*counts)),
-            {
-                **library,
-                "store": ctypes.cast(self._store._context(), ctypes.c_void_p).value,
-                "memory": ctypes.cast(self._memory.data_ptr(self._store), ctypes.c_void_p).value,
-                "lock": ctypes.addressof(self._lock),
-                "at_in": at,
-                "at_p": addresses[-3],
-                "at_out": addresses[-2],
-                "at_work": addresses[-1],
-                "at_w": addresses[ORDER.index("w")],
-                "np": blocks.get("p", 0),
-                "nw": entry.prepared_size,
-                "size": entry.output_size,
-            },
-        )
-
-    def _linked(self, name: str) -> Any:
-        """What gives modules the memory and the functions of a module of the kernels."""
-        if name not in self._linker:
-            linker = _lasting(_wasmtime().Linker(_engine()))
-            exports = _wasmtime().Instance(self._store, _kernels(name), []).exports(self._store)
-            exports["_initialize"](self._store)
-            for one in exports:
-                linker.define(self._store, "kernels", one, exports[one])
-            self._linker[name], self._memory = linker, exports["memory"]
-        return self._linker[name]
+        exports = memory.load(content, at + POINTER * len(ORDER) - base)
+        pointers = b"".join(addresses[one].to_bytes(POINTER, "little") for one in ORDER)
+        memory.memory.write(self.store, pointers, at)
+        fields = {f"at_{one}": addresses[one] for one in ("p", "w", "out", "work")}
+        sizes = {"np": counts["p"], "nw": counts["w"], "size": entry.output_size}
+        # parameters are read by what prepares alone
+        given = [addresses[one] for one in ORDER], [counts[one] * (one != "p") for one in ORDER]
+        functions = exports[entry.symbol], exports[f"prepare_{entry.symbol}"]
+        start = memory.memory.data_ptr(self.store)
+        return Compiled(self, functions, given, {**fields, **sizes, "at_in": at}, start)
 
 
 class Compiled:
@@ -156,42 +177,53 @@ class Compiled:
     """
 
     def __init__(
-        self, machine: Machine, functions: tuple[Any, Any], counts: tuple[Any, Any], fields: Any
+        self,
+        machine: Machine,
+        functions: tuple[object, object],
+        given: tuple[list[int], list[int]],
+        fields: Mapping[str, int],
+        memory: ctypes._Pointer[ctypes.c_ubyte],
     ) -> None:
-        library = kernels.library()
-        run, prepare = (function._func for function in functions)
-        self._record = WasmFunction(
+        from wasmtime import Func
+
+        run, prepare = functions
+        assert isinstance(run, Func)
+        assert isinstance(prepare, Func)
+        at, sizes = (Counts(*numbers) for numbers in given)
+        record = Record(
             **fields,
-            run=ctypes.addressof(run),
-            prepare=ctypes.addressof(prepare),
-            at=ctypes.addressof(counts[0]),
-            sizes=ctypes.addressof(counts[1]),
+            **_library(),
+            store=ctypes.cast(machine.store._context(), ctypes.c_void_p).value,
+            memory=ctypes.cast(memory, ctypes.c_void_p).value,
+            lock=ctypes.addressof(machine.lock),
+            run=ctypes.addressof(run._func),
+            prepare=ctypes.addressof(prepare._func),
+            at=ctypes.addressof(at),
+            sizes=ctypes.addressof(sizes),
         )
+        library = kernels.library()
         addresses = ctypes.c_void_p(), ctypes.c_void_p()
         with _PLACES:
-            place = library.cardan_wasm_take(
-                ctypes.byref(self._record), *map(ctypes.byref, addresses)
-            )
+            place = library.cardan_wasm_take(ctypes.byref(record), *map(ctypes.byref, addresses))
         if place < 0:
             raise BuildError(
                 "no place is free for another function of WebAssembly: let go of models that are "
                 "no longer used, or install a C compiler: pip install 'cardan[compiler]'"
             )
         self.address, self.prepare = (address.value or 0 for address in addresses)
-        self._needs = machine, functions, counts, run, prepare
-        end = weakref.finalize(self, _give_back, library, place, self._record, self._needs)
-        end.atexit = False
+        needs = machine, run, prepare, at, sizes, record
+        weakref.finalize(self, _give_back, library, place, needs).atexit = False
 
 
-def _give_back(library: ctypes.CDLL, place: int, *_needs: object) -> None:
+def _give_back(library: ctypes.CDLL, place: int, _needs: object) -> None:
     """Nobody calls it any more: its place may be taken, then what it needs may go."""
     with _PLACES:
         library.cardan_wasm_give_back(place)
 
 
 @lru_cache(maxsize=1)
-def _wasmtime_library() -> dict[str, int | None]:
-    """Addresses of functions of wasmtime that C calls."""
+def _library() -> dict[str, int | None]:
+    """Addresses of the functions of wasmtime that C calls, by the names of their fields."""
     library = import_module(f"{NAME}._ffi").dll
     names = {
         "call": "wasmtime_func_call_unchecked",
