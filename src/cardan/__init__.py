@@ -56,6 +56,7 @@ _PUBLIC: dict[str, str] = {
     "Trajectory": "api.trajectory",
     "load_motion": "runtime.trajectory.storage",
     "load_ensemble": "analyses.ensembles.ensemble_file",
+    "load_linear": "analyses.linear.linear_file",
     **dict.fromkeys(
         (
             "CardanError",
@@ -79,7 +80,10 @@ _PUBLIC: dict[str, str] = {
 _FAMILIES = {"elements.joints": "JOINTS", "elements.forces": "FORCES"}
 # functions of lower rooms whose results have verbs
 _FACED = frozenset(
-    {"from_dh", "from_sympy", "excitation", "identify", "load_motion", "load_ensemble"}
+    {
+        *("from_dh", "from_sympy", "excitation", "identify"),
+        *("load_motion", "load_ensemble", "load_linear"),
+    }
 )
 _MODULES = frozenset(
     {
@@ -87,7 +91,7 @@ _MODULES = frozenset(
         *("stability", "superelement"),
     }
 )
-_RENAMED = {"load_model": "load", "load_motion": "load", "load_ensemble": "load"}
+_RENAMED = dict.fromkeys(("load_model", "load_motion", "load_ensemble", "load_linear"), "load")
 
 # what pickles name, for ever -> module that holds it
 _PICKLED = {"_unpickled_model": "api.saved_model", "_unpickled_motion": "api.trajectory"}

@@ -145,6 +145,7 @@ RUN = Format(
 )
 ENSEMBLE = Format("ensemble", "ensemble", 1, 0, "save the ensemble again")
 CONTINUATION = Format("path", "path", 1, 1, "follow the path again")
+LINEAR = Format("linear model", "linear", 1, 1, "linearize again")
 # these are read by the version that wrote them, and refused by others
 STEPPER = Format("stepper checkpoint", "cardan_checkpoint", 5, 5, RESTART)
 RUN_FILE = Format("run checkpoint", "run", 4, 4, RESTART)
@@ -154,6 +155,6 @@ ABI = Format("C interface", "abi", 2, 2, "compile the model again")
 PICKLE = Format("pickle", "pickle", 3, 3, "pickle again what it was made of")
 SUPERELEMENT = Format("superelement", "superelement", 3, 1, "reduce its matrices again")
 FORMATS = (
-    *(SCENE, RUN, ENSEMBLE, CONTINUATION, SUPERELEMENT, STEPPER, RUN_FILE, ENSEMBLE_FILE),
+    *(SCENE, RUN, ENSEMBLE, CONTINUATION, LINEAR, SUPERELEMENT, STEPPER, RUN_FILE, ENSEMBLE_FILE),
     *(MANIFEST, ABI, PICKLE),
 )

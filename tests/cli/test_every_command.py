@@ -250,3 +250,31 @@ def test_scenes_with_beams_are_exported_as_c(capsys: pytest.CaptureFixture[str])
     assert not any(name.endswith(".pyx") for name in files)
     assert status("export", "mast.yaml", "-o", "c", "--language", "cython") == 1
     assert "--language c" in capsys.readouterr().err
+
+
+def test_linear_models_are_saved(capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("linearize", ARM, "--save", "arm.npz") == 0
+    assert cd.load_linear("arm.npz").name == cd.load(ARM).name
+    assert status("linearize", ARM, "--save", "arm.csv") == 2
+    assert "linear models are written to files that end in one of" in capsys.readouterr().err
+    words = ("--vary", "gravity.z=-1,-9.81", "--save", "arm.npz")
+    assert status("linearize", ARM, *words) == 1
+    assert "--save goes with one linear model" in capsys.readouterr().err
+
+
+def test_scenes_are_converted(capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("convert", "cart_pole", "-o", "cart.urdf", "--json") == 0
+    assert "input 'push'" in json.loads(capsys.readouterr().out)["losses"]
+    assert status("convert", "cart.urdf", "-o", "cart.yaml") == 0
+    assert set(cd.load("cart.yaml").bodies) >= {"cart", "pole"}
+    assert status("convert", "cart_pole", "-o", "strict.urdf", "--strict") == 1
+    assert "URDF cannot say" in capsys.readouterr().err
+    assert not Path("strict.urdf").exists()
+
+
+def test_runs_are_written_by_their_endings() -> None:
+    for ending, start in (("glb", b"glTF"), ("csv", b"t [s],"), ("mcap", b"\x89MCAP")):
+        if ending == "mcap":
+            pytest.importorskip("mcap")
+        assert status("simulate", ARM, "--time", "0.1", "-o", f"run.{ending}") == 0
+        assert Path(f"run.{ending}").read_bytes().startswith(start)

@@ -15,11 +15,12 @@ import numpy as np
 
 import cardan as cd
 from cardan.analyses.ensembles import file_schema
+from cardan.analyses.linear.linear_file import NOTES
 from cardan.analyses.simulation.files.append_log import DIGEST, LENGTH
 from cardan.runtime import formats
 from cardan.runtime.formats.contents import Contents, Variable
 from cardan.runtime.trajectory import storage
-from cardan.version import ENSEMBLE, RUN, Format
+from cardan.version import ENSEMBLE, LINEAR, RUN, Format
 from hostile.harness import Kind
 from hostile.kinds import double
 
@@ -85,13 +86,34 @@ def motion(name: str, folder: Path) -> Kind:
             found.update(np.asarray(part).tobytes())
         here = folder / f"again{os.getpid()}"
         found.update(again.animate(here.with_suffix(".html"), fps=100.0).path.read_bytes())
-        again.save(here.with_suffix(ending))
-        for suffix in (".html", ending):
+        others = (".csv", ".mat", ".json", ".glb")
+        for suffix in (ending, *others):
+            again.save(here.with_suffix(suffix))
+        for suffix in (".html", ending, *others):
             here.with_suffix(suffix).unlink()
         return found.digest()
 
     pack, unpack = _packing(RUN, ("title", *storage.NOTES), ending)
     return Kind(f"motion {name}", good, cd.load_motion, use, unpack, pack, lambda place: True)
+
+
+def linear(folder: Path) -> Kind:
+    """A saved linear model."""
+    folder.mkdir(parents=True)
+    good = cd.compile(cd.examples["cart_pole"]).linearize().save(folder / "model.npz")
+
+    def use(again: cd.LinearModel) -> bytes:
+        found = hashlib.sha256(repr(again).encode())
+        found.update(repr((again.state_units, again.input_units, again.output_units)).encode())
+        for part in (again.A, again.B, again.C, again.D, again.eigenvalues, again.mass, again.x):
+            found.update(np.asarray(part).tobytes())
+        here = folder / f"again{os.getpid()}.npz"
+        found.update(again.save(here).read_bytes())
+        here.unlink()
+        return found.digest()
+
+    pack, unpack = _packing(LINEAR, NOTES, ".npz")
+    return Kind("linear model", good, cd.load_linear, use, unpack, pack, lambda place: True)
 
 
 def _packing(

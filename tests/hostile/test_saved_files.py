@@ -17,10 +17,14 @@ KINDS: dict[str, Callable[[Path], Kind]] = {
         for name in saved_kinds.MOTIONS
     },
     "ensemble": saved_kinds.ensemble,
+    "linear model": saved_kinds.linear,
     "checkpoint": saved_kinds.checkpoint,
     "part": saved_kinds.part,
 }
-QUICK = ("motion ball", "motion archived ball", "motion blade", "ensemble", "checkpoint", "part")
+QUICK = (
+    *("motion ball", "motion archived ball", "motion blade"),
+    *("ensemble", "linear model", "checkpoint", "part"),
+)
 
 
 def _quick(names: tuple[str, ...]) -> list[object]:

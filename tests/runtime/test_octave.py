@@ -70,3 +70,20 @@ def test_beams_loops_and_ensembles(tmp_path: Path) -> None:
     np.testing.assert_allclose(read["last"], motion.q[-1], rtol=1e-4)
     assert read["status"] == [*runs.status]
     np.testing.assert_allclose(read["final"], runs.final, rtol=1e-3, atol=1e-4)
+
+
+def test_linear_models(tmp_path: Path) -> None:
+    """The poles, as Octave finds them from A; names and units of the signals."""
+    linear = cd.compile(cd.examples["cart_pole"]).linearize(q={"pole": np.pi})
+    linear.save(tmp_path / "model.mat")
+    read = octave(
+        "s = load('model.mat'); v = eig(s.A);\n"
+        "result = struct('real', sort(real(v)), 'sizes', [size(s.B); size(s.C); size(s.D)]);\n"
+        "result.states = s.states; result.units = s.state_units; result.inputs = s.inputs;",
+        tmp_path,
+    )
+    np.testing.assert_allclose(read["real"], np.sort(linear.eigenvalues.real), rtol=1e-4, atol=1e-8)
+    assert read["sizes"] == [[*linear.B.shape], [*linear.C.shape], [*linear.D.shape]]
+    assert read["states"] == [*linear.states]
+    assert read["units"] == [*linear.state_units]
+    assert read["inputs"] in ([*linear.inputs], linear.inputs[0])

@@ -16,6 +16,7 @@ class Superelement(SuperelementRecord):
 
     animate = verb("cardan.view.superelements:animate")
     plot = verb("cardan.view.superelements:plot")
+    save = verb("cardan.runtime.superelement_file:save")
 
 
 @final

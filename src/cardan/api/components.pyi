@@ -71,6 +71,26 @@ class Superelement(SuperelementRecord):
             ModelError, ArgumentError, SolveError: as there, or no picture file.
             ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
         """
+    def save(
+        self,
+        path: str | Path,
+    ) -> Path:
+        """Write the component; the ending of the name says the format.
+
+        ``.npz`` holds everything and is read by ``cd.superelement.load``. ``.mat`` (MATLAB, Octave) and
+        ``.json`` hold, for other programs, ``M``, ``C`` and ``K`` of the coordinates named in
+        ``coordinates``, the loads, the frequencies [rad/s] of the modes, and positions and axes of the
+        interfaces. The file appears complete or not at all.
+
+        Args:
+            path: The file; one that exists is replaced.
+
+        Returns:
+            The path.
+
+        Raises:
+            ModelError: another ending, or the file cannot be written.
+        """
 
 @final
 class DeformedSuperelement(DeformedSuperelementRecord):

@@ -78,6 +78,7 @@ class LinearModel(LinearModelRecord):
     """x' = A x + B r, y = C x + D r, with names."""
 
     plot = verb("cardan.analyses.linear.linear_model:plot")
+    save = verb("cardan.analyses.linear.linear_file:save")
 
 
 @final

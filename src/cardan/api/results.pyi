@@ -273,6 +273,28 @@ class LinearModel(LinearModelRecord):
             ModelError: unknown names, nothing to draw, or a path that is not a picture file.
             ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
         """
+    def save(
+        self,
+        path: str | Path,
+    ) -> Path:
+        """Write A, B, C, D with names and units; the ending of the name says the format.
+
+        ``.npz`` (NumPy archive) and ``.nc`` (netCDF) are read by :func:`cardan.load_linear`; ``.mat``
+        (MATLAB, Octave), ``.json`` and ``.nc4`` are for other programs. Names stand in ``states``,
+        ``inputs``, ``outputs``, their units in ``state_units`` and so on; ``mass`` is that of the
+        independent speeds, ``x`` the state of the whole model about which it stands. The file appears
+        complete or not at all.
+
+        Args:
+            path: The file.
+
+        Returns:
+            Its path.
+
+        Raises:
+            ModelError: the ending of another format, or a file that cannot be written.
+            ModuleNotFoundError: a package that the format needs is not installed.
+        """
 
 @final
 class Modes(ModesRecord):

@@ -90,7 +90,7 @@ class Trajectory(TrajectoryRecord):
         """
     def to_pandas(
         self,
-    ) -> DataFrame:
+    ) -> Any:
         """A ``pandas.DataFrame``: a row for every time, a column for every history.
 
         Columns are coordinates, speeds, inputs, internal states, modes and outputs, by the names that

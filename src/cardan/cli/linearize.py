@@ -21,6 +21,8 @@ examples:
         frequencies over the speed, whirl, critical speeds
   cardan linearize column.yaml --sensitivity P --sensitivity bar.mass
         how eigenvalues change with parameters
+  cardan linearize trolley.yaml --save model.mat
+        A, B, C and D with names and units for MATLAB and Octave; also .json, .npz, .nc
   cardan linearize trolley.yaml --json > model.json
         A, B, C and D for another program
 """
@@ -62,6 +64,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                         help="frequencies and whirl over the speed that varies")  # fmt: skip
     family.add_argument("--sensitivity", metavar="NAME", action="append",
                         help="derivatives of eigenvalues by a parameter; repeat")  # fmt: skip
+    parser.add_argument("--save", metavar="MODEL.mat", type=run_options.linear,
+                        help="the linear model: .mat, .json, .npz or .nc")  # fmt: skip
     parser.add_argument("--plot", metavar="PATH.png", type=run_options.file(".png", ".pdf", ".svg"),
                         help="locus, Campbell diagram or frequency response "
                         "(needs matplotlib)")  # fmt: skip
@@ -78,7 +82,11 @@ def run(options: argparse.Namespace) -> int:
     loads = equilibrium_options.trim_values(scene, model, options) if trimmed else {
         **equilibrium_options.loads(scene, model, options), "u": dict(options.u)
     }  # fmt: skip
+    if options.save is not None and (options.vary or options.sensitivity):
+        raise ModelError("--save goes with one linear model: leave out --vary and --sensitivity")
     record, table = _linear_record(model, loads, trimmed, options)
+    if options.save is not None:
+        record.save(options.save)
     if options.plot is not None:
         record.plot(options.plot)
     print(json.dumps(table(record), indent=1) if options.json else record)

@@ -51,6 +51,7 @@ class LinearModelRecord:
         along: Names of the increments along all speeds (nu,).
         increments: Increments along all speeds by x (nu, nx).
         speeds: Changes of all speeds by x (nu, nx).
+        state_units, input_units, output_units: SI units of x, r and y; "" where none is stated.
     """
 
     name: str
@@ -71,6 +72,9 @@ class LinearModelRecord:
     along: tuple[str, ...] = field(repr=False)
     increments: Array = field(repr=False)
     speeds: Array = field(repr=False)
+    state_units: tuple[str, ...] = field(repr=False)
+    input_units: tuple[str, ...] = field(repr=False)
+    output_units: tuple[str, ...] = field(repr=False)
 
     @cached_property
     def spectrum(self) -> Spectrum:

@@ -22,6 +22,7 @@ from ..statics.equilibrium import EquilibriumRecord, equilibrium
 from ..statics.static_problem import Problem
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import DynamicSystem, Moment, dense
+from . import signal_units
 from .first_order import Choice, FirstOrder, first_order, unit_force_accelerations
 from .linear_model import LinearModelRecord
 from .steady_motion import SteadyMotionRecord
@@ -96,6 +97,9 @@ def linearize(
         along=system.increments,
         increments=first.increments,
         speeds=first.speeds,
+        state_units=signal_units.of_states(about.model.manifest, states),
+        input_units=signal_units.of_inputs(about.model.manifest, driven),
+        output_units=signal_units.of_outputs(about.model.manifest, output_names),
     )
 
 

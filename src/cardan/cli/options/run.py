@@ -60,6 +60,13 @@ def saved(text: str) -> Path:
     return _written(text, FORMATS, "results")
 
 
+def linear(text: str) -> Path:
+    """The type of a file that a linear model is written to."""
+    from ...analyses.linear.linear_file import FORMATS
+
+    return _written(text, FORMATS, "linear models")
+
+
 def motion(text: str) -> Path:
     """The type of a file that a run is written to."""
     from ...view.motion_files import FORMATS

@@ -33,22 +33,30 @@ KINDS = {"run": "a run", "ensemble": "an ensemble", "linear": "a linear model"}
 MOST = 1 << 40  # bytes of a file
 
 
-def save(path: Path, form: Format, contents: Contents, cure: str) -> Path:
+def save(
+    path: Path,
+    form: Format,
+    contents: Contents,
+    cure: str,
+    table: Sequence[FileFormat] | None = None,
+) -> Path:
     """Write a file; one with its name is replaced in one step.
 
     Args:
         path: The file.
         form: Of a run or an ensemble.
-        contents: What it shall hold; arrays without numbers are left out.
+        contents: What it shall hold; most formats leave out arrays without numbers.
         cure: What to do where a variable is too large.
+        table: Formats to choose from; all of them if left out.
 
     Raises:
         ModelError: the ending of another format, a variable too large for the format, or a file
             that cannot be written.
         ModuleNotFoundError: a package that the format needs is not installed.
     """
-    chosen = by_ending(path, FORMATS, f"{form.kind}s")
-    variables = {name: one for name, one in contents.variables.items() if one.values.size}
+    chosen = by_ending(path, FORMATS if table is None else table, f"{form.kind}s")
+    every = contents.variables
+    variables = {name: one for name, one in every.items() if one.values.size or chosen.empty}
     for name, one in variables.items():
         if chosen.limit and one.values.nbytes > chosen.limit:
             raise ModelError(

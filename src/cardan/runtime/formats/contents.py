@@ -124,9 +124,11 @@ class FileFormat(Ending):
         parse: Attributes and variables of such bytes, a ValueError where they are damaged; None
             where files are not read again.
         limit: Bytes of one variable, 0 without such a limit.
+        empty: Whether arrays without numbers are written too.
     """
 
     write: Callable[[Path, Attributes, Variables], None]
     magic: tuple[bytes, ...] = ()
     parse: Callable[[bytes], tuple[Attributes, Variables]] | None = None
     limit: int = 0
+    empty: bool = False

@@ -28,14 +28,15 @@ def _entry(one: Variable) -> dict[str, object]:
 
 
 def _plain(text: object) -> object:
-    """What a text of JSON says; any other as it is."""
+    """What a text of JSON says; any other text, and one with numbers JSON lacks, as it is."""
     if not (isinstance(text, str) and text[:1] in ("[", "{", '"')):
         return text
     try:
         value: object = json.loads(text)
-    except ValueError:
+        json.dumps(value, allow_nan=False)
+    except (ValueError, RecursionError):
         return text
     return value
 
 
-JSON = FileFormat("JSON", (".json",), _written)
+JSON = FileFormat("JSON", (".json",), _written, empty=True)

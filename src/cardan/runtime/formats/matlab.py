@@ -64,4 +64,4 @@ def _cells(entries: Sequence[str]) -> Array:
     return cells
 
 
-MATLAB = FileFormat("MATLAB file", (".mat",), _written, limit=2**31 - 1)
+MATLAB = FileFormat("MATLAB file", (".mat",), _written, limit=2**31 - 1, empty=True)

@@ -14,8 +14,6 @@ from ...schema.rows import column
 from .histories import computed
 
 if TYPE_CHECKING:
-    from pandas import DataFrame
-
     from .trajectory import TrajectoryRecord
 
 # letter of a block -> its name
@@ -53,7 +51,7 @@ def tables(motion: TrajectoryRecord) -> Iterator[HistoryTable]:
         yield HistoryTable("outputs", tuple(names), tuple(unit or "" for unit in units), values)
 
 
-def to_pandas(motion: TrajectoryRecord) -> DataFrame:
+def to_pandas(motion: TrajectoryRecord) -> Any:
     """A ``pandas.DataFrame``: a row for every time, a column for every history.
 
     Columns are coordinates, speeds, inputs, internal states, modes and outputs, by the names that
@@ -73,9 +71,7 @@ def to_pandas(motion: TrajectoryRecord) -> DataFrame:
     every = [*tables(motion)]
     names = [name for table in every for name in table.names]
     values = np.hstack([np.zeros((len(motion), 0)), *(table.values for table in every)])
-    frame: DataFrame = pandas.DataFrame(
-        values, index=pandas.Index(motion.t, name="t"), columns=names
-    )
+    frame = pandas.DataFrame(values, index=pandas.Index(motion.t, name="t"), columns=names)
     units = {"t": "s"}
     for table in every:
         units |= dict(zip(table.names, table.units, strict=True))

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -159,7 +159,7 @@ def _about(rows: Sequence[Record]) -> dict[str, str]:
     return {"names": _list(column(rows, "name")), "units": _list(column(rows, "unit"))}
 
 
-def _list(names: Any) -> str:
+def _list(names: Iterable[str | None]) -> str:
     return json.dumps([name or "" for name in names], ensure_ascii=True)
 
 

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...arrays import Array, Integers
+from ...errors import ModelError
 from ...version import VERSION
 from ..packing import JsonObject
 from .tessellation import Triangles
@@ -59,7 +60,19 @@ class Container:
 
     def place(self, node: int, path: str, values: Array) -> None:
         """Set ``translation``, ``rotation`` (x, y, z, w), ``scale`` or ``weights`` of a node."""
-        self._of(node)[path] = [float(x) for x in np.asarray(values, dtype=np.float32)]
+        self._of(node)[path] = self._single(values).tolist()
+
+    def _single(self, values: Array) -> Array:
+        """Numbers in single precision.
+
+        Raises:
+            ModelError: some are not finite there.
+        """
+        with np.errstate(over="ignore"):
+            table = np.ascontiguousarray(values, dtype="<f4")
+        if not np.isfinite(table).all():
+            raise ModelError(f"an animation shows finite places; some of '{self._name}' are not")
+        return table
 
     def show(self, node: int, mesh: int, skin: int | None = None) -> None:
         """Draw a mesh at a node; with a skin its joints place it."""
@@ -75,7 +88,7 @@ class Container:
             bounds: State the smallest and the largest, as readers of positions and times want.
             use: :data:`VERTICES` of vertices.
         """
-        table = np.ascontiguousarray(values, dtype="<f4").reshape(len(values), -1)
+        table = self._single(values).reshape(len(values), -1)
         number = self._accessor(table, len(table), FLOAT, SHAPES[table.shape[1]], use)
         if bounds:
             extent = {"min": table.min(axis=0).tolist(), "max": table.max(axis=0).tolist()}

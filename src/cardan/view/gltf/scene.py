@@ -12,7 +12,6 @@ from itertools import count
 import numpy as np
 
 from ...arrays import Array
-from ...errors import ModelError
 from ...runtime.trajectory.frame_history import inverse
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from .. import drawing as drawn
@@ -79,10 +78,6 @@ class _Scene:
 
     def _move(self, node: int, path: str, values: Array) -> None:
         """A node along values (nt, k); it stands still where they do not change."""
-        if not np.isfinite(values).all():
-            raise ModelError(
-                f"an animation needs finite places; some of '{self.motion.manifest.name}' are not"
-            )
         self.file.place(node, path, values[0])
         largest = float(np.abs(values).max(initial=0.0))
         if self.times is not None and np.abs(values - values[0]).max() > STILL * largest:

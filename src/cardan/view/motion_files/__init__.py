@@ -6,6 +6,7 @@ from pathlib import Path
 
 from ...arguments import checked
 from ...atomic_file import replaced
+from ...errors import CardanError, ModelError
 from ...runtime import formats
 from ...runtime.formats.contents import Ending
 from ...runtime.trajectory import storage
@@ -44,7 +45,14 @@ def save(motion: TrajectoryRecord, path: str | Path) -> Path:
     path = Path(path)
     chosen = formats.by_ending(path, FORMATS, "runs")
     if isinstance(chosen, MotionFormat):
-        with replaced(path) as new:
-            chosen.write(motion, Path(new))
+        try:
+            with replaced(path) as new:
+                chosen.write(motion, Path(new))
+        except ValueError as problem:
+            if isinstance(problem, CardanError):
+                raise
+            # what a file that was read says of frames may be no rotation
+            name = motion.manifest.name
+            raise ModelError(f"{path}: some frames of '{name}' are damaged: {problem}") from problem
         return path
     return formats.save(path, RUN, storage.contents(motion), storage.FEWER)
