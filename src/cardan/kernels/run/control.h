@@ -57,7 +57,9 @@ CARDAN_INLINE void cardan_next_trial(const real *t, const real *until, const rea
 
 /* A number without its last 28 bits: mathematical libraries differ in the very last of a power, and
  * the size of a step is to be the same with all of them. */
-#if CARDAN_LANES > 1
+#ifdef CARDAN_FLOAT
+#define CARDAN_COARSE(x) (x)
+#elif CARDAN_LANES > 1
 #define CARDAN_COARSE(x) ((real)((cardan_mask)(x) & ~(((uint64_t)1 << 28) - 1)))
 #else
 #define CARDAN_COARSE(x) cardan_of_bits(cardan_bits(x) & ~(((uint64_t)1 << 28) - 1))
@@ -70,11 +72,7 @@ CARDAN_INLINE void cardan_growth(int order, const real *error, real *growth)
         const real fourth = cardan_sqrt(cardan_sqrt(*error));
         *growth = CARDAN_SAFETY / cardan_sqrt(fourth);
     } else {
-<<<<<<< HEAD
-        *growth = CARDAN_SAFETY * CARDAN_COARSE(cardan_pow(*error, CARDAN_REAL(-1.0 / order)));
-=======
-        *growth = CARDAN_SAFETY * cardan_pow(*error, CARDAN_REAL(-1.0 / (double)order));
->>>>>>> cd515482e519b77ac0068a378e81671ac22d4fb7
+        *growth = CARDAN_SAFETY * CARDAN_COARSE(cardan_pow(*error, CARDAN_REAL(-1.0 / (double)order)));
     }
 }
 
