@@ -21,6 +21,15 @@ BOOKS = ("roberson_schwertassek", "geradin_cardona")
 FIELDS = {"s", "as", "lacks", "on", "call", "holds", "formula", "theory", "example", "problem",
           "test", "number"}  # fmt: skip
 NEEDED = {"on", "call", "holds", "formula", "theory", "example", "test", "number"}
+# pictures of examples that pages of docs show
+FIGURES = {
+    "06_four_bar.py": "four_bar.svg",
+    "15_flexible_slider_crank.py": "slider_crank.svg",
+    "30_flexible_link.py": "link.png",
+    "31_deployable_antenna.py": "antenna.png",
+    "34_snap_through.py": "branches_truss.svg",
+    "36_rotor_limit_cycle.py": "branches_whirl.svg",
+}
 # speeds and coordinates at which calls are made, by scene; others begin at rest at their defaults
 STATES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "double_pendulum": ({"theta1": 0.3, "theta2": 0.2}, {"theta1": 1.0, "theta2": -0.5}),
@@ -186,9 +195,14 @@ def _facts(data: dict[str, str]) -> Iterator[str]:
     if "theory" in data:
         facts.append(f"theory [{data['theory'].partition('#')[0]}]({_up(data['theory'])})")
     if "example" in data:
-        facts.append(f"example [{data['example']}](../../examples/{data['example']})")
+        figure = FIGURES.get(data["example"])
+        example = f"example [{data['example']}](../../examples/{data['example']})"
+        facts.append(example + (f" ([figure](../{figure}))" if figure else ""))
     if "problem" in data:
-        facts.append(f"problem [{data['problem']}](../problems/{data['problem']}.md)")
+        name = data["problem"]
+        drawn = (DOCS / "problems" / "figures" / f"{name}.svg").exists()
+        figure = f" ([figure](../problems/figures/{name}.svg))" if drawn else ""
+        facts.append(f"problem [{name}](../problems/{name}.md){figure}")
     if "test" in data:
         file, _, name = data["test"].partition("::")
         label = f"[{name or Path(file).stem}](../../{file})"
