@@ -177,6 +177,7 @@ def test_long_equations_of_kane_are_listed_by_function() -> None:
     texts = [x.text for b in section.blocks if isinstance(b, d.Paragraph) for x in b.text
              if isinstance(x, d.Written)]  # fmt: skip
     assert "m_rs" in texts
+    assert any("F = f_a" in str(b.text) for b in section.blocks if isinstance(b, d.Paragraph))
 
 
 def test_unknown_notations_are_refused(tmp_path: Path) -> None:
