@@ -71,7 +71,7 @@ class Equations(Explained, Linearizable):
         Raises:
             DerivationError: another ending, an unknown notation.
         """
-    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str='cython', integrators: Sequence[str]=(), reproducible: bool=False, loops: bool | None=None, prefix: str='') -> Path:
+    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str='cython', integrators: Sequence[str]=(), reproducible: bool=False, loops: bool | None=None, prefix: str='', precision: str='double') -> Path:
         """Write C that needs nothing but a C compiler, and what makes it easy to use.
 
         Args:
@@ -89,6 +89,8 @@ class Equations(Explained, Linearizable):
             loops: As :func:`cardan.compile` takes it.
             prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
                 different prefixes can be linked into one program. With ``language="c"``.
+            precision: ``"single"`` for float instead of double everywhere, as processors of
+                microcontrollers have it. With ``language="c"``.
 
         Returns:
             The directory. It appears whole or not at all.
@@ -136,5 +138,5 @@ class FiniteElementEquations(FiniteElementRecord):
         Raises:
             DerivationError: another ending, an unknown notation.
         """
-    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str='c', integrators: Sequence[str]=(), reproducible: bool=False, prefix: str='') -> Path:
+    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str='c', integrators: Sequence[str]=(), reproducible: bool=False, prefix: str='', precision: str='double') -> Path:
         """Write C that needs no cardan, as :meth:`Equations.export` does."""

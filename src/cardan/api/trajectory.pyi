@@ -1,11 +1,11 @@
 """Written from the functions of its verbs: pytest tests/golden/test_verbs.py --accept"""
 
 from collections.abc import Iterable, Mapping, Sequence
-from pandas import DataFrame
 from pathlib import Path
 from typing import Any, final
 
 from matplotlib.figure import Figure
+from pandas import DataFrame
 
 from ..analyses.mechanisms.screw_axis import ScrewAxis
 from ..arguments import Count

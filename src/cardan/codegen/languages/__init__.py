@@ -1,7 +1,7 @@
 """Languages a model can be written in: name -> module.
 
-``c`` and ``wasm`` write a Program: they have ``write`` and ``SUFFIX``. What calls the exported C, such as
-``cython``, writes from the manifest: it has a ``BINDING``.
+``c`` and ``wasm`` write a Program: they have ``write`` and ``SUFFIX``. What calls the exported C,
+such as ``cython``, writes from the manifest: it has a ``BINDING``.
 """
 
 from __future__ import annotations
