@@ -83,7 +83,7 @@ class Formulas:
         if self.book.key == "kane":
             forces = kane.GeneralizedForces(self.equations, self.book, self._readable, self._shares)
             balances = tuple(forces.blocks())
-        blocks += balances
+            blocks += balances or [d.Paragraph((kane.BY_FUNCTION,))]
         for name, quantity, dots, about in FUNCTIONS:
             if name in names and not (balances and name in LETTERS):
                 blocks += self._function(name, quantity, dots, about)

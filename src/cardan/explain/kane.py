@@ -23,6 +23,11 @@ if TYPE_CHECKING:
 
 # bodies and speeds of systems whose partial velocities are listed, and operations of each
 BODIES, SPEEDS, LONGEST = 12, 12, 200
+# where F and F* are too long to write out
+BY_FUNCTION = (
+    "F and F* are too long to write out: F = f_a less the weight in h, and F* = -(m_rs udot + the "
+    "velocity terms in h)."
+)
 # parts of h that are told apart
 CAUSES = (VELOCITIES, WEIGHT)
 
