@@ -46,6 +46,7 @@ LEAVES = {
     "34_snap_through": ("branches.png", "imperfect.png"),
     "35_buckling_frame": ("lee.png", "pulled.png", "pushed.png"),
     "36_rotor_limit_cycle": ("whirl.png", "whirl.html"),
+    "40_fmu": ("arm.fmu", "door.fmu"),
 }
 
 

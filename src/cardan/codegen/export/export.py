@@ -88,7 +88,7 @@ def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
 
     def complete(folder: Path) -> None:
         content = fill(folder)
-        layout.add_files(folder, _texts(layout.manifest_of(folder), request, content))
+        layout.add_files(folder, texts(layout.manifest_of(folder), request, content))
         if request.prefix:
             prefixes.add(folder, request.prefix)
         (folder / layout.LOCK).unlink()
@@ -103,7 +103,7 @@ def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
     return request.target
 
 
-def _texts(data: Manifest, request: ExportRequest, content: Content) -> dict[str, str]:
+def texts(data: Manifest, request: ExportRequest, content: Content) -> dict[str, str]:
     """Everything beside the functions, by file name."""
     methods, functions, elements = request.integrators, content.functions, data.absolute
     flags = (*FLAGS, f"-ffp-contract={'off' if request.reproducible else 'on'}")
@@ -154,16 +154,34 @@ def export(
         if not isinstance(one, str) and not (isinstance(one, tuple | list) and len(one) == 2):
             raise CodegenError(f"functions: {brief(one)}: give names, or ('pose', 'hand')")
     request = ExportRequest.checked(directory, language, integrators, reproducible, prefix)
-    requested = _requested(equations, functions, request.integrators)
+    return written(request, filler(equations, start, functions, request.integrators, loops))
+
+
+def filler(
+    equations: EquationRecord,
+    start: Callable[[Path], Mapping[str, Sequence[float]]],
+    functions: Sequence[object] | None,
+    integrators: tuple[str, ...],
+    loops: bool | None = None,
+) -> Callable[[Path], Content]:
+    """What writes model and functions into a folder, and says what else there is.
+
+    Args:
+        equations, start, functions, integrators, loops: As :func:`export` takes them.
+
+    Raises:
+        DerivationError: an unknown function.
+    """
+    requested = _requested(equations, functions, integrators)
 
     def fill(folder: Path) -> Content:
         _write(folder, equations, requested, loops)
-        if request.integrators:
+        if integrators:
             companions.add_time_jumps(folder, equations.system)
         entries = layout.manifest_of(folder).functions
-        return Content(_ordered(entries), _closed(folder, equations, requested, start))
+        return Content(_ordered(entries), _start(folder, equations, requested, start))
 
-    return written(request, fill)
+    return fill
 
 
 def _write(
@@ -182,17 +200,17 @@ def _write(
     layout.add_functions(folder, texts)
 
 
-def _closed(
+def _start(
     folder: Path,
     equations: EquationRecord,
     requested: Sequence[tuple[str, str | None]],
     start: Callable[[Path], Mapping[str, Sequence[float]]],
 ) -> Mapping[str, Sequence[float]]:
-    """Where a closed system starts; trees start where the scene says."""
+    """Where a run starts, if not where the scene says."""
     available = equations.names()
     closing = [(name, None) for name in companions.CLOSING if name in available]
     if not equations.system.closed:
-        return {}
+        return start(folder)
     if {*closing} <= {*requested}:
         return start(folder)
     # what closes it is not part of this export
