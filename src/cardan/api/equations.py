@@ -46,6 +46,7 @@ class Equations(Explained, Linearizable):
         reproducible: bool = False,
         loops: bool | None = None,
         prefix: str = "",
+        precision: str = "double",
         *,
         fmi: str | None = None,
         kinds: Sequence[str] | None = None,
@@ -61,7 +62,10 @@ class Equations(Explained, Linearizable):
             functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
                 default the dynamics and the energy, of a closed system also what closes it, of one
                 with events what happens.
-            language: ``"cython"`` adds a package for NumPy (default), ``"c"`` leaves it at C.
+            language: ``"cython"`` adds a package for NumPy (default), ``"casadi"`` and ``"jax"`` a
+                module whose functions have exact first derivatives there, ``"c"`` leaves it at C. A
+                derivative among ``functions`` that does not name p, such as ``("derivative",
+                "forward_dynamics: q u")``, leaves out derivatives by parameters there.
             integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C
                 comes along, and ``example.c`` simulates. An FMU takes the first one for
                 co-simulation, ``"dop853"`` where none is named.
@@ -69,6 +73,8 @@ class Equations(Explained, Linearizable):
             loops: As :func:`cardan.compile` takes it.
             prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
                 different prefixes can be linked into one program. With ``language="c"``.
+            precision: ``"single"`` for float instead of double everywhere, as processors of
+                microcontrollers have it. With ``language="c"``.
             fmi: Of an FMU: version ``"3.0"`` (default) or ``"2.0"``.
             kinds: Of an FMU: ``"me"`` (model exchange) and ``"cs"`` (co-simulation); by default
                 both, of elements in absolute coordinates, such as beams, co-simulation alone.
@@ -85,7 +91,7 @@ class Equations(Explained, Linearizable):
             CodegenError: the directory holds other things; an unknown language, integrator or
                 platform; an option of the other kind of export. ModelError: a start that loops
                 cannot be closed with. BuildError: the binaries of an FMU cannot be compiled.
-            DerivationError: an unknown function.
+            DerivationError: an unknown function; for CasADi and JAX one without a derivative.
         """
         from ..analyses.simulation.export_plan import started
         from ..codegen.export.export import export
@@ -94,12 +100,13 @@ class Equations(Explained, Linearizable):
         from ..runtime.build.unit_binary import unit_binary
 
         foreign = {"functions": functions, "language": language, "loops": loops, "prefix": prefix}
+        foreign["precision"] = precision
         unit, name = UnitOptions(fmi, kinds, platforms, q, u), self.system.name
         fmu = request_of(directory, name, False, unit, foreign, integrators, reproducible)
         start = partial(started, CompiledModel, q=q, u=u)
         if fmu is not None:
             return of_joints(self, fmu, start, unit_binary)
-        how = (language or "cython", integrators, reproducible, loops, prefix)
+        how = (language or "cython", integrators, reproducible, loops, prefix, precision)
         return export(self, directory, start, functions, *how)
 
     @checked
@@ -143,6 +150,7 @@ class FiniteElementEquations(FiniteElementRecord):
         integrators: Sequence[str] = (),
         reproducible: bool = False,
         prefix: str = "",
+        precision: str = "double",
         *,
         fmi: str | None = None,
         kinds: Sequence[str] | None = None,
@@ -158,12 +166,13 @@ class FiniteElementEquations(FiniteElementRecord):
         from ..runtime.build.unit_binary import unit_binary
 
         foreign = {"functions": functions, "language": language, "prefix": prefix}
+        foreign["precision"] = precision
         unit, name = UnitOptions(fmi, kinds, platforms, q, u), self.system.name
         fmu = request_of(directory, name, True, unit, foreign, integrators, reproducible)
         plan = partial(planned, CompiledModel, q=q, u=u)
         if fmu is not None:
             return of_elements(self, fmu, plan, unit_binary)
-        how = (language or "c", integrators, reproducible, prefix)
+        how = (language or "c", integrators, reproducible, prefix, precision)
         return export(self, directory, plan, functions, *how)
 
     def __getattr__(self, name: str) -> NoReturn:

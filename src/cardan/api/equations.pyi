@@ -57,20 +57,23 @@ class Equations(Explained, Linearizable):
         self,
         path: str | Path,
         progress: Callable[[str], object] | None = None,
+        notation: str = "cardan",
     ) -> Path:
         """Write equations as a page.
 
         Args:
             path: Its ending says how: ``.html``, ``.tex`` or ``.md``.
             progress: Told what is under way.
+            notation: Whose symbols the page uses: ``"cardan"``, ``"rs"`` (Roberson and Schwertassek),
+                ``"gc"`` (Géradin and Cardona) or ``"kane"`` (Kane and Levinson).
 
         Returns:
             The file.
 
         Raises:
-            DerivationError: another ending.
+            DerivationError: another ending, an unknown notation.
         """
-    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str | None=None, integrators: Sequence[str]=(), reproducible: bool=False, loops: bool | None=None, prefix: str='', *, fmi: str | None=None, kinds: Sequence[str] | None=None, platforms: Sequence[str] | None=None, q: Mapping[str, ArrayLike] | None=None, u: Mapping[str, ArrayLike] | None=None) -> Path:
+    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str | None=None, integrators: Sequence[str]=(), reproducible: bool=False, loops: bool | None=None, prefix: str='', precision: str='double', *, fmi: str | None=None, kinds: Sequence[str] | None=None, platforms: Sequence[str] | None=None, q: Mapping[str, ArrayLike] | None=None, u: Mapping[str, ArrayLike] | None=None) -> Path:
         """Write C that needs nothing but a C compiler, or an FMU that other programs simulate.
 
         Args:
@@ -79,7 +82,10 @@ class Equations(Explained, Linearizable):
             functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
                 default the dynamics and the energy, of a closed system also what closes it, of one
                 with events what happens.
-            language: ``"cython"`` adds a package for NumPy (default), ``"c"`` leaves it at C.
+            language: ``"cython"`` adds a package for NumPy (default), ``"casadi"`` and ``"jax"`` a module
+                whose functions have exact first derivatives there, ``"c"`` leaves it at C. A
+                derivative among ``functions`` that does not name p, such as ``("derivative",
+                "forward_dynamics: q u")``, leaves out derivatives by parameters there.
             integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C
                 comes along, and ``example.c`` simulates. An FMU takes the first one for
                 co-simulation, ``"dop853"`` where none is named.
@@ -87,6 +93,8 @@ class Equations(Explained, Linearizable):
             loops: As :func:`cardan.compile` takes it.
             prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
                 different prefixes can be linked into one program. With ``language="c"``.
+            precision: ``"single"`` for float instead of double everywhere, as processors of
+                microcontrollers have it. With ``language="c"``.
             fmi: Of an FMU: version ``"3.0"`` (default) or ``"2.0"``.
             kinds: Of an FMU: ``"me"`` (model exchange) and ``"cs"`` (co-simulation); by default
                 both, of elements in absolute coordinates, such as beams, co-simulation alone.
@@ -103,7 +111,7 @@ class Equations(Explained, Linearizable):
             CodegenError: the directory holds other things; an unknown language, integrator or
                 platform; an option of the other kind of export. ModelError: a start that loops
                 cannot be closed with. BuildError: the binaries of an FMU cannot be compiled.
-            DerivationError: an unknown function.
+            DerivationError: an unknown function; for CasADi and JAX one without a derivative.
         """
     def linearize_along(self, motion: Trajectory, *, inputs: Iterable[str] | None=None, outputs: Iterable[str] | None=None, independent: Iterable[str] | None=None) -> LinearizedAlong:
         """Linear models along a simulated motion of this system: A(t), B(t), C(t), D(t).
@@ -128,18 +136,21 @@ class FiniteElementEquations(FiniteElementRecord):
         self,
         path: str | Path,
         progress: Callable[[str], object] | None = None,
+        notation: str = "cardan",
     ) -> Path:
         """Write equations as a page.
 
         Args:
             path: Its ending says how: ``.html``, ``.tex`` or ``.md``.
             progress: Told what is under way.
+            notation: Whose symbols the page uses: ``"cardan"``, ``"rs"`` (Roberson and Schwertassek),
+                ``"gc"`` (Géradin and Cardona) or ``"kane"`` (Kane and Levinson).
 
         Returns:
             The file.
 
         Raises:
-            DerivationError: another ending.
+            DerivationError: another ending, an unknown notation.
         """
-    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str | None=None, integrators: Sequence[str]=(), reproducible: bool=False, prefix: str='', *, fmi: str | None=None, kinds: Sequence[str] | None=None, platforms: Sequence[str] | None=None, q: Mapping[str, ArrayLike] | None=None, u: Mapping[str, ArrayLike] | None=None) -> Path:
+    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str | None=None, integrators: Sequence[str]=(), reproducible: bool=False, prefix: str='', precision: str='double', *, fmi: str | None=None, kinds: Sequence[str] | None=None, platforms: Sequence[str] | None=None, q: Mapping[str, ArrayLike] | None=None, u: Mapping[str, ArrayLike] | None=None) -> Path:
         """Write C that needs no cardan, or an FMU, as :meth:`Equations.export` does."""

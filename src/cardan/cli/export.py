@@ -1,8 +1,8 @@
 """``cardan export``: a scene as C that needs no cardan, or as an FMU.
 
 Write the functions of a scene as C99 that compiles alone, with headers, a manifest, an example, and
-a package for NumPy. What is written needs no cardan. A name that ends with .fmu makes a Functional
-Mock-up Unit, which other simulation programs load.
+a package for NumPy, CasADi or JAX. What is written needs no cardan. A name that ends with .fmu
+makes a Functional Mock-up Unit, which other simulation programs load.
 
 examples:
   cardan export arm.urdf -o arm_c
@@ -11,6 +11,8 @@ examples:
         these two and no package; a frame or joint stands behind the colon
   cardan export pendulum.yaml -o pendulum_c --integrators dop853
         with an integrator: pendulum_c/example.c simulates one second
+  cardan export arm.urdf -o arm_casadi --language casadi --functions forward_dynamics
+        a module for CasADi, or for JAX, with exact first derivatives
   cardan export crane.yaml -o crane_c --integrators alpha
         a scene with beams: C of its elements, tables of them, sparse matrices, and a run
   cardan export arm.urdf -o arm.fmu --q elbow=0.5
@@ -39,14 +41,17 @@ SUFFIX = ".fmu"
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
+    from ..codegen.languages import BINDINGS
+
     scene_options.arguments(parser)
     what = parser.add_argument_group("what is written")
     what.add_argument("-o", "--output", metavar="DIR", type=Path, required=True,
                       help="a new or empty directory, an earlier export, or NAME.fmu")  # fmt: skip
     what.add_argument("--functions", metavar="NAME", nargs="+", type=_function,
                       help="such as forward_dynamics or pose:hand")  # fmt: skip
-    what.add_argument("--language", choices=("cython", "c"),
-                      help="cython adds a package for NumPy (default, but for beams)")  # fmt: skip
+    what.add_argument("--language", choices=tuple(BINDINGS),
+                      help="cython adds a package for NumPy (default, but for beams), casadi and "
+                           "jax modules for these")  # fmt: skip
     what.add_argument("--integrators", metavar="METHOD", nargs="+", default=[],
                       help="such as dop853, radau or alpha: C that simulates; of an FMU the method "
                            "of co-simulation")  # fmt: skip
@@ -55,6 +60,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                       help="flags under which every compiler gives equal bits")  # fmt: skip
     what.add_argument("--prefix", metavar="NAME", default="",
                       help="before all names, such as arm_: several in one program")  # fmt: skip
+    what.add_argument("--precision", choices=("double", "single"), default="double",
+                      help="single: float everywhere, for microcontrollers")  # fmt: skip
     unit = parser.add_argument_group("an FMU")
     unit.add_argument("--fmi", choices=("2.0", "3.0"), help="version (default 3.0)")
     unit.add_argument("--kind", choices=("me", "cs"), nargs="+",
@@ -98,6 +105,7 @@ def run(options: argparse.Namespace) -> int:
             integrators=options.integrators,
             reproducible=options.reproducible,
             prefix=options.prefix,
+            precision=options.precision,
             language=options.language,
             fmi=options.fmi,
             kinds=options.kind,

@@ -15,7 +15,7 @@ from codegen.fmu.importing import Instance, description, unit
 from codegen.running import compilers
 
 pytestmark = pytest.mark.skipif(not compilers(), reason="needs a C compiler")
-BOTH = pytest.mark.parametrize("version", ["3.0", "2.0"])
+BOTH = pytest.mark.parametrize("version", ["3.0", pytest.param("2.0", marks=pytest.mark.slow)])
 
 
 def refused(one: Instance, call: Callable[[], Any], message: str, status: int = 3) -> None:
@@ -127,6 +127,10 @@ def test_other_types_are_refused() -> None:
     with Instance(unit("door", "3.0")) as one:
         refused(one, lambda: one.fmu.getInt32([1]), "of the type Float64")
         refused(one, lambda: one.fmu.setBoolean([1], [True]), "of the type Float64")
+
+
+@pytest.mark.slow
+def test_other_types_are_refused_by_fmi_2() -> None:
     with Instance(unit("door", "2.0")) as one:
         refused(one, lambda: one.fmu.getInteger([1]), "of the type Real")
 
@@ -182,6 +186,7 @@ def test_tunable_parameters(version: str) -> None:
         assert one.get(*names) == pytest.approx(other.get(*names), abs=1e-8)
 
 
+@pytest.mark.slow
 def test_input_derivatives_of_fmi_2() -> None:
     """Inputs as polynomials over a step: a cubic push by one long step and by many short ones."""
     with Instance(unit("cart", "2.0")) as one, Instance(unit("cart", "2.0")) as other:

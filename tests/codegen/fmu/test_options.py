@@ -38,6 +38,7 @@ pytestmark = pytest.mark.skipif(not compilers(), reason="needs a C compiler")
         ({"language": "c"}, "Leave language= out"),
         ({"prefix": "arm_"}, "Leave prefix= out"),
         ({"loops": True}, "Leave loops= out"),
+        ({"precision": "single"}, "Leave precision= out"),
     ],
 )
 def test_options_that_do_not_fit_are_refused(
@@ -72,6 +73,7 @@ def test_beams_go_with_co_simulation_alone(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_one_kind_alone(tmp_path: Path) -> None:
     path = equations_of("pendulum").export(tmp_path / "x.fmu", kinds=("cs",))
     assert problems(path) == []
@@ -83,6 +85,7 @@ def test_one_kind_alone(tmp_path: Path) -> None:
     assert description(path).coSimulation is None
 
 
+@pytest.mark.slow
 def test_another_method(tmp_path: Path) -> None:
     path = equations_of("pendulum").export(tmp_path / "x.fmu", integrators=("radau", "rk4"))
     assert problems(path) == []

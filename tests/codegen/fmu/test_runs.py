@@ -11,7 +11,7 @@ from codegen.running import compilers
 
 pytestmark = pytest.mark.skipif(not compilers(), reason="needs a C compiler")
 
-QUICK = {("pendulum", "3.0"), ("four_bar", "2.0"), ("tumbling", "3.0"), ("door", "3.0")}
+QUICK = {("four_bar", "2.0"), ("tumbling", "3.0"), ("door", "3.0")}
 PAIRS = [
     pytest.param(name, version, marks=[] if (name, version) in QUICK else [pytest.mark.slow])
     for version in VERSIONS

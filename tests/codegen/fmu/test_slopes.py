@@ -14,7 +14,7 @@ from codegen.running import compilers
 
 pytestmark = pytest.mark.skipif(not compilers(), reason="needs a C compiler")
 
-QUICK = ("pendulum", "tumbling", "gauges")
+QUICK = ("tumbling", "gauges")
 SMOOTH = [name for name, case in CASES.items() if not case.elements]
 NAMES = [pytest.param(n, marks=[] if n in QUICK else [pytest.mark.slow]) for n in SMOOTH]
 # of sums of rounded products, against the largest entry
@@ -133,6 +133,7 @@ def test_differences_and_adjoints(name: str) -> None:
         assert adjoint == pytest.approx(seed @ J, abs=1e-12 * scale * len(seed))
 
 
+@pytest.mark.slow
 def test_by_parameters() -> None:
     model, name = model_of("pendulum"), "pendulum"
     one, x = at_a_state(name)

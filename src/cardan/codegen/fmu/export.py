@@ -146,7 +146,7 @@ def _sources(
     folder: Path, request: FmuRequest, content: Content, manifest: Manifest
 ) -> dict[str, str]:
     """C of the model, its run, the core and the entry points of a version, by file name."""
-    exported = ExportRequest(folder, "c", request.integrators, request.reproducible, "")
+    exported = ExportRequest(folder, "c", request.integrators, request.reproducible, "", "double")
     there = {p.name: p.read_text("utf-8") for p in folder.iterdir() if p.suffix in (".c", ".h")}
     more = c_export.texts(manifest, exported, content)
     there |= {name: text for name, text in more.items() if name.endswith((".c", ".h"))}
