@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
-from codegen.fmu.importing import VERSIONS, played, problems, simulated, unit
+from codegen.fmu.importing import VERSIONS, Instance, model_of, played, problems, simulated, unit
 from codegen.fmu.scenes import CASES
 from codegen.running import compilers
 
@@ -46,8 +47,6 @@ def test_model_exchange_is_simulate(name: str, version: str) -> None:
 
 
 def test_times_of_events_are_those_of_simulate() -> None:
-    from codegen.fmu.importing import Instance, model_of
-
     case = CASES["door"]
     motion = model_of("door").simulate(case.end, inputs=dict(case.inputs), rtol=1e-9)
     with Instance(unit("door")) as one:
@@ -61,3 +60,42 @@ def test_times_of_events_are_those_of_simulate() -> None:
     for text, (name, t) in zip(happened, expected, strict=True):
         assert name in text
         assert float(text.split(" = ")[1].split()[0]) == pytest.approx(t, abs=1e-9)
+
+
+@pytest.mark.parametrize("version", ["2.0", pytest.param("3.0", marks=pytest.mark.slow)])
+def test_inputs_that_change_between_steps(version: str) -> None:
+    """Held inputs of co-simulation are the same motion as a table with jumps."""
+    steps, h = 20, 0.05
+    values = [3.0 * np.sin(0.7 * k) for k in range(steps)]
+    times = np.repeat(np.arange(steps + 1) * h, 2)[1:-1]
+    table = (times, np.repeat(values, 2))
+    motion = model_of("cart").simulate(steps * h, inputs={"push": table}, rtol=1e-10)
+    with Instance(unit("cart", version)) as one:
+        one.begin(1e-10, steps * h)
+        for k, value in enumerate(values):
+            one.set({"push": value})
+            one.step(k * h, h)
+        names = ["track", "pin", "track.u", "pin.u"]
+        assert one.get(*names) == pytest.approx([motion[n][-1] for n in names], abs=1e-9)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("version", VERSIONS)
+def test_inputs_are_functions_of_time_in_model_exchange(version: str) -> None:
+    """An importer that sets inputs at every stage; fmpy's CVode holds them over a step."""
+    motion = model_of("cart").simulate(
+        1.0, inputs={"push": lambda t, x: np.sin(3 * t)}, rtol=1e-10, max_step=0.02
+    )
+    with Instance(unit("cart", version), "me") as one:
+        one.begin()
+        one.update()
+        one.fmu.enterContinuousTimeMode()
+
+        def rates(t: float, x: np.ndarray) -> np.ndarray:
+            one.fmu.setTime(t)
+            one.set({"push": np.sin(3 * t)})
+            one.set_states(x)
+            return one.rates()
+
+        run = solve_ivp(rates, (0.0, 1.0), one.states(), method="DOP853", rtol=1e-10, atol=1e-12)
+    assert run.y[:, -1] == pytest.approx(motion.x[-1, :4], abs=1e-8)
