@@ -85,7 +85,7 @@ def _function(text: str) -> object:
 def _start(
     scene: Scene, options: argparse.Namespace, block: str
 ) -> dict[str, float | list[float]] | None:
-    """Where an FMU starts, as ``cardan simulate`` does: what the file says, then what was typed."""
+    """Start of an FMU, as of ``cardan simulate``: by the file, then as it was typed."""
     unit = options.output.suffix.lower() == SUFFIX
     values = {**(scene.settings.get(block, {}) if unit else {}), **dict(getattr(options, block))}
     return values or None

@@ -176,7 +176,7 @@ def filler(
     loops: bool | None = None,
     language: str = "c",
 ) -> Callable[[Path], Content]:
-    """What writes model and functions into a folder, and says what else there is.
+    """A function that writes model and functions into a folder, and says what else there is.
 
     Args:
         equations, start, functions, integrators, loops, language: As :func:`export` takes them.
@@ -222,7 +222,7 @@ def _start(
     requested: Sequence[tuple[str, str | None]],
     start: Callable[[Path], Mapping[str, Sequence[float]]],
 ) -> Mapping[str, Sequence[float]]:
-    """Where a run starts, if not where the scene says."""
+    """Values to start from instead of those of the scene, by block."""
     available = equations.names()
     closing = [(name, None) for name in companions.CLOSING if name in available]
     if not equations.system.closed:

@@ -84,7 +84,7 @@ def filler(
     functions: Sequence[object] | None,
     integrators: tuple[str, ...],
 ) -> Callable[[Path], Content]:
-    """What writes a model into a folder, and says what else there is.
+    """A function that writes a model into a folder, and says what else there is.
 
     Args:
         absolute, plan, functions, integrators: As :func:`export` takes them.

@@ -85,7 +85,7 @@ def model_description(d: UnitContent, version: Version) -> str:
 
 
 def _interfaces(d: UnitContent, version: Version) -> list[Element]:
-    """What importers may do, one element per kind."""
+    """Abilities, one element per kind of FMU."""
     files = [Element("File", {"name": name}) for name in d.sources]
     listing = [Element("SourceFiles", {}, files)] if version.listing else []
     extra = version.derivatives if d.derivatives else {}

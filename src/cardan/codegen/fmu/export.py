@@ -218,7 +218,7 @@ def _texts(
 
 
 def _checked(request: FmuRequest) -> str:
-    """What the page says about the binaries."""
+    """Sentence about the binaries, for the page."""
     this = platforms.here()
     native = [one.name for one in request.platforms if one == this]
     foreign = [one.name for one in request.platforms if one != this]

@@ -87,7 +87,7 @@ def _slopes(variables: Sequence[Variable], slopes: Slopes) -> Value:
 
 
 def limits(manifest: Manifest) -> list[Value]:
-    """What parameters may be, but for limits that are other parameters."""
+    """Limits of parameters, but for those that are other parameters."""
     places = {row.name: k for k, row in enumerate(manifest.parameters)}
     return [
         {

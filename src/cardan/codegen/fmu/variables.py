@@ -15,7 +15,7 @@ SIGNED = ("mode", "impact", "end")
 
 
 class Kind(NamedTuple):
-    """What all variables of a kind have in common.
+    """Common properties of the variables of a kind.
 
     Attributes:
         name: In C ``FMU_<NAME>``; put before names that are taken.
@@ -69,7 +69,7 @@ class Variable:
 
 
 class Facts(NamedTuple):
-    """What the table is made of besides the manifest.
+    """Facts for the table that the manifest does not hold.
 
     Attributes:
         start: Values at the start, by block.
