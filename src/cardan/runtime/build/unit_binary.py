@@ -52,7 +52,7 @@ def unit_binary(
     with tempfile.TemporaryDirectory(prefix="cardan-unit-") as scratch:
         output = Path(scratch) / "unit"
         toolchain.compile_shared(
-            by, sources, [folder], output, reproducible, cache_folder.directory(), EXTRA
+            by, sources, [folder], output, reproducible, cache_folder.directory() / "zig", EXTRA
         )
         return output.read_bytes()
 
