@@ -19,7 +19,7 @@ out = Path("out/swing_up")
 out.mkdir(parents=True, exist_ok=True)
 
 # A cart on a rail, which an input pushes, with a pole that hangs.
-scene = cd.Scene("cart_pole", gravity=(0, 0, -9.81))
+scene = cd.Scene("swing_up", gravity=(0, 0, -9.81))
 push = scene.input("push", unit="N")
 cart = scene.body("cart", mass=1.0, inertia=(0.1, 0.1, 0.1))
 pole = scene.body("pole", mass=0.3, com=(0, 0, -0.5), inertia=cd.inertia.rod(0.3, 1.0, axis="z"))
@@ -29,9 +29,9 @@ scene.force("motor", cd.JointForce("rail", push))
 equations = cd.derive(scene)
 
 # The C of the dynamics, and a module that gives it to CasADi: rhs(x, r) with its Jacobians.
-folder = equations.export(out / "cart_pole_casadi", ["rhs"], language="casadi")
+folder = equations.export(out / "swing_up_casadi", ["rhs"], language="casadi")
 sys.path.insert(0, str(folder))
-import cart_pole_casadi as exported  # noqa: E402
+import swing_up_casadi as exported  # noqa: E402
 
 rhs = exported.function("rhs")
 print(rhs)

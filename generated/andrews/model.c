@@ -6,9 +6,9 @@
 
 /* generalized coordinates */
 const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
-    -0.009611805832, /* beta [rad] */
-    -0.038938484523, /* theta [rad] */
-    0.455047362333, /* gamma [rad] */
+    -0.009611805847, /* beta [rad] */
+    -0.038938484512, /* theta [rad] */
+    0.455047362334, /* gamma [rad] */
     0.487417513796, /* delta [rad] */
     0.222198997752, /* phi [rad] */
     1.230369973954, /* epsilon [rad] */

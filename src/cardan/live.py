@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -45,8 +44,8 @@ def page(
     path: str | Path | None = None,
     *,
     sliders: Mapping[str, Range] | Sequence[str] | None = None,
-    q: Mapping[str, Any] | ArrayLike | None = None,
-    u: Mapping[str, Any] | ArrayLike | None = None,
+    q: Mapping[str, object] | ArrayLike | None = None,
+    u: Mapping[str, object] | ArrayLike | None = None,
     plots: str | Sequence[str] | None = None,
     traces: str | Sequence[str] = (),
     drag: bool = True,
@@ -97,7 +96,7 @@ def page(
         if name not in model.frames:
             raise ArgumentError(f"traces: '{name}' is no frame.{near(name, model.frames)}")
     drawing = pages.drawing_of([preview], options)
-    spec, module = _described(equations, preview, drawing, x)
+    spec, module = _specification(equations, preview, drawing, x)
     spec |= {"drag": drag, "rtol": rtol, "atol": 1e-3 * rtol}
     spec["sliders"] = _sliders(equations, preview, sliders)
     spec["shapes"] = live_page.shapes(preview, spec["sliders"])
@@ -128,7 +127,7 @@ def _has_meshes(solids: Sequence[Solid]) -> bool:
     return any(solid["kind"] == "mesh" for solid in solids)
 
 
-def _described(
+def _specification(
     equations: Equations, preview: TrajectoryRecord, drawing: Drawing, x: Array
 ) -> tuple[JsonObject, bytes]:
     """What ``live.js`` has to know of the model, and the model as WebAssembly."""

@@ -229,6 +229,7 @@ def test_demo_without_a_compiler(
     monkeypatch.setenv("PATH", "/nonexistent")
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setattr(toolchain, "ziglang", lambda: [])
+    monkeypatch.setattr("cardan.runtime.calls.webassembly.available", lambda: False)
     assert status("demo") == 0
     text = capsys.readouterr().out
     for said in ("no compiler: Python evaluates them", "ns per call", "against 40 digits"):

@@ -15,8 +15,8 @@ from cardan.equations.kinematics.kinematics import Kinematics
 from cardan.ir.function import Function, Output
 from cardan.ir.interpreter import evaluate
 from cardan.ir.serialize import from_dict
+from cardan.runtime.calls.code import Code
 from cardan.runtime.calls.interpreted import Interpreted
-from cardan.runtime.calls.objects import Code
 from cardan.runtime.models.finite_elements.elements import State
 from cardan.runtime.models.finite_elements.mesh import Mesh
 from cardan.runtime.models.finite_elements.table_loading import data_of, tables_of

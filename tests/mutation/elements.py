@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from cardan.runtime.calls.objects import Code
+from cardan.runtime.calls.code import Code
 from cardan.runtime.verification.differences import BOUND
 from cardan.runtime.verification.finite_elements.elements import check_kinds as by_laws
 from cardan.runtime.verification.finite_elements.members import Members, members_of

@@ -16,7 +16,7 @@ from cardan.api.compiled_model import CompiledModel
 from cardan.errors import CardanError
 from cardan.ir.interpreter import evaluate
 from cardan.ir.serialize import from_dict, to_dict
-from cardan.runtime.calls.objects import Code
+from cardan.runtime.calls.code import Code
 from cardan.runtime.verification.closed_states import bound
 from cardan.runtime.verification.flat_scene import scene_of
 from cardan.runtime.verification.verify import _reference, verify

@@ -12,8 +12,9 @@ import cardan as cd
 from cardan.api.compiled_model import CompiledModel
 from cardan.errors import CompilerMissing, DerivationError
 from cardan.ir.serialize import from_dict
+from cardan.runtime.calls.code import Code
 from cardan.runtime.calls.interpreted import Interpreted
-from cardan.runtime.calls.objects import Code, Key
+from cardan.runtime.calls.objects import Key
 from mechanisms import ZOO, flexible
 from mechanisms.closed import CLOSED
 

@@ -11,7 +11,7 @@ import pytest
 
 import cardan as cd
 from cardan.runtime.build import toolchain
-from cardan.runtime.calls import interpreted
+from cardan.runtime.calls import interpreted, webassembly
 from mechanisms import ZOO
 from spread import some
 
@@ -30,6 +30,7 @@ def bare(monkeypatch):
         monkeypatch.setenv("PATH", "/nonexistent")
         monkeypatch.delenv("CC", raising=False)
         monkeypatch.setattr(toolchain, "ziglang", lambda: [])
+        monkeypatch.setattr(webassembly, "available", lambda: False)
 
     return remove
 

@@ -82,8 +82,8 @@ class Equations(Explained, Linearizable):
             functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
                 default the dynamics and the energy, of a closed system also what closes it, of one
                 with events what happens.
-            language: ``"cython"`` adds a package for NumPy (default), ``"casadi"`` and ``"jax"`` a module
-                whose functions have exact first derivatives there, ``"c"`` leaves it at C. A
+            language: ``"cython"`` adds a package for NumPy (default), ``"casadi"`` and ``"jax"`` a
+                module whose functions have exact first derivatives there, ``"c"`` leaves it at C. A
                 derivative among ``functions`` that does not name p, such as ``("derivative",
                 "forward_dynamics: q u")``, leaves out derivatives by parameters there.
             integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C

@@ -6,7 +6,6 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -95,21 +94,23 @@ def shapes(motion: TrajectoryRecord, sliders: Sequence[JsonObject]) -> list[Json
                 # at some values there may be more solids, or others
                 each = [row[body][n] if n < len(row.get(body, ())) else solid for row in rows]
                 for name in GEOMETRY & solid.keys():
-                    seen = [_rounded(one.get(name, solid[name])) for one in each]
-                    if any(value != _rounded(solid[name]) for value in seen):
+                    samples = [_rounded((one if name in one else solid)[name]) for one in each]
+                    if any(value != _rounded(solid[name]) for value in samples):
                         entry = {
                             "slider": k,
                             "at": _rounded(values.tolist()),
                             "body": body,
                             "solid": n,
                         }
-                        changes.append(entry | {"field": name, "values": seen})
+                        changes.append(entry | {"field": name, "values": samples})
     return changes
 
 
-def _rounded(value: Any) -> Any:
-    """Numbers of JSON to six digits."""
-    return [_rounded(x) for x in value] if isinstance(value, list) else float(f"{value:.6g}")
+def _rounded(value: float | list[float]) -> float | list[float]:
+    """A field of a solid to six digits."""
+    if isinstance(value, list):
+        return [float(f"{x:.6g}") for x in value]
+    return float(f"{value:.6g}")
 
 
 def _solids(motion: TrajectoryRecord) -> dict[int, list[Solid]]:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
-from typing import final
+from typing import TypeAlias, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +34,7 @@ HERE = Path(__file__).parent
 PAGES = ("3d", "plain")
 MARK = re.compile("__(TITLE|SCRIPT|DATA|BLOB|PROGRAM|START|ABSCISSA|LIVE|WASM)__")
 HEIGHT = 560  # of a page in a notebook
+Live: TypeAlias = "tuple[JsonObject, str]"
 
 
 @final
@@ -174,7 +175,7 @@ def drawing_page(
     page: str = "3d",
     detail: str | float = "auto",
     title: str | None = None,
-    live: tuple[JsonObject, str] | None = None,
+    live: Live | None = None,
 ) -> Page:
     """The page of a drawing, written to a file, opened in a browser or shown in a notebook.
 
@@ -187,8 +188,7 @@ def drawing_page(
     text = _filled(drawing, page, detail, drawing.name if title is None else title, live)
     if path is not None:
         return Page(text, publish(Path(path), text))
-    result = Page(text)
-    return result if "ipykernel" in sys.modules else result.open()
+    return Page(text) if "ipykernel" in sys.modules else Page(text).open()
 
 
 @dataclass(frozen=True)
@@ -308,11 +308,7 @@ def _sweeping(abscissa: Abscissa) -> float:
 
 
 def _filled(
-    drawing: Drawing,
-    page: str,
-    detail: str | float,
-    headline: str,
-    live: tuple[JsonObject, str] | None,
+    drawing: Drawing, page: str, detail: str | float, headline: str, live: Live | None
 ) -> str:
     """The text of a page."""
     unit = drawing.abscissa.unit
@@ -320,7 +316,6 @@ def _filled(
         "TITLE": html.escape(_encodable(headline)),
         "ABSCISSA": html.escape("time" if unit == "s" else drawing.abscissa.name),
         "LIVE": live[1] if live else "",
-        # allows WebAssembly, and no text as code
         "WASM": " 'wasm-unsafe-eval'" if live else "",
     }
     try:

@@ -73,6 +73,7 @@ def compiler(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) ->
         monkeypatch.setenv("PATH", "/nonexistent")
         monkeypatch.delenv("CC", raising=False)
         monkeypatch.setattr(toolchain, "ziglang", lambda: [])
+        monkeypatch.setattr("cardan.runtime.calls.webassembly.available", lambda: False)
     return str(request.param)
 
 

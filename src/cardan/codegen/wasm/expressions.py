@@ -81,8 +81,8 @@ class Expressions:
         self.nodes = scope.graph.nodes
         self.parameters = parameters
         # names of values are identifiers; a dot stands before all others
-        own = {f".{name}": k for k, name in enumerate(parameters)}
-        self.locals: dict[str, int] = outer.locals if outer else own
+        numbers = {f".{name}": k for k, name in enumerate(parameters)}
+        self.locals: dict[str, int] = outer.locals if outer else numbers
         self.types: list[int] = outer.types if outer else []
         # addresses of arrays that hold sines and cosines, by name
         self.angles: dict[str, int] = outer.angles if outer else {}
@@ -179,11 +179,11 @@ class Expressions:
         self.program.module.imported(name, signature)
         return name
 
-    def _truth(self, i: int) -> Code:
+    def _nonzero(self, i: int) -> Code:
         return [*self.read(i), *number(0.0), NE]
 
     def _both(self, node: Node, instruction: bytes) -> Code:
-        return [*self._truth(node[1]), *self._truth(node[2]), instruction, NUMBER]
+        return [*self._nonzero(node[1]), *self._nonzero(node[2]), instruction, NUMBER]
 
     def _and(self, node: Node) -> Code:
         return self._both(node, b"\x71")
@@ -195,7 +195,7 @@ class Expressions:
         return [*self.read(node[1]), *number(0.0), EQ, NUMBER]
 
     def _select(self, node: Node) -> Code:
-        return [*self.read(node[2]), *self.read(node[3]), *self._truth(node[1]), SELECT]
+        return [*self.read(node[2]), *self.read(node[3]), *self._nonzero(node[1]), SELECT]
 
     def _extreme(self, node: Node, instruction: bytes) -> Code:
         """The second operand where a comparison with the first holds, else the first."""

@@ -27,7 +27,7 @@ KERNELS, METHOD = "kernels", "dop853"
 RECORDS = ("cardan_simulation", "cardan_export")
 # what runs call beside rhs, and what a page shows
 CALLED = ("close_position", "close_velocity", "constraint_jacobian", "events", "transition")
-SHOWN = ("energy", "outputs")
+DISPLAYED = ("energy", "outputs")
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ def build(
     written = functions(equations, frames)
     kernels = wasm_kernels.places(KERNELS)
     module = Module(kernels["heap_base"] + -kernels["heap_base"] % 16, table_base=kernels["table"])
-    described: dict[str, Exported] = {}
+    rows: dict[str, Exported] = {}
     sizes: dict[str, int] = {}
     for name, function in written.items():
         program = lowered(function)
@@ -75,10 +75,10 @@ def build(
         out = sum(output.size for output in function.outputs)
         counts = {"out": out, "work": program.work_size, "w": program.prepared_size}
         sizes |= {f"{name}_{key}_size": count for key, count in counts.items()}
-        described[name] = Exported("", program.blocks, counts)
+        rows[name] = Exported("", program.blocks, counts)
     memory = Memory(module, kernels, sizes)
     memory.numbers("inputs", inputs(manifest))
-    model_file.declare(memory, manifest, Content(described, start, fields(manifest)), (METHOD,))
+    model_file.declare(memory, manifest, Content(rows, start, fields(manifest)), (METHOD,))
     encoded = module.encoded()
     return LiveModel(
         encoded,
@@ -110,7 +110,7 @@ def functions(equations: EquationRecord, frames: Sequence[str]) -> dict[str, Fun
     """
     listed: dict[str, Function | Recursion] = {"rhs": live.rhs(equations)}
     available = equations.names()
-    for name in (*CALLED, *SHOWN):
+    for name in (*CALLED, *DISPLAYED):
         if name in available:
             listed[name] = equations.form(name)
     listed["frames"] = live.frames(equations, frames)

@@ -24,22 +24,22 @@ Code: TypeAlias = "list[bytes | str]"
 
 def unsigned(value: int) -> bytes:
     """A natural number in LEB128."""
-    rest = bytearray()
+    encoded = bytearray()
     while value > 0x7F:
-        rest.append(value & 0x7F | 0x80)
+        encoded.append(value & 0x7F | 0x80)
         value >>= 7
-    rest.append(value)
-    return bytes(rest)
+    encoded.append(value)
+    return bytes(encoded)
 
 
 def signed(value: int) -> bytes:
     """An integer in LEB128."""
-    rest = bytearray()
+    encoded = bytearray()
     while not -64 <= value < 64:
-        rest.append(value & 0x7F | 0x80)
+        encoded.append(value & 0x7F | 0x80)
         value >>= 7
-    rest.append(value & 0x7F)
-    return bytes(rest)
+    encoded.append(value & 0x7F)
+    return bytes(encoded)
 
 
 def vector(items: Sequence[bytes]) -> bytes:

@@ -151,7 +151,7 @@ static void rotate(real *a, real *b, ptrdiff_t n, real cosine, real sine)
 }
 
 /* sqrt(1 + z^2), of which mathematical libraries differ in the last bit */
-static real beside_one(real z)
+static real root_of_sum(real z)
 {
     const real size = fabs(z);
 
@@ -168,8 +168,8 @@ static int make_orthogonal(const parts *p, ptrdiff_t hard, ptrdiff_t i, ptrdiff_
     if (!(fabs(ab) > ORTHOGONAL * sqrt(aa) * sqrt(bb)))
         return 0;
     zeta = (bb - aa) / (2 * ab);
-    tangent = (zeta < 0 ? -1 : 1) / (fabs(zeta) + beside_one(zeta));
-    cosine = 1 / beside_one(tangent);
+    tangent = (zeta < 0 ? -1 : 1) / (fabs(zeta) + root_of_sum(zeta));
+    cosine = 1 / root_of_sum(tangent);
     rotate(a, b, hard, cosine, cosine * tangent);
     rotate(p->w + i * p->r, p->w + j * p->r, p->r, cosine, cosine * tangent);
     return 1;

@@ -8,8 +8,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, final
 
 from ...build_progress import listed, stage
+from .code import Code
 from .loaded_function import LoadedFunction, assemble, batch
-from .objects import Code, Key
+from .objects import Key
 
 if TYPE_CHECKING:
     from ..models.loaded_model import LoadedModel

@@ -17,8 +17,8 @@ from ...schema.c_functions import FunctionRow, ResultRow
 from . import abi, abi_ctypes
 from .batch import Batch
 from .calling import Argument, Caller
+from .code import Code
 from .lanes import packed
-from .objects import Code
 
 
 @dataclass(frozen=True)

@@ -6,9 +6,9 @@ import ctypes
 import hashlib
 import json
 import threading
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,13 +16,13 @@ from typing import TYPE_CHECKING, Any
 from ... import processes, regular_file
 from ...build_progress import listed, stage
 from ...errors import BuildError, CompilerMissing, DerivationError, ModelError, near
-from ...schema.c_functions import FunctionRow
 from ...schema.manifest import Manifest, from_file
 from ..build import cache, prebuilt
 from ..build.object_file import Object
 from ..build.toolchain import Compiler
 from . import webassembly
 from .abi_ctypes import LOADED, block_sizes
+from .code import Code
 from .interpreted import Interpreted, announce
 from .lanes import Recipe
 
@@ -33,62 +33,6 @@ if TYPE_CHECKING:
 Key = tuple[str, str | None]
 # writes what is missing of functions, gives their C names
 Provide = Callable[[Sequence[Key]], list[str]]
-
-
-@dataclass(frozen=True)
-class Code:
-    """A compiled C function.
-
-    Attributes:
-        symbol: Its C name.
-        entry: Its entry in the manifest.
-        fresh: True until it is checked.
-        address: Of ``symbol``, or of what evaluates it where there is no compiler.
-        prepare: Address of ``prepare_symbol``; 0 without a compiler.
-        built: The shared object it lives in, None without a compiler.
-        library: Keeps it loaded.
-        interpreted: What is evaluated instead where there is no compiler.
-        wasm: The WebAssembly that ``symbol`` stands for there, if it can be run.
-        recipe: What its lane builds are made of, None without a compiler.
-        blocks: Numbers of each input block that the C reads, as its object says.
-        lanes: States that it takes side by side, with parameters of their own where several.
-    """
-
-    symbol: str
-    entry: FunctionRow = field(repr=False)
-    fresh: bool
-    address: int = 0
-    prepare: int = 0
-    built: Object | None = None
-    library: ctypes.CDLL | None = field(default=None, repr=False)
-    interpreted: Interpreted | None = field(default=None, repr=False)
-    wasm: webassembly.Compiled | None = field(default=None, repr=False)
-    recipe: Recipe | None = field(default=None, repr=False)
-    blocks: dict[str, int] = field(default_factory=dict, repr=False)
-    lanes: int = 1
-
-    def take(self, blocks: Mapping[str, int]) -> None:
-        """Make sure that blocks of these sizes are what the C reads.
-
-        Raises:
-            BuildError: it reads more or less.
-        """
-        for name, size in blocks.items():
-            if self.blocks.get(name, 0) not in (0, size):
-                raise BuildError(
-                    f"{self.symbol} reads {self.blocks[name]} numbers of '{name}', its manifest "
-                    f"gives {size}. Compile or export the model again"
-                )
-
-    def discard(self) -> None:
-        """Nobody finds its object in the cache."""
-        if self.built is not None:
-            self.built.discard()
-
-    def checked(self) -> Code:
-        """The same after its check: its object goes into the cache."""
-        built = None if self.built is None else replace(self.built.published(), fresh=False)
-        return replace(self, fresh=False, built=built)
 
 
 class Objects:
@@ -308,9 +252,11 @@ class Objects:
         entry = self.manifest.functions[symbol]
         if self._translate is not None and webassembly.available():
             self._machine = self._machine or webassembly.Machine()
-            blocks = {block.name: len(block) for block in function.inputs}
-            with stage(f"model '{self.manifest.name}': compiling {symbol} by {webassembly.NAME}"):
-                one = self._machine.function(self._translate, function, entry, blocks)
+            read = {*entry.inputs, "p"}
+            blocks = {block.name: len(block) for block in function.inputs if block.name in read}
+            one = self._machine.function(self._translate, function, entry, blocks)
+            # written from what is saved, which passes may have left in another order
+            entry = entry.replaced(work_size=one.work_size, prepared_size=one.prepared_size)
             return Code(symbol, entry, True, one.address, one.prepare, wasm=one, blocks=blocks)
         announce()
         expressions = Interpreted(function)

@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping
 from functools import lru_cache
 from importlib import import_module, metadata
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 from ...errors import BuildError
 from ...schema import wasm_kernels
@@ -34,9 +34,9 @@ PAGE, NUMBER, POINTER = 65536, 8, 4
 # writes a function
 Translate: TypeAlias = "Callable[[Function], WasmFunction]"
 Counts = ctypes.c_ssize_t * len(ORDER)
-# places are taken and given back by one thread at a time
+# places are taken and places back by one thread at a time
 _PLACES = threading.Lock()
-_LASTING: weakref.WeakSet[Any] = weakref.WeakSet()
+_LASTING: weakref.WeakSet[object] = weakref.WeakSet()
 T = TypeVar("T")
 
 
@@ -136,22 +136,17 @@ class Machine:
             blocks: Numbers of each input block.
 
         Raises:
-            BuildError: the function is not what the manifest says, or all places are taken.
+            BuildError: all places are taken.
         """
         written = translate(function)
-        if (written.work_size, written.prepared_size) != (entry.work_size, entry.prepared_size):
-            raise BuildError(
-                f"{entry.symbol}: what is saved is not what its manifest says. Compile or export "
-                "the model again"
-            )
         name = written.kernels
         if name not in self._kernels:
             self._kernels[name] = _Kernels(self.store, name)
         memory = self._kernels[name]
         content, end = written.module(base := memory.end)
         counts = {one: blocks.get(one, 0) if one in entry.inputs else 0 for one in ORDER}
-        counts |= {"w": entry.prepared_size, "p": blocks.get("p", 0)}
-        rooms = {**counts, "out": entry.output_size, "work": entry.work_size}
+        counts |= {"w": written.prepared_size, "p": blocks.get("p", 0)}
+        rooms = {**counts, "out": entry.output_size, "work": written.work_size}
         # everything lies behind the constants, at even numbers; then the record of the blocks
         at, addresses = end, dict[str, int]()
         for one, count in rooms.items():
@@ -163,10 +158,10 @@ class Machine:
         fields = {f"at_{one}": addresses[one] for one in ("p", "w", "out", "work")}
         sizes = {"np": counts["p"], "nw": counts["w"], "size": entry.output_size}
         # parameters are read by what prepares alone
-        given = [addresses[one] for one in ORDER], [counts[one] * (one != "p") for one in ORDER]
+        places = [addresses[one] for one in ORDER], [counts[one] * (one != "p") for one in ORDER]
         functions = exports[entry.symbol], exports[f"prepare_{entry.symbol}"]
         start = memory.memory.data_ptr(self.store)
-        return Compiled(self, functions, given, {**fields, **sizes, "at_in": at}, start)
+        return Compiled(self, functions, places, {**fields, **sizes, "at_in": at}, start)
 
 
 class Compiled:
@@ -174,13 +169,14 @@ class Compiled:
 
     Attributes:
         address, prepare: Of the functions of C that stand for it.
+        work_size, prepared_size: Lengths of work and w.
     """
 
     def __init__(
         self,
         machine: Machine,
         functions: tuple[object, object],
-        given: tuple[list[int], list[int]],
+        places: tuple[list[int], list[int]],
         fields: Mapping[str, int],
         memory: ctypes._Pointer[ctypes.c_ubyte],
     ) -> None:
@@ -189,7 +185,7 @@ class Compiled:
         run, prepare = functions
         assert isinstance(run, Func)
         assert isinstance(prepare, Func)
-        at, sizes = (Counts(*numbers) for numbers in given)
+        at, sizes = (Counts(*numbers) for numbers in places)
         record = Record(
             **fields,
             **_library(),
@@ -210,6 +206,7 @@ class Compiled:
                 "no place is free for another function of WebAssembly: let go of models that are "
                 "no longer used, or install a C compiler: pip install 'cardan[compiler]'"
             )
+        self.work_size, self.prepared_size = 0, fields["nw"]
         self.address, self.prepare = (address.value or 0 for address in addresses)
         needs = machine, run, prepare, at, sizes, record
         weakref.finalize(self, _give_back, library, place, needs).atexit = False

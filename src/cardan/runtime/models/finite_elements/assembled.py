@@ -16,9 +16,10 @@ from ....schema.blocks import ORDER
 from ....schema.c_functions import FunctionRow, ResultRow
 from ....schema.functions import OF_ELEMENTS
 from ...calls.calling import Caller
+from ...calls.code import Code
 from ...calls.generated import Source
 from ...calls.loaded_function import LoadedFunction
-from ...calls.objects import Code, Key
+from ...calls.objects import Key
 from .evaluation import Results
 from .mesh import NEEDED
 from .table_loading import load

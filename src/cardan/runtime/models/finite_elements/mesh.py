@@ -19,9 +19,9 @@ from ....schema.finite_elements import ElementKind
 from ....schema.planned import Fields
 from ....schema.records import FORMS, Form, Group, MeshRecord, Movers, StateRecord
 from ...calls.abi_ctypes import FUNCTION
+from ...calls.code import Code
 from ...calls.interpreted import SINGULAR, UNSOLVED, called_back
 from ...calls.loaded_function import prepare, prepare_rows
-from ...calls.objects import Code
 from ...sparse.block_solver import plan_record
 from ...sparse.matrices import Matrices
 from .elements import INNER, Elements, State

@@ -18,8 +18,8 @@ from ....schema.c_functions import FunctionRow
 from ....schema.finite_elements import JUMP_NUMBERS
 from ....schema.manifest import Manifest
 from ....schema.records import PARTS
+from ...calls.code import Code
 from ...calls.lanes import width
-from ...calls.objects import Code
 from .elements import INNER, Elements
 from .mesh import Mesh
 from .tables import Table, Tables

@@ -19,8 +19,8 @@ import numpy as np
 
 from ....errors import SolveError
 from ...calls import loaded_function
+from ...calls.code import Code
 from ...calls.lanes import unpacked
-from ...calls.objects import Code
 from ...models.finite_elements.elements import State
 from ...models.finite_elements.mesh import Mesh
 from ..differences import relative, worst_of

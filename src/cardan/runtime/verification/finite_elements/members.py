@@ -13,8 +13,8 @@ from ....ir.interpreter import evaluate
 from ....ir.serialize import from_dict
 from ....schema.finite_elements import PlaceKind
 from ...calls import loaded_function
+from ...calls.code import Code
 from ...calls.lanes import unpacked
-from ...calls.objects import Code
 from ...models.finite_elements.elements import Elements, State
 from ...models.finite_elements.tables import Table, Tables
 from ...models.initial import start_of
