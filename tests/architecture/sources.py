@@ -9,6 +9,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "src" / "cardan"
+# files of others, as they come
+VENDORED = PACKAGE / "codegen" / "fmu" / "headers"
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
-from architecture.sources import PACKAGE, ROOT
+from architecture.sources import PACKAGE, ROOT, VENDORED
 from architecture.table import FILE_LINES, FUNCTION_LINES
 from table import each
 
@@ -21,6 +21,7 @@ TEXT = sorted(
     for path in (ROOT / folder).rglob("*")
     if path.suffix in {".py", ".pyx", ".c", ".h", ".md", ".yaml", ".html", ".js"}
     and path.name != "_abi.c"
+    and path.parent != VENDORED
 )
 
 # left open, run from text, or true on one machine only; the words are split to not find themselves

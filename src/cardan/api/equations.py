@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import NoReturn, final
+
+from numpy.typing import ArrayLike
 
 from ..arguments import checked
 from ..equations.finite_elements.record import FiniteElementRecord
@@ -39,45 +41,73 @@ class Equations(Explained, Linearizable):
         self,
         directory: str | Path,
         functions: Sequence[object] | None = None,
-        language: str = "cython",
+        language: str | None = None,
         integrators: Sequence[str] = (),
         reproducible: bool = False,
         loops: bool | None = None,
         prefix: str = "",
         precision: str = "double",
+        *,
+        fmi: str | None = None,
+        kinds: Sequence[str] | None = None,
+        platforms: Sequence[str] | None = None,
+        q: Mapping[str, ArrayLike] | None = None,
+        u: Mapping[str, ArrayLike] | None = None,
     ) -> Path:
-        """Write C that needs nothing but a C compiler, and what makes it easy to use.
+        """Write C that needs nothing but a C compiler, or an FMU that other programs simulate.
 
         Args:
-            directory: A new or empty one, or an earlier export of cardan, which is replaced.
+            directory: A new or empty one, or an earlier export of cardan, which is replaced. A
+                name that ends with ``.fmu``: the file of a Functional Mock-up Unit.
             functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
                 default the dynamics and the energy, of a closed system also what closes it, of one
                 with events what happens.
-            language: ``"cython"`` adds a package for NumPy, ``"casadi"`` and ``"jax"`` a module
-                whose functions have exact first derivatives there, ``"c"`` leaves it at C. A
+            language: ``"cython"`` adds a package for NumPy (default), ``"casadi"`` and ``"jax"`` a
+                module whose functions have exact first derivatives there, ``"c"`` leaves it at C. A
                 derivative among ``functions`` that does not name p, such as ``("derivative",
                 "forward_dynamics: q u")``, leaves out derivatives by parameters there.
             integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C
-                comes along, and ``example.c`` simulates.
+                comes along, and ``example.c`` simulates. An FMU takes the first one for
+                co-simulation, ``"dop853"`` where none is named.
             reproducible: The flags written down forbid contraction: equal bits from every compiler.
             loops: As :func:`cardan.compile` takes it.
             prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
                 different prefixes can be linked into one program. With ``language="c"``.
             precision: ``"single"`` for float instead of double everywhere, as processors of
                 microcontrollers have it. With ``language="c"``.
+            fmi: Of an FMU: version ``"3.0"`` (default) or ``"2.0"``.
+            kinds: Of an FMU: ``"me"`` (model exchange) and ``"cs"`` (co-simulation); by default
+                both, of elements in absolute coordinates, such as beams, co-simulation alone.
+            platforms: Of an FMU: ``"linux"``, ``"linux-aarch64"``, ``"windows"``, ``"macos"``,
+                ``"macos-x86_64"``; by default this machine's; () for sources alone. Binaries for
+                other machines are linked by ziglang, not run.
+            q, u: Of an FMU: coordinates and speeds to start from by name, as ``simulate`` has
+                them.
 
         Returns:
-            The directory. It appears whole or not at all.
+            The directory or file. It appears whole or not at all.
 
         Raises:
-            CodegenError: the directory holds other things; an unknown language or integrator.
+            CodegenError: the directory holds other things; an unknown language, integrator or
+                platform; an option of the other kind of export. ModelError: a start that loops
+                cannot be closed with. BuildError: the binaries of an FMU cannot be compiled.
             DerivationError: an unknown function; for CasADi and JAX one without a derivative.
         """
         from ..analyses.simulation.export_plan import started
         from ..codegen.export.export import export
+        from ..codegen.fmu.export import of_joints
+        from ..codegen.fmu.request import UnitOptions, request_of
+        from ..runtime.build.unit_binary import unit_binary
 
-        how = (language, integrators, reproducible, loops, prefix, precision)
-        return export(self, directory, partial(started, CompiledModel), functions, *how)
+        foreign = {"functions": functions, "language": language, "loops": loops, "prefix": prefix}
+        foreign["precision"] = precision
+        unit, name = UnitOptions(fmi, kinds, platforms, q, u), self.system.name
+        fmu = request_of(directory, name, False, unit, foreign, integrators, reproducible)
+        start = partial(started, CompiledModel, q=q, u=u)
+        if fmu is not None:
+            return of_joints(self, fmu, start, unit_binary)
+        how = (language or "cython", integrators, reproducible, loops, prefix, precision)
+        return export(self, directory, start, functions, *how)
 
     @checked
     def linearize_along(
@@ -116,18 +146,33 @@ class FiniteElementEquations(FiniteElementRecord):
         self,
         directory: str | Path,
         functions: Sequence[object] | None = None,
-        language: str = "c",
+        language: str | None = None,
         integrators: Sequence[str] = (),
         reproducible: bool = False,
         prefix: str = "",
         precision: str = "double",
+        *,
+        fmi: str | None = None,
+        kinds: Sequence[str] | None = None,
+        platforms: Sequence[str] | None = None,
+        q: Mapping[str, ArrayLike] | None = None,
+        u: Mapping[str, ArrayLike] | None = None,
     ) -> Path:
-        """Write C that needs no cardan, as :meth:`Equations.export` does."""
+        """Write C that needs no cardan, or an FMU, as :meth:`Equations.export` does."""
         from ..analyses.simulation.export_plan import planned
         from ..codegen.export.finite_elements import export
+        from ..codegen.fmu.export import of_elements
+        from ..codegen.fmu.request import UnitOptions, request_of
+        from ..runtime.build.unit_binary import unit_binary
 
-        how = (language, integrators, reproducible, prefix, precision)
-        plan = partial(planned, CompiledModel)
+        foreign = {"functions": functions, "language": language, "prefix": prefix}
+        foreign["precision"] = precision
+        unit, name = UnitOptions(fmi, kinds, platforms, q, u), self.system.name
+        fmu = request_of(directory, name, True, unit, foreign, integrators, reproducible)
+        plan = partial(planned, CompiledModel, q=q, u=u)
+        if fmu is not None:
+            return of_elements(self, fmu, plan, unit_binary)
+        how = (language or "c", integrators, reproducible, prefix, precision)
         return export(self, directory, plan, functions, *how)
 
     def __getattr__(self, name: str) -> NoReturn:

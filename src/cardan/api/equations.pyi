@@ -1,8 +1,10 @@
 """Written from the functions of its verbs: pytest tests/golden/test_verbs.py --accept"""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import final
+
+from numpy.typing import ArrayLike
 
 from ..equations.constraints.classification import Classification
 from ..equations.constraints.feasibility import Feasibility
@@ -71,32 +73,44 @@ class Equations(Explained, Linearizable):
         Raises:
             DerivationError: another ending, an unknown notation.
         """
-    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str='cython', integrators: Sequence[str]=(), reproducible: bool=False, loops: bool | None=None, prefix: str='', precision: str='double') -> Path:
-        """Write C that needs nothing but a C compiler, and what makes it easy to use.
+    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str | None=None, integrators: Sequence[str]=(), reproducible: bool=False, loops: bool | None=None, prefix: str='', precision: str='double', *, fmi: str | None=None, kinds: Sequence[str] | None=None, platforms: Sequence[str] | None=None, q: Mapping[str, ArrayLike] | None=None, u: Mapping[str, ArrayLike] | None=None) -> Path:
+        """Write C that needs nothing but a C compiler, or an FMU that other programs simulate.
 
         Args:
-            directory: A new or empty one, or an earlier export of cardan, which is replaced.
+            directory: A new or empty one, or an earlier export of cardan, which is replaced. A
+                name that ends with ``.fmu``: the file of a Functional Mock-up Unit.
             functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
                 default the dynamics and the energy, of a closed system also what closes it, of one
                 with events what happens.
-            language: ``"cython"`` adds a package for NumPy, ``"casadi"`` and ``"jax"`` a module
-                whose functions have exact first derivatives there, ``"c"`` leaves it at C. A
+            language: ``"cython"`` adds a package for NumPy (default), ``"casadi"`` and ``"jax"`` a
+                module whose functions have exact first derivatives there, ``"c"`` leaves it at C. A
                 derivative among ``functions`` that does not name p, such as ``("derivative",
                 "forward_dynamics: q u")``, leaves out derivatives by parameters there.
             integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C
-                comes along, and ``example.c`` simulates.
+                comes along, and ``example.c`` simulates. An FMU takes the first one for
+                co-simulation, ``"dop853"`` where none is named.
             reproducible: The flags written down forbid contraction: equal bits from every compiler.
             loops: As :func:`cardan.compile` takes it.
             prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
                 different prefixes can be linked into one program. With ``language="c"``.
             precision: ``"single"`` for float instead of double everywhere, as processors of
                 microcontrollers have it. With ``language="c"``.
+            fmi: Of an FMU: version ``"3.0"`` (default) or ``"2.0"``.
+            kinds: Of an FMU: ``"me"`` (model exchange) and ``"cs"`` (co-simulation); by default
+                both, of elements in absolute coordinates, such as beams, co-simulation alone.
+            platforms: Of an FMU: ``"linux"``, ``"linux-aarch64"``, ``"windows"``, ``"macos"``,
+                ``"macos-x86_64"``; by default this machine's; () for sources alone. Binaries for
+                other machines are linked by ziglang, not run.
+            q, u: Of an FMU: coordinates and speeds to start from by name, as ``simulate`` has
+                them.
 
         Returns:
-            The directory. It appears whole or not at all.
+            The directory or file. It appears whole or not at all.
 
         Raises:
-            CodegenError: the directory holds other things; an unknown language or integrator.
+            CodegenError: the directory holds other things; an unknown language, integrator or
+                platform; an option of the other kind of export. ModelError: a start that loops
+                cannot be closed with. BuildError: the binaries of an FMU cannot be compiled.
             DerivationError: an unknown function; for CasADi and JAX one without a derivative.
         """
     def linearize_along(self, motion: Trajectory, *, inputs: Iterable[str] | None=None, outputs: Iterable[str] | None=None, independent: Iterable[str] | None=None) -> LinearizedAlong:
@@ -138,5 +152,5 @@ class FiniteElementEquations(FiniteElementRecord):
         Raises:
             DerivationError: another ending, an unknown notation.
         """
-    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str='c', integrators: Sequence[str]=(), reproducible: bool=False, prefix: str='', precision: str='double') -> Path:
-        """Write C that needs no cardan, as :meth:`Equations.export` does."""
+    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str | None=None, integrators: Sequence[str]=(), reproducible: bool=False, prefix: str='', precision: str='double', *, fmi: str | None=None, kinds: Sequence[str] | None=None, platforms: Sequence[str] | None=None, q: Mapping[str, ArrayLike] | None=None, u: Mapping[str, ArrayLike] | None=None) -> Path:
+        """Write C that needs no cardan, or an FMU, as :meth:`Equations.export` does."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from pathlib import Path
 
 import numpy as np
@@ -19,17 +19,24 @@ from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.sparse.block_solver import plan_fields
 from ...runtime.sparse.matrices import Matrices
 from ...schema.planned import Planned
+from .settings import Values
 from .starts.start import initial
 
 DIGITS = 12
 
 
-def planned(kind: type[LoadedModel], folder: Path) -> Planned:
+def planned(
+    kind: type[LoadedModel], folder: Path, q: Values | None = None, u: Values | None = None
+) -> Planned:
     """Plan the matrices of a model in absolute coordinates.
 
     Args:
         kind: Its class.
         folder: Its folder.
+        q, u: Coordinates and speeds to start from, by name, as ``simulate`` takes them.
+
+    Raises:
+        ModelError: an unknown name, or loops that cannot be closed with what is named.
     """
     model = kind(folder)
     tables, size = table_loading.tables_of(model), size_of(model)
@@ -38,34 +45,45 @@ def planned(kind: type[LoadedModel], folder: Path) -> Planned:
         group_fields(tables),
         mover_fields(tables),
         plan_fields(tables.once(Matrices.of).plan),
-        _start(folder, model),
+        _start(folder, model, q, u),
         _locked(model),
         size,
         columns_of(model, size),
     )
 
 
-def started(kind: type[LoadedModel], folder: Path) -> dict[str, list[float]]:
-    """Coordinates, speeds and internal states in which a run of a closed model starts, by block.
+def started(
+    kind: type[LoadedModel], folder: Path, q: Values | None = None, u: Values | None = None
+) -> dict[str, list[float]]:
+    """Coordinates, speeds and internal states in which a run starts, by block.
 
-    Empty where they cannot be assembled: a run says why when it is asked for its start.
+    Empty where that is where the scene says, and where loops cannot be assembled: a run says why
+    when it is asked for its start.
 
     Args:
         kind: Its class.
         folder: Its folder, in joint coordinates.
+        q, u: Coordinates and speeds by name, as ``simulate`` takes them.
+
+    Raises:
+        ModelError: an unknown name, or loops that cannot be closed with what is named.
     """
-    model = kind(folder, reproducible=True)
-    if model.manifest.multipliers or model.manifest.cuts:
-        with suppress(ModelError):
+    model, named = kind(folder, reproducible=True), bool(q or u)
+    if model.manifest.multipliers or model.manifest.cuts or named:
+        with nullcontext() if named else suppress(ModelError):
             # as many digits as are the same on every machine; a run closes the rest
-            state = np.round(initial(model), DIGITS) + 0.0
+            state = initial(model, q, u)
+            if model.manifest.multipliers or model.manifest.cuts:
+                state = np.round(state, DIGITS) + 0.0
             values = zip("quz", model.parts_of(state), strict=True)
             return {block: entries.tolist() for block, entries in values}
     return {}
 
 
-def _start(folder: Path, model: LoadedModel) -> Array:
+def _start(folder: Path, model: LoadedModel, q: Values | None, u: Values | None) -> Array:
     """Initial state of a run (nx,); joints of a tree need no search."""
+    if q or u:
+        return initial(type(model)(folder, reproducible=True), q, u)
     start, free = start_of(model, {}, {}, {})
     tree = {row.name for row in model.manifest.joints}
     closed = any(row.joint not in tree for row in model.manifest.multipliers)

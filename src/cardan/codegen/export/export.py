@@ -94,7 +94,7 @@ def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
 
     def complete(folder: Path) -> None:
         content = fill(folder)
-        layout.add_files(folder, _texts(layout.manifest_of(folder), request, content))
+        layout.add_files(folder, texts(layout.manifest_of(folder), request, content))
         if request.prefix:
             prefixes.add(folder, request.prefix)
         if request.precision == "single":
@@ -111,7 +111,7 @@ def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
     return request.target
 
 
-def _texts(data: Manifest, request: ExportRequest, content: Content) -> dict[str, str]:
+def texts(data: Manifest, request: ExportRequest, content: Content) -> dict[str, str]:
     """Everything beside the functions, by file name."""
     methods, functions, elements = request.integrators, content.functions, data.absolute
     flags = (*FLAGS, f"-ffp-contract={'off' if request.reproducible else 'on'}")
@@ -168,7 +168,27 @@ def export(
             raise CodegenError(f"functions: {brief(one)}: give names, or ('pose', 'hand')")
     options = (language, integrators, reproducible, prefix, precision)
     request = ExportRequest.checked(directory, *options)
-    requested = _requested(equations, functions, request.integrators)
+    fill = filler(equations, start, functions, request.integrators, loops, language)
+    return written(request, fill)
+
+
+def filler(
+    equations: EquationRecord,
+    start: Callable[[Path], Mapping[str, Sequence[float]]],
+    functions: Sequence[object] | None,
+    integrators: tuple[str, ...],
+    loops: bool | None = None,
+    language: str = "c",
+) -> Callable[[Path], Content]:
+    """A function that writes model and functions into a folder, and says what else there is.
+
+    Args:
+        equations, start, functions, integrators, loops, language: As :func:`export` takes them.
+
+    Raises:
+        DerivationError: an unknown function.
+    """
+    requested = _requested(equations, functions, integrators)
     binding = BINDINGS[language]
     if binding and binding.jacobians:
         named = _requested(equations, functions or [*_usual(equations)], ())
@@ -176,12 +196,12 @@ def export(
 
     def fill(folder: Path) -> Content:
         _write(folder, equations, requested, loops)
-        if request.integrators:
+        if integrators:
             companions.add_time_jumps(folder, equations.system)
         entries = layout.manifest_of(folder).functions
-        return Content(_ordered(entries), _closed(folder, equations, requested, start))
+        return Content(_ordered(entries), _start(folder, equations, requested, start))
 
-    return written(request, fill)
+    return fill
 
 
 def _write(
@@ -200,17 +220,17 @@ def _write(
     layout.add_functions(folder, texts)
 
 
-def _closed(
+def _start(
     folder: Path,
     equations: EquationRecord,
     requested: Sequence[tuple[str, str | None]],
     start: Callable[[Path], Mapping[str, Sequence[float]]],
 ) -> Mapping[str, Sequence[float]]:
-    """Where a closed system starts; trees start where the scene says."""
+    """Values to start from instead of those of the scene, by block."""
     available = equations.names()
     closing = [(name, None) for name in companions.CLOSING if name in available]
     if not equations.system.closed:
-        return {}
+        return start(folder)
     if {*closing} <= {*requested}:
         return start(folder)
     # what closes it is not part of this export

@@ -74,8 +74,25 @@ def export(
     """
     options = (language, integrators, reproducible, prefix, precision)
     request = ExportRequest.checked(directory, *options)
-    _check(absolute, request)
-    names = _requested(absolute, functions, request.integrators)
+    check(absolute, request)
+    return written(request, filler(absolute, plan, functions, request.integrators))
+
+
+def filler(
+    absolute: FiniteElementRecord,
+    plan: Callable[[Path], Planned],
+    functions: Sequence[object] | None,
+    integrators: tuple[str, ...],
+) -> Callable[[Path], Content]:
+    """A function that writes a model into a folder, and says what else there is.
+
+    Args:
+        absolute, plan, functions, integrators: As :func:`export` takes them.
+
+    Raises:
+        DerivationError: an unknown function.
+    """
+    names = _requested(absolute, functions, integrators)
 
     def fill(folder: Path) -> Content:
         model_folder.write(folder, absolute, functions_header.available(absolute))
@@ -84,7 +101,7 @@ def export(
         if commons:
             model = absolute.system.name
             layout.add_functions(folder, [(generate(f, model=model), f) for f in commons])
-        jumps = companions.add_time_jumps(folder, absolute.system) if request.integrators else ()
+        jumps = companions.add_time_jumps(folder, absolute.system) if integrators else ()
         entries, planned = layout.manifest_of(folder).functions, plan(folder)
         q, u, z = np.split(planned.start, np.cumsum([absolute.places.nq, absolute.places.nu]))
         calls = Name("&cardan_calls_of_elements")
@@ -107,10 +124,10 @@ def export(
             },
         )
 
-    return written(request, fill)
+    return fill
 
 
-def _check(absolute: FiniteElementRecord, request: ExportRequest) -> None:
+def check(absolute: FiniteElementRecord, request: ExportRequest) -> None:
     """Refuse what elements in tables do not go with.
 
     Raises:

@@ -10,13 +10,6 @@
 enum { LOG = 256, ROOM = 32, BUDGET = 1000000, OPTIONS = 7 };
 static const real USUAL_RHO_INF = 0.8; /* RHO_INF alone is what example.c lets compilers define */
 
-/* What a run works on, in the memory of the caller. */
-typedef struct block {
-    void *prepared;
-    real *memory, *settings, *log, *options, *stops, *jumps_work;
-    cardan_tick *ticks;
-} block;
-
 /* Reserve the next part of a memory; where that is NULL it is only measured. */
 static void *reserve(char *memory, size_t *used, size_t size)
 {
@@ -100,42 +93,56 @@ static void set_options(const cardan_run *run, real rho, real *options)
     options[4] = 2, options[5] = 0, options[6] = !run->on_grid;
 }
 
-/* Lay everything out; returns how many bytes that takes. */
-static size_t lay(const cardan_export *model, char *memory, cardan_run *run, block *at)
+size_t cardan_lay_run(const cardan_export *model, const cardan_simulation *settings, void *block,
+                      cardan_laid_run *at)
 {
-    const size_t settings = (size_t)model->zeros, work = cardan_work_length(model);
-    const ptrdiff_t width = 1 + run->ne + 2 * (run->nx + run->ns);
+    const cardan_exported_method *method = method_of(model, settings->method);
+    const size_t tail = (size_t)model->zeros, work = cardan_work_length(model);
+    cardan_run *run = &at->run;
+    ptrdiff_t width;
+    char *memory = block;
     size_t used = 0;
 
+    *at = (cardan_laid_run){0};
+    if (!method)
+        return 0;
+    describe(model, run);
+    choose(method, settings, run);
+    width = 1 + run->ne + 2 * (run->nx + run->ns);
     /* what is connected decides how much the run takes */
     at->prepared = reserve(memory, &used, cardan_prepared_size(model));
     connect(model, at->prepared, run);
-    at->options = reserve(memory, &used, OPTIONS * sizeof(real));
-    at->log = reserve(memory, &used, (size_t)(run->log_capacity * width) * sizeof(real));
-    at->ticks = reserve(memory, &used, (size_t)run->tick_count * sizeof(cardan_tick));
-    at->stops = reserve(memory, &used, (cardan_jumps_capacity(model) + 1) * sizeof(real));
+    run->log = reserve(memory, &used, (size_t)(run->log_capacity * width) * sizeof(real));
     at->jumps_work = reserve(memory, &used, cardan_jumps_work_length(model) * sizeof(real));
-    at->memory = reserve(memory, &used, cardan_run_length(run, settings, work) * sizeof(real));
+    at->state_offset = used;
+    at->options = reserve(memory, &used, OPTIONS * sizeof(real));
+    run->ticks = reserve(memory, &used, (size_t)run->tick_count * sizeof(cardan_tick));
+    at->stops = reserve(memory, &used, (cardan_jumps_capacity(model) + 1) * sizeof(real));
+    at->memory = reserve(memory, &used, cardan_run_length(run, tail, work) * sizeof(real));
+    if (!block)
+        return used;
+    set_options(run, settings->rho_inf > 0 ? settings->rho_inf : USUAL_RHO_INF, at->options);
+    for (ptrdiff_t k = 0; k < run->tick_count; k++)
+        run->ticks[k] = (cardan_tick){.event = model->ticks[k].event, .period = model->ticks[k].period,
+                                      .phase = model->ticks[k].phase};
+    run->stops = at->stops, run->options = at->options;
+    cardan_run_lay(run, at->memory, tail, work);
+    if (model->mesh)
+        run->mesh = at->prepared;
     return used;
 }
 
 size_t cardan_simulation_size(const cardan_export *model, const cardan_simulation *settings)
 {
-    const cardan_exported_method *method = method_of(model, settings->method);
-    cardan_run run = {0};
-    block at;
+    cardan_laid_run at;
 
-    if (!method)
-        return 0;
-    describe(model, &run);
-    choose(method, settings, &run);
-    return lay(model, NULL, &run, &at);
+    return cardan_lay_run(model, settings, NULL, &at);
 }
 
 /* Prepare the model at the parameters, and find where its steps must end. */
-static int prepare(const cardan_export *model, const cardan_simulation *settings, const block *at,
-                   cardan_run *run)
+static int prepare(const cardan_export *model, const cardan_simulation *settings, cardan_laid_run *at)
 {
+    cardan_run *run = &at->run;
     int status = cardan_prepare(model, settings->p ? settings->p : model->p, at->prepared);
 
     if (status == 0)
@@ -202,32 +209,18 @@ static int drive(const cardan_export *model, const cardan_simulation *settings, 
 int cardan_simulation_open(const cardan_export *model, const cardan_simulation *settings,
                            cardan_run *run, void *memory)
 {
-    const cardan_exported_method *method = method_of(model, settings->method);
-    block at;
-    int status;
+    cardan_laid_run at;
+    int status = cardan_lay_run(model, settings, memory, &at) == 0 ? CARDAN_SIZE : 0;
 
-    *run = (cardan_run){0};
-    if (!method)
-        return CARDAN_SIZE;
-    describe(model, run);
-    choose(method, settings, run);
-    (void)lay(model, memory, run, &at);
-    if (!memory)
-        return 0;
-    set_options(run, settings->rho_inf > 0 ? settings->rho_inf : USUAL_RHO_INF, at.options);
-    for (ptrdiff_t k = 0; k < run->tick_count; k++)
-        at.ticks[k] = (cardan_tick){.event = model->ticks[k].event, .period = model->ticks[k].period,
-                                    .phase = model->ticks[k].phase};
-    run->stops = at.stops;
-    run->options = at.options, run->ticks = at.ticks, run->log = at.log;
-    cardan_run_lay(run, at.memory, (size_t)model->zeros, cardan_work_length(model));
-    run->rows = settings->rows, run->capacity = settings->time_count;
+    at.run.rows = settings->rows, at.run.capacity = settings->time_count;
     if (settings->times)
-        run->times = settings->times, run->time_count = settings->time_count;
-    if (model->mesh)
-        run->mesh = at.prepared;
-    status = prepare(model, settings, &at, run);
-    return status == 0 ? enter(model, settings, at.prepared, run) : status;
+        at.run.times = settings->times, at.run.time_count = settings->time_count;
+    if (status == 0 && memory)
+        status = prepare(model, settings, &at);
+    if (status == 0 && memory)
+        status = enter(model, settings, at.prepared, &at.run);
+    *run = at.run;
+    return status;
 }
 
 int cardan_simulate(const cardan_export *model, cardan_simulation *settings, void *memory)

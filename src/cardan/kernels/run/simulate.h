@@ -33,6 +33,20 @@ typedef struct cardan_simulation {
     const double *x_end, *s_end;
 } cardan_simulation;
 
+/* A run laid out in the memory of the caller, for programs that go on from where it ended. */
+typedef struct cardan_laid_run {
+    cardan_run run;
+    void *prepared;      /* the model at the parameters: cardan_prepare fills it in */
+    real *stops;         /* room for all jumps of a span, and its end */
+    real *options, *memory, *jumps_work;
+    size_t state_offset; /* bytes from the start of the memory to what is the state of the run */
+} cardan_laid_run;
+
+/* Lay out a run that has not begun; the state is not entered and nothing is prepared. Returns bytes of
+ * memory, 0: there is no such method. NULL: that is only measured. */
+size_t cardan_lay_run(const cardan_export *model, const cardan_simulation *settings, void *memory,
+                      cardan_laid_run *at);
+
 /* Bytes of memory, aligned as malloc does, that the run takes; 0: there is no such method. */
 size_t cardan_simulation_size(const cardan_export *model, const cardan_simulation *settings);
 /* A run that is ready to start; without memory its sizes alone. Returns a status. */

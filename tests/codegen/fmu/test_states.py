@@ -1,0 +1,169 @@
+"""States of FMUs: an instance goes on from one to the bit, in the middle of a motion too."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from codegen.fmu.importing import Instance, unit
+from codegen.fmu.scenes import CASES
+from codegen.running import compilers
+
+pytestmark = pytest.mark.skipif(not compilers(), reason="needs a C compiler")
+
+QUICK = {("door", "3.0"), ("four_bar", "2.0"), ("tumbling", "3.0")}
+PAIRS = [
+    pytest.param(name, version, marks=[] if (name, version) in QUICK else [pytest.mark.slow])
+    for version in ("3.0", "2.0")
+    for name in CASES
+]
+STEPS = 12
+
+
+def begun(name: str, version: str) -> Instance:
+    one = Instance(unit(name, version))
+    one.set(dict(CASES[name].inputs))
+    return one.begin(stop=CASES[name].end)
+
+
+def played(one: Instance, name: str, first: int, last: int) -> np.ndarray:
+    """All values behind each of some communication steps."""
+    h, rows = CASES[name].end / STEPS, []
+    names = [n for n in one.references if n != "time"]
+    for k in range(first, last):
+        one.step(k * h, h)
+        rows.append(one.get(*names))
+    return np.array(rows)
+
+
+@pytest.mark.parametrize(("name", "version"), PAIRS)
+def test_a_state_in_the_middle_is_gone_on_from_to_the_bit(name: str, version: str) -> None:
+    half = STEPS // 2
+    with begun(name, version) as one, Instance(unit(name, version)) as other:
+        played(one, name, 0, half)
+        state = one.save()
+        content = one.bytes_of(state)
+        expected = played(one, name, half, STEPS)
+        # back in the same instance
+        one.restore(state)
+        assert one.bytes_of(one.save()) == content
+        assert np.array_equal(played(one, name, half, STEPS), expected)
+        # by way of bytes, in another one that has not even begun
+        moved = other.state_of(content)
+        other.restore(moved)
+        assert other.bytes_of(other.save()) == content
+        assert np.array_equal(played(other, name, half, STEPS), expected)
+        one.free(state)
+        other.free(moved)
+
+
+def test_bytes_go_on_in_another_process() -> None:
+    name = "door"
+    with begun(name, "3.0") as one:
+        played(one, name, 0, 5)
+        content = one.bytes_of(one.save())
+        expected = played(one, name, 5, STEPS)
+    program = (
+        "import sys; sys.path.insert(0, 'tests')\n"
+        "from pathlib import Path\n"
+        "from codegen.fmu import importing, test_states\n"
+        f"path = Path({str(unit(name))!r})\n"
+        "one = importing.Instance(path)\n"
+        "one.restore(one.state_of(sys.stdin.buffer.read()))\n"
+        f"sys.stdout.buffer.write(test_states.played(one, {name!r}, 5, {STEPS}).tobytes())\n"
+    )
+    answer = subprocess.run([sys.executable, "-c", program], input=content, capture_output=True)
+    assert answer.returncode == 0, answer.stderr.decode()[-2000:]
+    assert answer.stdout == expected.tobytes()
+
+
+def test_model_exchange_goes_back_over_an_event() -> None:
+    """Modes, samples and armed events are part of a state."""
+    with Instance(unit("bouncing"), "me") as one:
+        one.begin()
+        one.update()
+        one.fmu.enterContinuousTimeMode()
+        # falling fast, just above the floor, then below it
+        one.fmu.setTime(0.1)
+        one.set_states([0.01, -3.0])
+        one.fmu.completedIntegratorStep()
+        state = one.save()
+
+        def fall() -> tuple[list[float], tuple[object, ...]]:
+            one.fmu.setTime(0.11)
+            one.set_states([-1e-9, -3.1])
+            one.fmu.enterEventMode()
+            happened = one.update()
+            values = one.get(*[n for n in one.references if n != "time"])
+            one.fmu.enterContinuousTimeMode()
+            return values, happened
+
+        first = fall()
+        assert first[1][3], "the speed jumps"
+        one.restore(state)
+        assert fall() == first
+
+
+def test_instances_do_not_know_each_other() -> None:
+    name = "door"
+    with begun(name, "3.0") as one, begun(name, "3.0") as other:
+        expected = played(one, name, 0, STEPS)
+        other.fmu.reset()
+        other.set({"goal": 0.2})
+        other.begin(stop=2.0)
+        rows = []
+        with begun(name, "3.0") as third:
+            for k in range(STEPS):
+                other.step(k / STEPS, 1 / STEPS)
+                rows.append(played(third, name, k, k + 1)[0])
+        assert np.array_equal(np.array(rows), expected)
+
+
+def test_reset_is_a_new_start() -> None:
+    name = "door"
+    with begun(name, "3.0") as one:
+        first = played(one, name, 0, STEPS)
+        one.set({"goal": 0.1})
+        one.fmu.reset()
+        one.set(dict(CASES[name].inputs))
+        one.begin(stop=CASES[name].end)
+        assert np.array_equal(played(one, name, 0, STEPS), first)
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        lambda content: content[:100],
+        lambda content: content[:-1] + bytes([content[-1] ^ 1]),
+        lambda content: bytes(8) + content[8:],
+        lambda content: b"",
+    ],
+)
+def test_damaged_bytes_are_refused(damage: Callable[[bytes], bytes]) -> None:
+    with begun("bouncing", "3.0") as one:
+        content = one.bytes_of(one.save())
+        with pytest.raises(Exception, match="failed with status 3"):
+            one.state_of(damage(content))
+        assert "damaged or of another FMU" in one.messages[-1]
+        one.step(0.0, 0.1)
+
+
+def test_states_of_another_unit_are_refused() -> None:
+    with begun("bouncing", "3.0") as one, begun("sticking", "3.0") as other:
+        with pytest.raises(Exception, match="failed with status 3"):
+            other.state_of(one.bytes_of(one.save()))
+        assert "another FMU" in other.messages[-1]
+
+
+def test_every_pointer_of_a_run_is_moved() -> None:
+    """What restores a state knows all pointers that ``run.h`` declares."""
+    from cardan.codegen.fmu.export import SOURCES
+    from cardan.schema.records import POINTER, fields
+
+    text = (SOURCES / "fmu_state.c").read_text("utf-8")
+    pointers = {name.removesuffix("_w") for name, kind in fields("cardan_run") if kind is POINTER}
+    assert {name for name in pointers if f"to->{name} = from->{name}" not in text} == set()
