@@ -200,9 +200,9 @@ def sections() -> Iterator[str]:
                 rational = sympy.nsimplify(to_sympy(value), [sympy.pi])
                 yield from display(_index(name), rational.subs(upright))
         yield source(section) + "\n"
-    yield "# Centerlines\n"
+    yield "## Centerlines\n"
     for line in CENTERLINES.values():
-        yield f"## {line.__name__}\n\n{prose(line)}\n\n{source(line)}\n"
+        yield f"### {line.__name__}\n\n{prose(line)}\n\n{source(line)}\n"
 
 
 def _index(name: str) -> str:
@@ -272,10 +272,10 @@ def constraints() -> Iterator[str]:
     )
     for name, treatment in TREATMENTS.items():
         yield f"## {name}\n\n{prose(treatment)}\n\n{source(treatment)}\n"
-    yield "# Rotations\n\n`Spherical` and `Free` take them as `rotation=`.\n"
+    yield "## Rotations\n\n`Spherical` and `Free` take them as `rotation=`.\n"
     for name, rotation in ROTATIONS.items():
         kind = rotation if inspect.isclass(rotation) else type(rotation)
-        yield f"## {name}\n\n{prose(kind)}\n\n{source(kind)}\n"
+        yield f"### {name}\n\n{prose(kind)}\n\n{source(kind)}\n"
 
 
 def _scene(program: str, name: str) -> cd.Scene:
