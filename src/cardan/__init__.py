@@ -39,6 +39,7 @@ _PUBLIC: dict[str, str] = {
     "superelement": "api.superelement",
     "derive": "pipeline",
     "compile": "pipeline",
+    "page": "live",
     "GeneralizedAlpha": "analyses.simulation.alpha_methods",
     "constraints": "equations.constraints.treatments",
     "stability": "analyses.simulation.precision.method_stability",

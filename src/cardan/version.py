@@ -148,7 +148,7 @@ CONTINUATION = Format("path", "path", 1, 1, "follow the path again")
 # these are read by the version that wrote them, and refused by others
 STEPPER = Format("stepper checkpoint", "cardan_checkpoint", 5, 5, RESTART)
 RUN_FILE = Format("run checkpoint", "run", 4, 4, RESTART)
-ENSEMBLE_FILE = Format("ensemble checkpoint", "ensemble", 1, 1, "start the ensemble anew")
+ENSEMBLE_FILE = Format("ensemble checkpoint", "ensemble", 2, 2, "start the ensemble anew")
 MANIFEST = Format("manifest", "schema", 3, 3, "compile the model again")
 ABI = Format("C interface", "abi", 2, 2, "compile the model again")
 PICKLE = Format("pickle", "pickle", 3, 3, "pickle again what it was made of")

@@ -38,6 +38,7 @@ TEXT = {
     "explain": "equations as documents",
     "api": "what users hold",
     "pipeline": "derive, compile",
+    "live": "pages in which models run",
     "peers": "other programs",
     "cli": "commands",
 }

@@ -29,7 +29,7 @@ ORDER = (
         "solids",
         "explain",
     ),
-    *("api", "pipeline", "peers", "cli", "__init__", "__main__"),
+    *("api", "pipeline", "live", "peers", "cli", "__init__", "__main__"),
 )
 
 # a shipped model runs without the compiler half: these rooms know files and saved Functions only
@@ -115,8 +115,9 @@ FAMILIES: dict[str, frozenset[str]] = {
         }
     ),
     "explain.writers": frozenset(),
-    "codegen.languages": frozenset({"expressions"}),
+    "codegen.languages": frozenset({"binding", "expressions"}),
     "runtime.formats": frozenset({"contents"}),
+    "view.motion_files": frozenset({"motion_format"}),
     "schema.integrators": frozenset({"integrator", "alpha_family"}),
     "scene.files": frozenset(
         {"angles", "document", "expression", "meshes", "options", "pose", "robot", "unread"}

@@ -263,7 +263,7 @@ def test_a_joint_is_a_file(source: Copy) -> None:
         source.run(code)
 
 
-JSON = '''\
+LISTS = '''\
 """Runs as JSON: every variable a list of numbers, texts letter by letter."""
 
 from __future__ import annotations
@@ -295,28 +295,28 @@ def _parsed(data: bytes) -> tuple[Attributes, Variables]:
     }
 
 
-JSON = FileFormat("JSON", (".json",), _written, (b'{"attributes"',), _parsed)
+LISTS = FileFormat("JSON", (".lists",), _written, (b'{"attributes"',), _parsed)
 '''
 
 
 def test_a_format_of_saved_runs_is_a_file(source: Copy) -> None:
     """It saves and loads, and the command line offers it."""
-    source.add("runtime/formats/json_text.py", JSON)
-    source.insert("runtime/formats/__init__.py", "from .netcdf", "from .json_text import JSON")
+    source.add("runtime/formats/lists.py", LISTS)
+    source.insert("runtime/formats/__init__.py", "from .matlab", "from .lists import LISTS")
     path = source.package / "runtime/formats/__init__.py"
     text = path.read_text("utf-8")
-    assert text.count("(NETCDF, NPZ, CSV, MATLAB)") == 1
-    path.write_text(text.replace("MATLAB)", "MATLAB, JSON)"), "utf-8")
+    assert text.count("JSON, NETCDF4)") == 1
+    path.write_text(text.replace("NETCDF4)", "NETCDF4, LISTS)"), "utf-8")
     source.run("""
         from analyses.conftest import double_scene
-        from cardan.cli.options.run import saved
+        from cardan.cli.options.run import motion as saved
         motion = cardan.compile(double_scene()).simulate(0.5, q={"elbow": 0.4})
-        assert motion.save("run.json").read_bytes().startswith(b'{"attributes"')
-        again = cardan.load_motion("run.json")
+        assert motion.save("run.lists").read_bytes().startswith(b'{"attributes"')
+        again = cardan.load_motion("run.lists")
         assert again.x.tobytes() == motion.x.tobytes()
         assert again.solver_info == motion.solver_info
         assert again.at(0.3).tobytes() == motion.at(0.3).tobytes()
-        assert saved("run.json") == Path("run.json")
+        assert saved("run.lists") == Path("run.lists")
     """)
 
 

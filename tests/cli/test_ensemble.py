@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from scipy.io import netcdf_file
 
+import cardan as cd
 from cardan.cli import main
 from cardan.cli.options import sweep
 
@@ -59,6 +60,44 @@ def test_a_checkpoint(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     assert again["steps"] == first["steps"]
     assert status(*words, "--rtol", "1e-3") == 1
     assert "belongs to another ensemble" in capsys.readouterr().err
+
+
+def test_parts_are_joined(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["ensemble", ARM, "--time", "0.1", "--vary", "waist=uniform(0, 1)", "--runs", "40"]
+    words += ["--reduce", "mean of elbow", "--reproducible"]
+    for k in (1, 2, 3):
+        file = str(tmp_path / f"runs-{k}.part")
+        assert status(*words, "--part", f"{k}/3", "--checkpoint", file) == 0
+    assert "part 3 of 3: runs " in capsys.readouterr().out
+    assert status(*words, "-o", str(tmp_path / "whole.nc")) == 0
+    join = ["ensemble", "--join", str(tmp_path / "runs-*.part")]
+    capsys.readouterr()
+    assert status(*join, "-o", str(tmp_path / "all.nc"), "--json") == 0
+    assert json.loads(capsys.readouterr().out)["runs"] == 40
+    made, joined = (cd.load_ensemble(tmp_path / f"{name}.nc") for name in ("whole", "all"))
+    assert made.final.tobytes() == joined.final.tobytes()
+    assert made["mean of elbow"].tobytes() == joined["mean of elbow"].tobytes()
+    assert made.varied["waist"].tobytes() == joined.varied["waist"].tobytes()
+    (tmp_path / "runs-2.part").unlink()
+    assert status(*join) == 1
+    assert "part 2 of 3 is missing" in capsys.readouterr().err
+
+
+WRONG = {
+    "no file": ([], "name a FILE, or --join"),
+    "no checkpoint": ([ARM, "--part", "1/3"], "--part needs --checkpoint FILE"),
+    "part 0": ([ARM, "--part", "0/3"], "parts are counted from 1 to N"),
+    "no part": ([ARM, "--part", "three"], "does not read K/N"),
+    "join and a file": ([ARM, "--join", "a"], "FILE: --join takes the files alone"),
+    "join and a time": (["--join", "a", "--time", "3"], "--time: --join takes the files alone"),
+}
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_parts_that_make_no_sense(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    words, message = WRONG[case]
+    assert status("ensemble", *words) == 2
+    assert message in capsys.readouterr().err
 
 
 FORMS: dict[str, Any] = {

@@ -17,6 +17,7 @@ import cardan as cd
 from cardan import cli
 from cardan.cli import COMMANDS, build_parser, main
 from cardan.cli import inspect as inspect_command
+from cardan.runtime import formats
 from table import each
 
 ARM = str(Path(__file__).parents[2] / "examples" / "arm.urdf")
@@ -37,6 +38,7 @@ WORKING = {
     "report": (ARM, "--time", "0.1", "--methods", "DOP853", "RK4"),
     "bench": (ARM, "--peers", "casadi", "--functions", "mass_matrix"),
     "export": (ARM, "-o", "arm_c", "--functions", "bias"),
+    "convert": (ARM, "-o", "arm.yaml"),
     "doctor": (),
 }
 READING = [name for name in WORKING if name != "doctor"]
@@ -172,13 +174,28 @@ def test_other_shells_get_all_words(shell: str, capsys: pytest.CaptureFixture[st
 
 
 @pytest.mark.parametrize(
-    ("option", "file"), [("-o", "run.h5"), ("--view", "run.txt"), ("--plot", "run.html")]
+    ("option", "file", "words"),
+    [
+        ("-o", "run.h5", "run.h5: runs are written to files that end in one of .nc (netCDF-3)"),
+        ("-o", "run", "run: runs are written to files that end in"),
+        ("-o", "run.mcpa", "Did you mean .mcap?"),
+        ("--view", "run.txt", "'run.txt' does not end in"),
+        ("--plot", "run.html", "'run.html' does not end in"),
+    ],
 )
 def test_endings_are_looked_at_before_the_run(
-    option: str, file: str, capsys: pytest.CaptureFixture[str]
+    option: str, file: str, words: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert status("simulate", ARM, option, file) == 2
-    assert f"'{file}' does not end in" in capsys.readouterr().err
+    assert words in capsys.readouterr().err
+
+
+def test_missing_packages_are_named_before_the_run(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(formats, "find_spec", lambda package: None)
+    assert status("simulate", ARM, "-o", "run.mcap") == 2
+    assert "pip install 'cardan[mcap]'" in capsys.readouterr().err
 
 
 def test_check_tries_the_numbers(capsys: pytest.CaptureFixture[str]) -> None:

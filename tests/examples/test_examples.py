@@ -46,6 +46,8 @@ LEAVES = {
     "34_snap_through": ("branches.png", "imperfect.png"),
     "35_buckling_frame": ("lee.png", "pulled.png", "pushed.png"),
     "36_rotor_limit_cycle": ("whirl.png", "whirl.html"),
+    "41_swing_up": ("casadi.c", "swing_up.png", "swing_up.html"),
+    "42_fit_through_a_rollout": ("jax.c", "fit.png"),
 }
 
 

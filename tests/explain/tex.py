@@ -15,7 +15,7 @@ _COMMANDS = """
     textquotedbl textquotesingle textasciigrave textless textgreater textbar textbackslash
     textasciicircum textasciitilde textperiodcentered ldots displaystyle frac dot ddot mathrm
     operatorname left right sin cos tan tanh sqrt pi le ge ne cdot sum backslash hat sim log exp
-    textsuperscript neq cot widetilde
+    textsuperscript neq cot widetilde bar
 """
 COMMANDS = frozenset(_COMMANDS.split()) | GREEK
 

@@ -26,6 +26,8 @@ HEAD = '''\
 """Written from the functions of its verbs: pytest tests/golden/test_verbs.py --accept"""
 
 '''
+# what stands for a function in a class
+KINDS = ("verb", "attribute", "maker")
 # name of a record -> module and name of the class that users hold
 HELD = {
     record.partition(":")[2]: (held.partition(":")[0], held.partition(":")[2])
@@ -36,7 +38,7 @@ HELD = {
 def modules() -> list[str]:
     """Modules of ``api`` whose classes have verbs."""
     paths = sorted((PACKAGE / "api").glob("*.py"))
-    marks = (" = verb(", " = attribute(")
+    marks = tuple(f" = {kind}(" for kind in KINDS)
     return [path.stem for path in paths if any(mark in path.read_text("utf-8") for mark in marks)]
 
 
@@ -70,11 +72,14 @@ class Verb:
         return inspect.signature(self.function)
 
     @property
+    def arguments(self) -> list[inspect.Parameter]:
+        """Of its function, but for the object itself."""
+        return list(self.signature.parameters.values())[self.kind != "maker" :]
+
+    @property
     def annotations(self) -> list[str]:
         """Of its arguments but the first, and of what it returns."""
-        signature = self.signature
-        rest = [one.annotation for one in list(signature.parameters.values())[1:]]
-        return [*rest, signature.return_annotation]
+        return [*(one.annotation for one in self.arguments), self.signature.return_annotation]
 
 
 @cache
@@ -87,7 +92,7 @@ def verbs(module: str) -> tuple[Verb, ...]:
         for line in node.body
         if isinstance(line, ast.Assign)
         and isinstance(line.value, ast.Call)
-        and getattr(line.value.func, "id", "") in ("verb", "attribute")
+        and getattr(line.value.func, "id", "") in KINDS
     )
 
 
@@ -138,9 +143,9 @@ def _written(node: ast.FunctionDef, depth: int) -> str:
 
 
 def _method(kind: type, verb: Verb) -> str:
-    lines, starred = ["self"], False
+    lines, starred = ["self"] * (verb.kind != "maker"), False
     signature = verb.signature
-    for one in list(signature.parameters.values())[1:]:
+    for one in verb.arguments:
         if one.kind is one.KEYWORD_ONLY and not starred:
             lines.append("*")
             starred = True
@@ -150,7 +155,7 @@ def _method(kind: type, verb: Verb) -> str:
     rows = "".join(f"        {line},\n" for line in lines)
     shown = getattr(kind, verb.name)
     text = f'"""{inspect.getdoc(shown)}\n"""'
-    mark = "    @property\n" if verb.kind == "attribute" else ""
+    mark = {"attribute": "    @property\n", "maker": "    @staticmethod\n"}.get(verb.kind, "")
     result = held(signature.return_annotation)
     return f"{mark}    def {verb.name}(\n{rows}    ) -> {result}:\n{_indented(text, 8)}"
 

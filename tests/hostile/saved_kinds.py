@@ -205,6 +205,20 @@ def checkpoint(folder: Path) -> Kind:
     return Kind("checkpoint", good, read, _results, _records, _together, lambda place: True)
 
 
+def part(folder: Path) -> Kind:
+    """One of two parts of an ensemble, joined with the other."""
+    model = double()
+    folder.mkdir(parents=True)
+    for k in (1, 2):
+        model.ensemble(**VARIED, reduce=KEEP, part=(k, 2), checkpoint=folder / f"runs-{k}.part")
+
+    def read(path: Path) -> cd.Ensemble:
+        return cd.Ensemble.join([path, path.parent / "runs-1.part"])
+
+    good = folder / "runs-2.part"
+    return Kind("part", good, read, _results, _records, _together, lambda place: True)
+
+
 def _records(data: bytes) -> dict[str, Any]:
     magic, _, rest = data.partition(b"\n")
     found = []
@@ -217,10 +231,14 @@ def _records(data: bytes) -> dict[str, Any]:
     return {"magic": magic.decode(), "whose": json.loads(found[0]), "records": blocks}
 
 
+# arrays of letters
+TEXTS = ("messages", "names", "warnings", "request", "checks")
+
+
 def _block(content: bytes) -> dict[str, Any]:
     with np.load(io.BytesIO(content), allow_pickle=False) as file:
         parts: dict[str, Any] = {name: file[name] for name in file.files}
-    return parts | {name: json.loads(parts[name].tobytes()) for name in ("messages", "names")}
+    return parts | {k: json.loads(parts[k].tobytes()) for k in TEXTS if k in parts}
 
 
 def _together(parts: Mapping[str, Any]) -> bytes:
@@ -230,7 +248,7 @@ def _together(parts: Mapping[str, Any]) -> bytes:
         room = io.BytesIO()
         texts = {
             name: np.frombuffer(json.dumps(one[name]).encode(), dtype=np.uint8)
-            for name in ("messages", "names")
+            for name in TEXTS
             if name in one
         }
         np.savez(room, **{**one, **texts})

@@ -18,8 +18,9 @@ KINDS: dict[str, Callable[[Path], Kind]] = {
     },
     "ensemble": saved_kinds.ensemble,
     "checkpoint": saved_kinds.checkpoint,
+    "part": saved_kinds.part,
 }
-QUICK = ("motion ball", "motion archived ball", "motion blade", "ensemble", "checkpoint")
+QUICK = ("motion ball", "motion archived ball", "motion blade", "ensemble", "checkpoint", "part")
 
 
 def _quick(names: tuple[str, ...]) -> list[object]:

@@ -206,3 +206,20 @@ def test_wrt_must_name_something(wrt: object) -> None:
         model.derivative("forward_dynamics", wrt=wrt)
     with pytest.raises(ModelError, match="a name, or a pair"):
         model.derivative(5, wrt="q")
+
+
+@pytest.mark.parametrize("name", ["springs", "satellite", "spherical_ZYX", "universal"])
+def test_columns_along_coordinates_give_those_along_speeds(name: str) -> None:
+    """dq = N e_k: the chain rule, over quaternions too, along which nothing changes."""
+    model = compiled(name)
+    q, u = (x[0] for x in states(name))
+    by_coordinate, by_speed = model.derivative("energy", wrt=("coordinates", "q"))(q, u)
+    assert by_coordinate.shape == (3, model.nq)
+    still = model.qdot(q, np.zeros(model.nu))
+    rates = np.stack([model.qdot(q, way) - still for way in np.eye(model.nu)], axis=-1)
+    size = np.abs(by_speed).max()
+    np.testing.assert_allclose(by_coordinate @ rates, by_speed, rtol=0, atol=1e-13 * size)
+    for first in model.manifest.quaternions:
+        part = slice(first, first + 4)
+        along = by_coordinate[:, part] @ q[part]
+        np.testing.assert_allclose(along, 0, atol=1e-13 * size)

@@ -14,6 +14,7 @@ import cardan as cd
 from cardan.number_file import packed, unpacked
 from cardan.runtime import formats
 from cardan.runtime.formats.contents import FileFormat
+from cardan.view import motion_files
 from mechanisms import ZOO
 
 READ = [one.endings[0] for one in formats.FORMATS if one.parse is not None]
@@ -108,14 +109,17 @@ def test_no_name_is_reserved() -> None:
     assert sorted(found) == ["args", "file"]
 
 
-def test_tables_have_the_names_of_the_model(
+def test_tables_have_the_names_and_units_of_the_model(
     motion: cd.Trajectory, runs: cd.Ensemble, tmp_path: Path
 ) -> None:
     with motion.save(tmp_path / "run.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    assert [float(row["t"]) for row in rows] == motion.t.tolist()
+    assert [float(row["t [s]"]) for row in rows] == motion.t.tolist()
     for name in motion.model.coordinates:
+        # quaternions have no unit
         assert [float(row[name]) for row in rows] == motion[name].tolist()
+    for name in motion.model.speeds:
+        assert [float(row[f"{name} [rad/s]"]) for row in rows] == motion[name].tolist()
     with runs.save(tmp_path / "runs.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     (name,) = runs.results
@@ -148,5 +152,6 @@ def test_a_new_format_is_one_file(
         path.write_text(" ".join(sorted(variables)))
 
     one = FileFormat("list", (".list",), written)
+    monkeypatch.setattr(motion_files, "FORMATS", (*motion_files.FORMATS, one))
     monkeypatch.setattr(formats, "FORMATS", (*formats.FORMATS, one))
     assert "time" in motion.save(tmp_path / "run.list").read_text().split()

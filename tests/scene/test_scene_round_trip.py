@@ -229,7 +229,9 @@ def test_saving_is_whole_or_not_at_all(tmp_path: Path, monkeypatch: pytest.Monke
     assert [entry.name for entry in tmp_path.iterdir()] == ["scene.yaml"]
 
 
-@pytest.mark.parametrize("name", ["scene.urdf", "scene", "no/such/folder.yaml"])
+@pytest.mark.parametrize(
+    "name", ["scene.sdf", "scene", "no/such/folder.yaml", "no/such/folder.urdf"]
+)
 def test_places_that_cannot_be_written(name: str, tmp_path: Path) -> None:
     with pytest.raises(cd.ModelError, match=r"scene|folder"):
         ZOO["pendulum"].build().save(tmp_path / name)

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 import cardan as cd
 from cardan.codegen.fingerprint import fingerprint
 from cardan.scene.files.urdf import from_text
-from cardan.scene.files.yaml.writer import save
+from cardan.topology.scene_files import save
 from mechanisms.closed import four_bar
 from mechanisms.closed_planar import four_bar_angles
 from table import each

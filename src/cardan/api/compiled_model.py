@@ -6,10 +6,21 @@ What type checkers read stands in ``compiled_model.pyi``, which
 
 from __future__ import annotations
 
-from typing import final
+from typing import TYPE_CHECKING, final
 
 from ..runtime.models.loaded_model import LoadedModel
+from ..schema.wasm_kernels import WasmFunction
 from .faces import verb
+
+if TYPE_CHECKING:
+    from ..ir.function import Function
+
+
+def _as_webassembly(function: Function) -> WasmFunction:
+    """What runs where there is no C compiler."""
+    from ..codegen.wasm.function import translated
+
+    return translated(function)
 
 
 @final
@@ -30,6 +41,8 @@ class CompiledModel(LoadedModel):
         SolveError: a number given is not finite; or, for one state, the result is not. In a batch
             the states that fail hold NaN or infinity and a SolveWarning names the first.
     """
+
+    _translate = staticmethod(_as_webassembly)
 
     # runs
 

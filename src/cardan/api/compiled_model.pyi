@@ -231,6 +231,7 @@ class CompiledModel(LoadedModel):
         threads: int | None = None,
         lanes: int | None = None,
         client: Any = None,
+        part: Sequence[int] | None = None,
         checkpoint: str | Path | None = None,
         check: bool = False,
         progress: bool | Callable[[float], None] | None = None,
@@ -258,7 +259,11 @@ class CompiledModel(LoadedModel):
             threads: By default ``$CARDAN_THREADS``, else the cores of this process.
             lanes: 1: no lanes. By default as many as vectors have, once they pay.
             client: Computes instead of threads: of ``dask.distributed``, or an executor.
-            checkpoint: A file that keeps finished blocks of runs. The same call goes on from there.
+            part: ``(k, n)``: only part k of n of the runs, from 1 on, such as ``part=(3, 8)`` in job 3
+                of 8 that share nothing but a disk. ``cd.Ensemble.join`` makes the whole of them, to the
+                bit. ``run(i)`` and messages count the runs of the part.
+            checkpoint: A file that keeps finished blocks of runs. The same call goes on from there. One
+                file per part, which is not locked.
             check, progress: As of ``simulate``.
 
         Returns:

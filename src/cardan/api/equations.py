@@ -44,6 +44,7 @@ class Equations(Explained, Linearizable):
         reproducible: bool = False,
         loops: bool | None = None,
         prefix: str = "",
+        precision: str = "double",
     ) -> Path:
         """Write C that needs nothing but a C compiler, and what makes it easy to use.
 
@@ -52,25 +53,30 @@ class Equations(Explained, Linearizable):
             functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
                 default the dynamics and the energy, of a closed system also what closes it, of one
                 with events what happens.
-            language: ``"cython"`` adds a package for NumPy, ``"c"`` leaves it at C.
+            language: ``"cython"`` adds a package for NumPy, ``"casadi"`` and ``"jax"`` a module
+                whose functions have exact first derivatives there, ``"c"`` leaves it at C. A
+                derivative among ``functions`` that does not name p, such as ``("derivative",
+                "forward_dynamics: q u")``, leaves out derivatives by parameters there.
             integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C
                 comes along, and ``example.c`` simulates.
             reproducible: The flags written down forbid contraction: equal bits from every compiler.
             loops: As :func:`cardan.compile` takes it.
             prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
                 different prefixes can be linked into one program. With ``language="c"``.
+            precision: ``"single"`` for float instead of double everywhere, as processors of
+                microcontrollers have it. With ``language="c"``.
 
         Returns:
             The directory. It appears whole or not at all.
 
         Raises:
             CodegenError: the directory holds other things; an unknown language or integrator.
-            DerivationError: an unknown function.
+            DerivationError: an unknown function; for CasADi and JAX one without a derivative.
         """
         from ..analyses.simulation.export_plan import started
         from ..codegen.export.export import export
 
-        how = (language, integrators, reproducible, loops, prefix)
+        how = (language, integrators, reproducible, loops, prefix, precision)
         return export(self, directory, partial(started, CompiledModel), functions, *how)
 
     @checked
@@ -114,12 +120,13 @@ class FiniteElementEquations(FiniteElementRecord):
         integrators: Sequence[str] = (),
         reproducible: bool = False,
         prefix: str = "",
+        precision: str = "double",
     ) -> Path:
         """Write C that needs no cardan, as :meth:`Equations.export` does."""
         from ..analyses.simulation.export_plan import planned
         from ..codegen.export.finite_elements import export
 
-        how = (language, integrators, reproducible, prefix)
+        how = (language, integrators, reproducible, prefix, precision)
         plan = partial(planned, CompiledModel)
         return export(self, directory, plan, functions, *how)
 

@@ -55,18 +55,21 @@ class Equations(Explained, Linearizable):
         self,
         path: str | Path,
         progress: Callable[[str], object] | None = None,
+        notation: str = "cardan",
     ) -> Path:
         """Write equations as a page.
 
         Args:
             path: Its ending says how: ``.html``, ``.tex`` or ``.md``.
             progress: Told what is under way.
+            notation: Whose symbols the page uses: ``"cardan"``, ``"rs"`` (Roberson and Schwertassek),
+                ``"gc"`` (Géradin and Cardona) or ``"kane"`` (Kane and Levinson).
 
         Returns:
             The file.
 
         Raises:
-            DerivationError: another ending.
+            DerivationError: another ending, an unknown notation.
         """
     def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str='cython', integrators: Sequence[str]=(), reproducible: bool=False, loops: bool | None=None, prefix: str='') -> Path:
         """Write C that needs nothing but a C compiler, and what makes it easy to use.
@@ -76,7 +79,10 @@ class Equations(Explained, Linearizable):
             functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
                 default the dynamics and the energy, of a closed system also what closes it, of one
                 with events what happens.
-            language: ``"cython"`` adds a package for NumPy, ``"c"`` leaves it at C.
+            language: ``"cython"`` adds a package for NumPy, ``"casadi"`` and ``"jax"`` a module
+                whose functions have exact first derivatives there, ``"c"`` leaves it at C. A
+                derivative among ``functions`` that does not name p, such as ``("derivative",
+                "forward_dynamics: q u")``, leaves out derivatives by parameters there.
             integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C
                 comes along, and ``example.c`` simulates.
             reproducible: The flags written down forbid contraction: equal bits from every compiler.
@@ -89,7 +95,7 @@ class Equations(Explained, Linearizable):
 
         Raises:
             CodegenError: the directory holds other things; an unknown language or integrator.
-            DerivationError: an unknown function.
+            DerivationError: an unknown function; for CasADi and JAX one without a derivative.
         """
     def linearize_along(self, motion: Trajectory, *, inputs: Iterable[str] | None=None, outputs: Iterable[str] | None=None, independent: Iterable[str] | None=None) -> LinearizedAlong:
         """Linear models along a simulated motion of this system: A(t), B(t), C(t), D(t).
@@ -114,18 +120,21 @@ class FiniteElementEquations(FiniteElementRecord):
         self,
         path: str | Path,
         progress: Callable[[str], object] | None = None,
+        notation: str = "cardan",
     ) -> Path:
         """Write equations as a page.
 
         Args:
             path: Its ending says how: ``.html``, ``.tex`` or ``.md``.
             progress: Told what is under way.
+            notation: Whose symbols the page uses: ``"cardan"``, ``"rs"`` (Roberson and Schwertassek),
+                ``"gc"`` (Géradin and Cardona) or ``"kane"`` (Kane and Levinson).
 
         Returns:
             The file.
 
         Raises:
-            DerivationError: another ending.
+            DerivationError: another ending, an unknown notation.
         """
     def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str='c', integrators: Sequence[str]=(), reproducible: bool=False, prefix: str='') -> Path:
         """Write C that needs no cardan, as :meth:`Equations.export` does."""

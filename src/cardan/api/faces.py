@@ -85,6 +85,15 @@ class attribute(verb):
         return cached
 
 
+class maker(verb):
+    """A function ``"module:name"`` that makes an object of the class, as a static method."""
+
+    def method(self) -> staticmethod[..., object]:
+        """The static method."""
+        function = getattr(import_module(self.module), self.function)
+        return staticmethod(self._named(faced(function)))
+
+
 def _method(function: Callable[..., Any]) -> Callable[..., Any]:
     """A function with ``self`` for its first argument, and results as users hold them."""
 

@@ -20,7 +20,7 @@ from ..analyses.mechanisms.workspace import WorkspaceRecord
 from ..analyses.simulation.precision.work_precision import PrecisionRecord
 from ..analyses.statics.equilibrium import EquilibriumRecord
 from ..analyses.statics.static_path import StaticPathRecord
-from .faces import attribute, verb
+from .faces import attribute, maker, verb
 
 
 @final
@@ -39,6 +39,7 @@ class Continuation(ContinuationRecord):
 class Ensemble(EnsembleRecord):
     """Results of an ensemble."""
 
+    join = maker("cardan.analyses.ensembles.joining:join")
     run = verb("cardan.analyses.ensembles.result:run")
     to_xarray = verb("cardan.analyses.ensembles.ensemble_file:to_xarray")
     save = verb("cardan.analyses.ensembles.ensemble_file:save")

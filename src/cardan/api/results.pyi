@@ -135,6 +135,27 @@ class Continuation(ContinuationRecord):
 class Ensemble(EnsembleRecord):
     """Results of an ensemble.
     """
+    @staticmethod
+    def join(
+        parts: str | Path | Sequence[str | Path | Ensemble],
+        *,
+        check: bool = False,
+    ) -> Ensemble:
+        """One ensemble of all its parts, with the bits of ``model.ensemble`` of all runs at once.
+
+        Args:
+            parts: A pattern of the files that ``checkpoint=`` named, such as ``"runs-*.part"``; or a
+                list of files and of ensembles that ``part=`` made. Nothing in a file is ever executed.
+            check: Raise where a run failed.
+
+        Returns:
+            Last states, status and reductions of all runs. ``run(i)`` needs the model, which no file
+            holds: it is there where one of the parts is an ensemble of this process.
+
+        Raises:
+            ModelError: no such files; a part that is missing, there twice, not finished, damaged or of
+                another ensemble. SolveError: a run that failed, with ``check``.
+        """
     def run(
         self,
         i: int,

@@ -12,7 +12,7 @@ from .faces import attribute, verb
 class Scene(SceneRecord):
     """A scene: bodies, joints, beams, forces, parameters, inputs and outputs."""
 
-    save = verb("cardan.scene.files.yaml.writer:save")
+    save = verb("cardan.topology.scene_files:save")
     __str__ = verb("cardan.scene.summary:summary")
     superelement = verb("cardan.scene.superelement_arguments:add_superelement")
     reduce = verb("cardan.equations.components.beams:reduce")

@@ -21,17 +21,25 @@ class Scene(SceneRecord):
     def save(
         self,
         path: str | Path,
-    ) -> None:
+        strict: bool = False,
+    ) -> tuple[str, ...]:
         """Write the scene as a file that :func:`cardan.load` reads; whole or not at all.
 
-        Included scenes are written out; numbers keep all their digits. Records of superelements are
-        written beside it: ``crane.boom.npz``.
+        A ``.yaml`` file says everything: included scenes are written out, numbers keep all their
+        digits, records of superelements are written beside it (``crane.boom.npz``). A ``.urdf`` file
+        has links, joints, limits, damping, friction, shapes and their numbers, for the parameters as
+        they are; what it cannot say is listed, and warned of.
 
         Args:
-            path: A ``.yaml`` file.
+            path: A ``.yaml`` or ``.urdf`` file.
+            strict: Refuse to write a file that does not say everything.
+
+        Returns:
+            What the file does not say, a sentence each; nothing for ``.yaml``.
 
         Raises:
-            ModelError: an expression no file can say, or a file that cannot be written.
+            ModelError: another ending, what no file of this format can say, or a file that cannot be
+                written.
         """
     def __str__(
         self,

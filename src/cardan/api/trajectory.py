@@ -23,7 +23,8 @@ class Trajectory(TrajectoryRecord):
     screw_axis = verb("cardan.analyses.mechanisms.screw_axis:screw_axis_of_run")
     torques = verb("cardan.analyses.identification.torques:torques_of_run")
     to_xarray = verb("cardan.runtime.trajectory.dataset:to_xarray")
-    save = verb("cardan.runtime.trajectory.storage:save")
+    to_pandas = verb("cardan.runtime.trajectory.dataset:to_pandas")
+    save = verb("cardan.view.motion_files:save")
     plot = verb("cardan.view.plot:plot")
     animate = verb("cardan.view.page:animate")
 

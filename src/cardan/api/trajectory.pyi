@@ -1,6 +1,7 @@
 """Written from the functions of its verbs: pytest tests/golden/test_verbs.py --accept"""
 
 from collections.abc import Iterable, Mapping, Sequence
+from pandas import DataFrame
 from pathlib import Path
 from typing import Any, final
 
@@ -87,22 +88,42 @@ class Trajectory(TrajectoryRecord):
         Raises:
             ModuleNotFoundError: xarray is not installed (extra ``data``).
         """
+    def to_pandas(
+        self,
+    ) -> DataFrame:
+        """A ``pandas.DataFrame``: a row for every time, a column for every history.
+
+        Columns are coordinates, speeds, inputs, internal states, modes and outputs, by the names that
+        ``motion[name]`` takes. The index is the time ``t`` [s]; at an event two rows may have one time.
+        ``frame.attrs["units"]`` has the unit of every column, and of ``t``; ``frame.attrs`` also says
+        model, method and status.
+
+        Raises:
+            ModuleNotFoundError: pandas is not installed (extra ``data``).
+        """
     def save(
         self,
         path: str | Path,
     ) -> Path:
-        """Write everything but the model; :func:`cardan.load_motion` reads it.
+        """Write the motion; the ending of the name says the format.
 
-        The ending says the format: .nc (netCDF), .npz (NumPy archive), .csv (a table of what changes
-        over time) or .mat (MATLAB); the last two are not read again. The file appears complete or not
-        at all.
+        ``.nc`` (netCDF) and ``.npz`` (NumPy archive) hold everything but the model, and are read by
+        :func:`cardan.load_motion`. For other programs: ``.csv`` (a table of what changes over time,
+        with units), ``.mat`` (MATLAB, Octave), ``.json``, ``.nc4`` (netCDF-4), ``.glb`` (animated
+        glTF) and ``.mcap`` (Foxglove, PlotJuggler); ``docs/exchange.md`` says what is in each. The file
+        appears complete or not at all.
+
+        Args:
+            path: The file.
 
         Returns:
             Its path.
 
         Raises:
-            ModelError: a variable too large for the format, the ending of another format, or a file
-                that cannot be written.
+            ModelError: the ending of another format, a variable too large for the format, places that
+                are not finite, or a file that cannot be written.
+            ModuleNotFoundError: a package that the format needs is not installed; the message names the
+                extra.
         """
     def plot(
         self,

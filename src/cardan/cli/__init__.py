@@ -61,6 +61,7 @@ COMMANDS = {
     "report": (".report", "speed against error of every integrator on a scene"),
     "bench": (".bench", "speed, error and agreement beside other programs"),
     "export": (".export", "C that needs no cardan, with a package for NumPy"),
+    "convert": (".convert", "a scene as URDF, or a robot as a scene file"),
     "doctor": (".doctor", "what works on this machine, and what to do about the rest"),
 }
 

@@ -13,6 +13,11 @@ examples:
         a number of every run, a mean over runs at every output time
   cardan ensemble arm.yaml --vary 'm=uniform(1, 2)' --runs 1000000 --checkpoint runs.part
         the same command goes on where it was stopped
+  cardan ensemble arm.yaml --vary 'm=uniform(1, 2)' --runs 1000000 --part 3/8 \
+        --checkpoint runs-3.part
+        part 3 of 8, on any machine; when all are done:
+  cardan ensemble --join 'runs-*.part' -o runs.nc
+        the ensemble of all parts, to the bit
 
 values: linspace(first, last, count), geomspace(first, last, count), 1,2,5,
         uniform(low, high), normal(mean, deviation), log_uniform(low, high)
@@ -41,7 +46,7 @@ if TYPE_CHECKING:
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    scene_options.arguments(parser)
+    scene_options.arguments(parser, optional=True)
     run_options.arguments(parser)
     many = parser.add_argument_group("the runs")
     many.add_argument("--vary", metavar="NAME=VALUES", type=sweep_options.vary, action="append",
@@ -53,6 +58,21 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     many.add_argument("--threads", metavar="N", type=run_options.count, help="default: all cores")
     many.add_argument("--checkpoint", metavar="FILE", type=Path,
                       help="keeps finished runs; the same command goes on from there")  # fmt: skip
+    many.add_argument(
+        "--reproducible",
+        action="store_true",
+        help="equal bits from every compiler and processor, 10-30 %% slower",
+    )
+    jobs = parser.add_argument_group("several jobs that share a disk")
+    jobs.add_argument(
+        "--part",
+        metavar="K/N",
+        type=part,
+        help="only part K of N; with --checkpoint, a file for each part",
+    )
+    jobs.add_argument("--join", metavar="PATTERN", action="append", default=[],
+                      help="put the files of all parts together, instead of FILE; a pattern such "
+                           "as 'runs-*.part', or give it again for another file")  # fmt: skip
     results = parser.add_argument_group("results")
     results.add_argument("--reduce", metavar="WORDS", action="append", default=[],
                          help="such as 'max of elbow'; give it again for another")  # fmt: skip
@@ -65,28 +85,58 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Load, compile, run, report."""
-    from ..pipeline import compile
-    from .terminal import console, progress
-
-    plan = sweep_options.plan(options.vary, options.runs, options.plan, options.seed)
-    scene = scene_options.read(options)
-    with progress() as show:
-        show("deriving and compiling")
-        model = compile(scene)
-        show("running", 0.0)
-        ensemble = model.ensemble(
-            **settings(scene, options),
-            vary=plan,
-            reduce=options.reduce,
-            threads=options.threads,
-            checkpoint=options.checkpoint,
-            progress=lambda fraction: show("running", fraction),
-        )
+    ensemble = _joined(options) if options.join else _computed(options)
     written = []
     if options.output is not None:
         options.output.parent.mkdir(parents=True, exist_ok=True)
         written = [str(ensemble.save(options.output))]
-    if options.json:
+    _print(ensemble, written, options.json)
+    return INTERRUPTED if ensemble.interrupted else 0 if ensemble.success else 1
+
+
+def _joined(options: argparse.Namespace) -> Ensemble:
+    """The ensemble of all parts."""
+    from ..api.results import Ensemble
+
+    set_here = {"command", "run", "parser", "join", "output", "json"}
+    for name in vars(options).keys() - set_here:
+        if getattr(options, name) != options.parser.get_default(name):
+            word = "FILE" if name == "file" else f"--{name.replace('_', '-')}"
+            options.parser.error(f"{word}: --join takes the files alone, which say what they are")
+    patterns = options.join
+    return Ensemble.join(patterns[0] if len(patterns) == 1 else patterns)
+
+
+def _computed(options: argparse.Namespace) -> Ensemble:
+    """The runs, computed."""
+    from ..pipeline import compile
+    from .terminal import progress
+
+    if options.file is None:
+        options.parser.error("name a FILE, or --join the files of parts")
+    if options.part and options.checkpoint is None:
+        options.parser.error("--part needs --checkpoint FILE: that file is what --join reads")
+    plan = sweep_options.plan(options.vary, options.runs, options.plan, options.seed)
+    scene = scene_options.read(options)
+    with progress() as show:
+        show("deriving and compiling")
+        model = compile(scene, reproducible=options.reproducible)
+        show("running", 0.0)
+        return model.ensemble(
+            **settings(scene, options),
+            vary=plan,
+            reduce=options.reduce,
+            threads=options.threads,
+            part=options.part,
+            checkpoint=options.checkpoint,
+            progress=lambda fraction: show("running", fraction),
+        )
+
+
+def _print(ensemble: Ensemble, written: list[str], as_json: bool) -> None:
+    from .terminal import console
+
+    if as_json:
         print(json.dumps(summary(ensemble) | {"files": written}, indent=1))
     else:
         out = console()
@@ -96,7 +146,17 @@ def run(options: argparse.Namespace) -> int:
             *(f"wrote {path}" for path in written),
         ):
             out.print(line, soft_wrap=True)
-    return INTERRUPTED if ensemble.interrupted else 0 if ensemble.success else 1
+
+
+def part(text: str) -> tuple[int, int]:
+    """The type of ``3/8``, part 3 of 8."""
+    numbers = text.split("/")
+    if len(numbers) != 2 or not all(one.isascii() and one.isdigit() for one in numbers):
+        raise argparse.ArgumentTypeError(f"'{text}' does not read K/N, such as 3/8")
+    k, n = map(int, numbers)
+    if not 1 <= k <= n:
+        raise argparse.ArgumentTypeError(f"'{text}': parts are counted from 1 to N")
+    return k, n
 
 
 def settings(scene: Any, options: argparse.Namespace) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 """``cardan export``: the functions of a scene as C that needs no cardan.
 
 Write the functions of a scene as C99 that compiles alone, with headers, a manifest, an example, and
-a package for NumPy. What is written needs no cardan.
+a package for NumPy, CasADi or JAX. What is written needs no cardan.
 
 examples:
   cardan export arm.urdf -o arm_c
@@ -10,6 +10,8 @@ examples:
         these two and no package; a frame or joint stands behind the colon
   cardan export pendulum.yaml -o pendulum_c --integrators dop853
         with an integrator: pendulum_c/example.c simulates one second
+  cardan export arm.urdf -o arm_casadi --language casadi --functions forward_dynamics
+        a module for CasADi, or for JAX, with exact first derivatives
   cardan export crane.yaml -o crane_c --integrators alpha
         a scene with beams: C of its elements, tables of them, sparse matrices, and a run
 """
@@ -25,14 +27,17 @@ from .options import scene as scene_options
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
+    from ..codegen.languages import BINDINGS
+
     scene_options.arguments(parser)
     what = parser.add_argument_group("what is written")
     what.add_argument("-o", "--output", metavar="DIR", type=Path, required=True,
                       help="a new or empty directory, or an earlier export")  # fmt: skip
     what.add_argument("--functions", metavar="NAME", nargs="+", type=_function,
                       help="such as forward_dynamics or pose:hand")  # fmt: skip
-    what.add_argument("--language", choices=("cython", "c"),
-                      help="cython adds a package for NumPy (default, but for beams)")  # fmt: skip
+    what.add_argument("--language", choices=tuple(BINDINGS),
+                      help="cython adds a package for NumPy (default, but for beams), casadi and "
+                           "jax modules for these")  # fmt: skip
     what.add_argument("--integrators", metavar="METHOD", nargs="+", default=[],
                       help="such as dop853, radau or alpha: C that simulates")  # fmt: skip
     scene_options.method(what)
@@ -40,6 +45,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                       help="flags under which every compiler gives equal bits")  # fmt: skip
     what.add_argument("--prefix", metavar="NAME", default="",
                       help="before all names, such as arm_: several in one program")  # fmt: skip
+    what.add_argument("--precision", choices=("double", "single"), default="double",
+                      help="single: float everywhere, for microcontrollers")  # fmt: skip
     parser.add_argument("--json", action="store_true", help="print JSON for another program")
 
 
@@ -64,6 +71,7 @@ def run(options: argparse.Namespace) -> int:
             integrators=options.integrators,
             reproducible=options.reproducible,
             prefix=options.prefix,
+            precision=options.precision,
             **chosen,
         )
     files = sorted(path.name for path in folder.iterdir())

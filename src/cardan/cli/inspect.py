@@ -14,6 +14,8 @@ examples:
         one page for any browser, offline, with drawn graph and set formulas
   cardan inspect arm.urdf -o arm.tex
         the same for LaTeX; arm.md for Markdown
+  cardan inspect arm.urdf -o arm.tex --notation kane
+        in the symbols of a book: F_r + F_r* = 0; rs and gc are others
   cardan inspect arm.urdf --json
         names, units, values, frames and counts for another program
 """
@@ -48,18 +50,23 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     results = parser.add_argument_group("results")
     results.add_argument("-o", "--output", metavar="PAGE", type=Path,
                          help="a page: .html, .tex or .md")  # fmt: skip
+    results.add_argument("--notation", metavar="NAME", default="cardan",
+                         help="symbols of a book: cardan, rs (Roberson and Schwertassek), gc "
+                              "(Géradin and Cardona) or kane")  # fmt: skip
     results.add_argument("--json", action="store_true", help="print JSON for another program")
 
 
 def run(options: argparse.Namespace) -> int:
     """Load, derive, show."""
     from ..api.equations import FiniteElementEquations
+    from ..equations.reading.book_symbols import book_notation
     from ..explain import document, ending_of, explain, facts
     from ..pipeline import derive
     from .terminal import progress
 
     if options.output is not None:
         ending_of(options.output)
+    book_notation(options.notation)
     scene = scene_options.read(options)
     with progress() as show:
         show("deriving")
@@ -69,8 +76,9 @@ def run(options: argparse.Namespace) -> int:
             summary = _meshed(equations) if meshed else facts(equations)
             print(json.dumps(summary, indent=1))
         if options.output is not None:
-            explain(equations, options.output, show)
-        page = None if options.json or options.output else document(equations, show)
+            explain(equations, options.output, show, options.notation)
+        written = options.json or options.output
+        page = None if written else document(equations, show, options.notation)
     out = console()
     if page is not None:
         display(scene, str(equations), page, out)

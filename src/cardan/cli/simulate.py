@@ -16,6 +16,8 @@ examples:
         named initial angles and speeds, in radians, meters and seconds; the rest is 0
   cardan simulate arm.urdf --time 10 --view run.html -o run.nc
         a page that plays in any browser, and the numbers as netCDF
+  cardan simulate arm.urdf -o run.csv
+        a table with units; .mat opens in MATLAB, .glb in Blender, .mcap in Foxglove
   cardan simulate dog.urdf --base free --q base=1,0,0,0,0,0,0.5
         on a floating base: quaternion (w x y z), then position; several numbers for one joint
   cardan simulate lift.yaml --method Radau --z motor.force=100
@@ -61,8 +63,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
         "-o",
         "--output",
         metavar="RUN.nc",
-        type=run_options.saved,
-        help="the run: .nc, .npz, .csv or .mat",
+        type=run_options.motion,
+        help="the run: .nc, .npz, .csv, .mat, .json, .nc4, .glb (animated) or .mcap",
     )
     results.add_argument(
         "--view", metavar="RUN.html", type=run_options.file(".html", ".htm"), help="animated page"

@@ -164,6 +164,20 @@ def add_files(directory: Path, files: Mapping[str, str | bytes]) -> None:
     change(directory, added)
 
 
+def replace_texts(directory: Path, files: Mapping[str, str], **stated: str) -> None:
+    """Write other texts of the files of a model; the manifest says what they are, by field."""
+    add_files(directory, dict(files))
+
+    def rewritten(manifest: Manifest) -> Manifest:
+        functions = {
+            name: entry.replaced(sha256=manifest.sha256[entry.file])
+            for name, entry in manifest.functions.items()
+        }
+        return manifest.replaced(**stated, functions=functions)
+
+    change(directory, rewritten)
+
+
 def manifest_of(directory: Path) -> Manifest:
     """The manifest of a directory.
 

@@ -61,8 +61,20 @@ def generate(
         CodegenError: the name is none for C.
         ValueError: the expressions break a rule of the grammar.
     """
+    with collector_paused():
+        return _file(function, lowered(function, model, notes, longest, chosen), of)
+
+
+def lowered(
+    function: Function | Recursion,
+    model: str = "",
+    notes: Sequence[str] = (),
+    longest: int = LONGEST,
+    chosen: Sequence[str] | None = None,
+) -> Program:
+    """Optimize a function and make it a program; arguments and errors as of :func:`generate`."""
     if isinstance(function, Routine):
-        return _file(function, lower_routine(function, model, notes), of)
+        return lower_routine(function, model, notes)
     parts = (function,) if isinstance(function, Function) else function.steps
     names = [passes.standard(part) if chosen is None else tuple(chosen) for part in parts]
     used = dict.fromkeys(name for pass_names in names for name in pass_names)
@@ -70,10 +82,8 @@ def generate(
     with collector_paused():
         staged = [passes.optimize(*pair) for pair in zip(parts, names, strict=True)]
         if isinstance(function, Function):
-            program = lower(staged[0], model, notes, longest)
-        else:
-            program = loops.lower(function, staged, model, notes)
-        return _file(function, program, of)
+            return lower(staged[0], model, notes, longest)
+        return loops.lower(function, staged, model, notes)
 
 
 def _file(function: Function | Recursion, program: Program, of: str | None) -> CFile:

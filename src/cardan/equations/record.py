@@ -198,8 +198,8 @@ class EquationRecord:
 
         Args:
             function: Such as ``"forward_dynamics"``; ``of``: its frame or joint.
-            wrt: Blocks ``t q u r p udot tau``, or parameters and inputs by name; ``"q"`` stands
-                for columns along the speeds.
+            wrt: Blocks ``t q u z r p udot tau``, or parameters and inputs by name; ``"q"`` stands
+                for columns along the speeds, ``"coordinates"`` for those along q as it is stored.
 
         Returns:
             One output ``d_<wrt>`` for each: the shape of the function, then the columns, which

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..arguments import checked
+from ..equations.reading.book_symbols import DEFAULT, book_notation
 from ..errors import DerivationError
 from ..view.page import publish
 from .content import Document
@@ -28,6 +29,7 @@ def explain(
     equations: Explained | FiniteElementRecord,
     path: str | Path,
     progress: Callable[[str], object] | None = None,
+    notation: str = DEFAULT,
 ) -> Path:
     """Write equations as a page.
 
@@ -35,16 +37,18 @@ def explain(
         equations: In whatever coordinates, by whatever method.
         path: Its ending says how: ``.html``, ``.tex`` or ``.md``.
         progress: Told what is under way.
+        notation: Whose symbols the page uses: ``"cardan"``, ``"rs"`` (Roberson and Schwertassek),
+            ``"gc"`` (Géradin and Cardona) or ``"kane"`` (Kane and Levinson).
 
     Returns:
         The file.
 
     Raises:
-        DerivationError: another ending.
+        DerivationError: another ending, an unknown notation.
     """
     path = Path(path)
     ending_of(path)
-    return published(document(equations, progress), path)
+    return published(document(equations, progress, notation), path)
 
 
 def published(page: Document, path: Path) -> Path:
@@ -76,9 +80,11 @@ def ending_of(path: Path) -> str:
 
 
 def document(
-    equations: Explained | FiniteElementRecord, progress: Callable[[str], object] | None = None
+    equations: Explained | FiniteElementRecord,
+    progress: Callable[[str], object] | None = None,
+    notation: str = DEFAULT,
 ) -> Document:
     """Contents of a page, before it is written."""
     from . import sheets
 
-    return sheets.document(equations, progress or (lambda _: None))
+    return sheets.document(equations, progress or (lambda _: None), book_notation(notation))

@@ -33,10 +33,17 @@ class Written:
 
 def letter(name: str, dots: int = 0) -> Written:
     """A letter in text, such as M or gamma."""
-    sign = Notation(name, "", dots)
+    return symbol(Notation(name, "", dots))
+
+
+def symbol(sign: Notation) -> Written:
+    """A symbol in text, such as M or q with a dot."""
     base = f"<mi>{sign.character}</mi>"
-    dotted = f"<mover>{base}<mo>.</mo></mover>" if dots else base
-    return Written(dotted, sign.latex(), name + "dot" * dots)
+    marked = f"<msup>{base}<mo>*</mo></msup>" if sign.mark == "star" else base
+    dotted = f"<mover>{marked}<mo>.</mo></mover>" if sign.dots else marked
+    index = f"<msub>{dotted}<mi>{sign.index}</mi></msub>" if sign.index else dotted
+    name = sign.letter + "*" * (sign.mark == "star") + "dot" * sign.dots
+    return Written(index, sign.latex(), name + f"_{sign.index}" * bool(sign.index))
 
 
 Inline: TypeAlias = str | Math | Written
@@ -71,9 +78,10 @@ class Formula:
     @property
     def text(self) -> str:
         """The formula as plain text."""
-        dots = {"q": "qdot"}.get(self.left.letter, self.left.letter) if self.left.dots else ""
-        index = f"[{self.left.index}]" if self.left.index else ""
-        return f"{dots or self.left.letter}{index} = {self.right}"
+        left = self.left
+        mark = "*" if left.mark == "star" else ""
+        index = f"[{left.index}]" if left.index else ""
+        return f"{left.letter}{mark}{('', 'dot', 'ddot')[left.dots]}{index} = {self.right}"
 
 
 @dataclass(frozen=True)

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from ..equations.reading.book_symbols import BookNotation
 from ..ir.function import Function
 from ..ir.routine import Routine
 from . import content as d
-from .formulas import CONSTRAINT_LEVELS, formula_line
+from .book_forms import FORMS, Forms
+from .formulas import formula_line
 
 if TYPE_CHECKING:
     from ..equations.finite_elements.record import BlockKind, FiniteElementRecord, Kind
@@ -16,11 +18,11 @@ if TYPE_CHECKING:
 NAMED = 12
 
 
-def sections(scene: FiniteElementRecord) -> Iterator[d.Section]:
+def sections(scene: FiniteElementRecord, book: BookNotation) -> Iterator[d.Section]:
     """Sections beyond graph, parameters and frames."""
     yield _places(scene)
-    yield _elements(scene)
-    yield _formulas(scene)
+    yield _elements(scene, FORMS[book.key])
+    yield _formulas(scene, book)
     yield _energy(scene)
     yield _operations(scene)
 
@@ -44,7 +46,7 @@ def _entries(kind: BlockKind) -> str:
     return ", ".join(f"{name or 'its own'} [{unit or '1'}]" for name, unit in units)
 
 
-def _elements(scene: FiniteElementRecord) -> d.Section:
+def _elements(scene: FiniteElementRecord, forms: Forms) -> d.Section:
     rows, massed = [], []
     for group in scene.groups:
         kind = group.kind
@@ -54,7 +56,7 @@ def _elements(scene: FiniteElementRecord) -> d.Section:
             names = ", ".join(name or "itself" for name, _ in kind.rows)
             massed.append((kind.name, float(kind.m), float(kind.mp), names))
     said: d.Text = (
-        SUM, " and ", CONSTRAINT_LEVELS, ": every element adds its part to the rows of its "
+        forms.elements, " and ", forms.levels, ": every element adds its part to the rows of its "
         "places, and has rows of its own where it imposes constraints.",
     )  # fmt: skip
     blocks: list[d.Block] = [
@@ -65,15 +67,6 @@ def _elements(scene: FiniteElementRecord) -> d.Section:
         head = ("element", "rows", "of positions", "what it holds")
         blocks.append(d.Table(head, tuple(massed)))
     return d.Section("Elements", tuple(blocks))
-
-
-SUM = d.Written(
-    '<mo>∑</mo><mo stretchy="false">(</mo><mi>M</mi><mover><mi>u</mi><mo>.</mo></mover><mo>+</mo>'
-    '<mi>h</mi><mo>−</mo><mi>f</mi><mo stretchy="false">)</mo><mo>=</mo><msup><mi>G</mi>'
-    "<mi>T</mi></msup><mi>λ</mi>",
-    r"\sum (M \dot u + h - f) = G^T \lambda",
-    "sum (M udot + h - f) = Gᵀ lam",
-)
 
 
 def _energy(scene: FiniteElementRecord) -> d.Section:
@@ -121,23 +114,26 @@ def some(names: Iterable[str]) -> str:
 
 
 ENDS = (
-    "R and p are pose and position of a body or of an end, omega its angular velocity in its own "
-    "axes and v its velocity, g gravity. A tilde or square brackets make a matrix of a cross "
-    "product; (a; b) stacks; R_32 is an entry of R. Forces on an end that is not at its node are "
-    "carried to the node, and those on an end at the ground are left out. In a plane, the rows of "
-    "x, y and the angle are left, and those of g that motion in the plane changes. At x = 0 "
-    "coefficients are their limits. b adds up over all elements, as above. G is the derivative of "
-    "g, and of the velocities that vanish, along the speeds. Forces F at the origin of a frame, "
-    "moments M on it and forces tau along a joint enter b with the opposite sign."
+    "{rotation} and {position} are pose and position of a body or of an end, {angular_velocity} "
+    "its angular velocity in its own axes and {velocity} its velocity, {gravity} gravity. A tilde "
+    "or square brackets make a matrix of a cross product; (a; b) stacks; {rotation}_32 is an "
+    "entry of {rotation}. Forces on an end that is not at its node are carried to the node, and "
+    "those on an end at the ground are left out. In a plane, the rows of x, y and the angle are "
+    "left, and those of {constraints} that motion in the plane changes. At {x} = 0 coefficients "
+    "are their limits. {balance} adds up over all elements, as above. {constraint_jacobian} is "
+    "the derivative of {constraints}, and of the velocities that vanish, along the speeds. Forces "
+    "{force} at the origin of a frame, moments {moment} on it and forces tau along a joint enter "
+    "{balance} with the opposite sign."
 )
 
 
-def _formulas(scene: FiniteElementRecord) -> d.Section:
+def _formulas(scene: FiniteElementRecord, book: BookNotation) -> d.Section:
     """What every kind of element computes."""
-    blocks: list[d.Block] = [d.Paragraph((ENDS,), quiet=True)]
+    ends = ENDS.format(**book.texts, x=book.local("x"))
+    blocks: list[d.Block] = [d.Paragraph((ends,), quiet=True)]
     shared: dict[tuple[tuple[str, str], ...], list[Kind]] = {}
     for kind in scene.kinds:
-        shared.setdefault(kind.formulas, []).append(kind)
+        shared.setdefault(book.renamed(kind.formulas), []).append(kind)
     unread = shared.pop((), [])
     for lines, kinds in shared.items():
         blocks += _kind(lines, kinds)

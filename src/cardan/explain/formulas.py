@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from ..equations.reading.book_symbols import CARDAN, BookNotation
 from ..equations.reading.chain_pattern import chain_pattern
-from ..equations.reading.contributions import LETTERS, VELOCITIES, WEIGHT, Contribution
+from ..equations.reading.contributions import LETTERS, Contribution
 from ..equations.reading.formula import LONGEST, SIMPLIFIED, rates_are_speeds
 from ..equations.reading.notation import GREEK, Notation, notation
 from ..equations.reading.typesetting import typeset
@@ -15,6 +16,8 @@ from ..errors import DerivationError
 from ..ir.function import length
 from ..schema.blocks import of_rate
 from . import content as d
+from . import kane
+from .book_forms import FORMS
 
 if TYPE_CHECKING:
     import sympy
@@ -44,44 +47,28 @@ class Limits:
 PAGE = Limits(simplified=30_000, read=1_500, listed=400, entries=400, owners=12)
 # a cell answers within a second: contributions would be derived body by body
 NOTEBOOK = Limits(simplified=SIMPLIFIED, read=LONGEST, listed=40, entries=0, owners=0)
-# function, letter, dots, and what it is
+# function, quantity, dots, and what it is
 FUNCTIONS = (
-    ("mass_matrix", "M", 0, "mass matrix"),
-    ("bias", "h", 0, "velocity products and gravity"),
-    ("applied_forces", "f", 0, "generalized applied forces of the model"),
-    ("constraints", "g", 0, "what vanishes at position level"),
-    ("constraint_jacobian", "G", 0, "constraint Jacobian"),
-    ("constraint_bias", "gamma", 0, "velocity terms of the constraints"),
-    ("qdot", "q", 1, "rates of the coordinates"),
+    ("mass_matrix", "mass_matrix", 0, "mass matrix"),
+    ("bias", "bias", 0, "velocity products and gravity"),
+    ("applied_forces", "applied_forces", 0, "generalized applied forces of the model"),
+    ("constraints", "constraints", 0, "what vanishes at position level"),
+    ("constraint_jacobian", "constraint_jacobian", 0, "constraint Jacobian"),
+    ("constraint_bias", "constraint_bias", 0, "velocity terms of the constraints"),
+    ("qdot", "coordinates", 1, "rates of the coordinates"),
 )
-# parts of h that are told apart
-CAUSES = (VELOCITIES, WEIGHT)
-
-
-_RATE = d.letter("u", 1).mathml
-_FORCE = "<mo>+</mo><msup><mi>G</mi><mi>T</mi></msup><mi>λ</mi>"
-BALANCE = d.Written(
-    "<mi>M</mi>" + _RATE + "<mo>+</mo><mi>h</mi><mo>=</mo><mi>f</mi><mo>+</mo><mi>τ</mi>",
-    r"M \dot u + h = f + \tau",
-    "M udot + h = f + tau",
-)
-BOUND = d.Written(
-    BALANCE.mathml + _FORCE, BALANCE.latex + r" + G^T \lambda", BALANCE.text + " + Gᵀ lam"
-)
-CONSTRAINT_LEVELS = d.Written(
-    "<mi>G</mi>" + _RATE + "<mo>=</mo><mi>γ</mi>", r"G \dot u = \gamma", "G udot = gamma"
-)
-RATES = d.Written(d.letter("q", 1).mathml + "<mo>=</mo><mi>u</mi>", r"\dot q = u", "qdot = u")
-TAU = d.Written("<mi>τ</mi>", r"\tau", "tau")
-LAMBDA = d.Written("<mi>λ</mi>", r"\lambda", "lam")
 
 
 class Formulas:
     """Formulas of equations; ``symbols`` collects how named intermediates are set."""
 
-    def __init__(self, equations: Explained, limits: Limits = PAGE) -> None:
+    def __init__(
+        self, equations: Explained, limits: Limits = PAGE, book: BookNotation = CARDAN
+    ) -> None:
         self.equations = equations
         self.limits = limits
+        self.book = book
+        self._forms = FORMS[book.key]
         self.symbols: dict[str, Notation] = {}
         self._definitions: dict[sympy.Expr, sympy.Expr] = {}
 
@@ -92,9 +79,14 @@ class Formulas:
             return d.Section("Equations of motion", (d.Paragraph((said,)),))
         names = self.equations.names()
         blocks: list[d.Block] = [d.Paragraph(self._general()), *self._pattern()]
-        for name, letter, dots, about in FUNCTIONS:
-            if name in names:
-                blocks += self._function(name, letter, dots, about)
+        balances: tuple[d.Block, ...] = ()
+        if self.book.key == "kane":
+            forces = kane.GeneralizedForces(self.equations, self.book, self._readable, self._shares)
+            balances = tuple(forces.blocks())
+        blocks += balances
+        for name, quantity, dots, about in FUNCTIONS:
+            if name in names and not (balances and name in LETTERS):
+                blocks += self._function(name, quantity, dots, about)
         return d.Section("Equations of motion", (*blocks, *self._determined()))
 
     def _pattern(self) -> Iterator[d.Block]:
@@ -103,42 +95,52 @@ class Formulas:
         if lines:
             links = len(self.equations.system.bodies)
             yield d.Paragraph((f"A chain of n = {links} equal links:",))
+            lines = self.book.renamed(lines)
             yield d.Listing(tuple(formula_line(about, line) for about, line in lines))
 
     def _general(self) -> d.Text:
+        tau, multipliers = (
+            d.symbol(self.book.sign(quantity)) for quantity in ("outer_forces", "multipliers")
+        )
         if not self.equations.system.closed:
-            return (BALANCE, ", where ", TAU, " is what is applied from outside.")
+            return (self._forms.balance, ", where ", tau, " is what is applied from outside.")
         said = " is what is applied from outside and "
-        where = (", where ", TAU, said, LAMBDA, " are the constraint forces.")
-        return (BOUND, " and ", CONSTRAINT_LEVELS, *where)
+        where = (", where ", tau, said, multipliers, " are the constraint forces.")
+        return (self._forms.bound, " and ", self._forms.levels, *where)
 
-    def _function(self, name: str, letter: str, dots: int, about: str) -> Iterator[d.Block]:
+    def _function(self, name: str, quantity: str, dots: int, about: str) -> Iterator[d.Block]:
+        symbol = d.symbol(self.book.sign(quantity, "", dots))
         try:
             matrix = self._readable(name)
         except DerivationError as problem:
             reason = str(problem).rstrip(".")
-            yield d.Paragraph((d.letter(letter, dots), f", {about}. {reason}."))
-            yield from self._intermediates(name, letter, dots)
+            yield d.Paragraph((symbol, f", {about}. {reason}."))
+            yield from self._intermediates(name, quantity, dots)
             return
         if name == "qdot" and rates_are_speeds(self.equations, matrix):
-            yield d.Paragraph(("The speeds are the rates of the coordinates: ", RATES, "."))
+            yield d.Paragraph(
+                ("The speeds are the rates of the coordinates: ", self._forms.rates, ".")
+            )
             return
-        entries = self._entries(name, letter, matrix)
+        entries = self._entries(name, quantity, matrix)
         nonzero = [(k, index, value) for k, index, value in entries if value != 0]
         if not nonzero:
             if name in ("bias", "applied_forces"):
-                yield d.Paragraph((d.letter(letter, dots), f", {about}: zero."))
+                yield d.Paragraph((symbol, f", {about}: zero."))
             return
         absent = "; entries that are not listed are zero" * (len(nonzero) < len(entries))
         same = ", symmetric" * (name == "mass_matrix" and matrix.rows > 1)
-        yield d.Paragraph((d.letter(letter, dots), f", {about}{same}{absent}:"))
+        yield d.Paragraph((symbol, f", {about}{same}{absent}:"))
         shares = self._shares(name, matrix)
         for k, index, value in nonzero:
-            terms = tuple((_who(one), one.matrix[k]) for one in shares or () if one.matrix[k] != 0)
+            terms = tuple(
+                (kane.label(one), one.matrix[k]) for one in shares or () if one.matrix[k] != 0
+            )
             one = terms[0][0] if len(terms) == 1 else ""
-            yield d.Formula(Notation(letter, index, dots), value, () if one else terms, one)
+            left = self.book.sign(quantity, index, dots)
+            yield d.Formula(left, value, () if one else terms, one)
         if shares is None and name in LETTERS:
-            yield from self._owners(name, [(k, index) for k, index, _ in nonzero], letter)
+            yield from self._owners(name, [(k, index) for k, index, _ in nonzero], quantity)
 
     def _readable(self, name: str) -> sympy.Matrix:
         """A function as a SymPy matrix; what loops determine keeps its names in it.
@@ -172,29 +174,29 @@ class Formulas:
             yield d.Paragraph((f"And {longer} longer ones: equations.named(...) has them.",))
 
     def _entries(
-        self, name: str, letter: str, matrix: sympy.Matrix
+        self, name: str, quantity: str, matrix: sympy.Matrix
     ) -> list[tuple[int, str, sympy.Expr]]:
         """Position, index and value; a symmetric matrix is said once."""
         return [
             (k, index, value)
-            for k, (index, value) in enumerate(zip(self._indices(letter), matrix, strict=True))
+            for k, (index, value) in enumerate(zip(self._indices(quantity), matrix, strict=True))
             if name != "mass_matrix" or k // matrix.cols <= k % matrix.cols
         ]
 
-    def _indices(self, letter: str) -> Sequence[str]:
+    def _indices(self, quantity: str) -> Sequence[str]:
         """Rows and columns by coordinate or speed; the speed of a joint is called after it."""
         equations = self.equations
         speeds = [of_rate(name) for name in equations.speeds]
         rows = equations.constraint_rows
-        if letter == "M":
+        if quantity == "mass_matrix":
             return [f"{a}, {b}" for a in speeds for b in speeds]
-        if letter == "gamma":
+        if quantity == "constraint_bias":
             return [row.name for row in rows]
-        if letter == "G":
+        if quantity == "constraint_jacobian":
             return [f"{row.name}, {b}" for row in rows for b in speeds]
-        if letter == "g":
+        if quantity == "constraints":
             return [row.name for row in rows if row.level == "position"]
-        return equations.coordinates if letter == "q" else speeds
+        return equations.coordinates if quantity == "coordinates" else speeds
 
     def _shares(self, name: str, matrix: sympy.Matrix) -> tuple[Contribution, ...] | None:
         """Contributions that add up to a matrix; None where they are too long to write out."""
@@ -211,43 +213,43 @@ class Formulas:
             return None
 
     def _owners(
-        self, name: str, entries: Sequence[tuple[int, str]], letter: str
+        self, name: str, entries: Sequence[tuple[int, str]], quantity: str
     ) -> Iterator[d.Block]:
         """Who contributes to which entry, where the contributions are too long to be written."""
         if len(self.equations.speeds) > self.limits.owners:
             return
         contributions = self.equations.contributions(name)
+        letter = self.book.texts[quantity]
         rows = []
         for k, index in entries:
-            who = [_who(one) for one in contributions if one.function.roots[k]]
+            who = [kane.label(one) for one in contributions if one.function.roots[k]]
             rows.append((f"{letter}[{index}]", ", ".join(dict.fromkeys(who))))
         table = d.Table(("entry", "comes from"), tuple(rows))
         yield d.Folded(f"Where the terms of {letter} come from", (table,))
 
-    def _intermediates(self, name: str, letter: str, dots: int) -> Iterator[d.Block]:
+    def _intermediates(self, name: str, quantity: str, dots: int) -> Iterator[d.Block]:
         """A long function with named intermediates, where there are not too many to list."""
         replacements, matrix = self.equations.symbolic(name)
         has = f"equations.symbolic('{name}') has them"
-        entries = [entry for entry in self._entries(name, letter, matrix) if entry[2] != 0]
+        entries = [entry for entry in self._entries(name, quantity, matrix) if entry[2] != 0]
         if len(replacements) > self.limits.listed:
             said = f"{len(replacements):,} named intermediates, too many to be listed: {has}."
             yield d.Paragraph((said,))
         else:
             blocks = [d.Formula(self._sign(symbol), value) for symbol, value in replacements]
-            blocks += [d.Formula(Notation(letter, index, dots), x) for _, index, x in entries]
-            title = f"{Notation(letter).character} with {len(replacements)} named intermediates"
+            blocks += [
+                d.Formula(self.book.sign(quantity, index, dots), x) for _, index, x in entries
+            ]
+            title = (
+                f"{self.book.sign(quantity).character} with {len(replacements)} named intermediates"
+            )
             yield d.Folded(f"{title}: {has}", tuple(blocks))
         if name in LETTERS:
-            yield from self._owners(name, [(k, index) for k, index, _ in entries], letter)
+            yield from self._owners(name, [(k, index) for k, index, _ in entries], quantity)
 
     def _sign(self, symbol: sympy.Symbol) -> Notation:
         """Choose the notation of a named intermediate for all formulas that follow."""
         return self.symbols.setdefault(symbol.name, intermediate(symbol.name))
-
-
-def _who(one: Contribution) -> str:
-    """Body or force element, and of which kind its terms are."""
-    return f"{one.owner}, {one.cause}" if one.cause in CAUSES else one.owner
 
 
 def parameter_notation(name: str) -> Notation:

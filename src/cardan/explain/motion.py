@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from ..equations.functions.base_parameters import base_parameters as combinations_of
+from ..equations.reading.book_symbols import CARDAN, BookNotation
 from ..equations.reading.notation import Notation
 from ..errors import DerivationError
 from ..ir.function import length
@@ -23,14 +24,14 @@ LARGEST = 60
 WRITTEN, LONGEST = 250, 20_000
 
 
-def conserved(equations: Explained) -> Iterator[d.Section]:
+def conserved(equations: Explained, book: BookNotation = CARDAN) -> Iterator[d.Section]:
     """Momenta and energy that stay constant."""
     if not 0 < len(equations.speeds) <= LARGEST:
         return
     integrals = equations.conserved()
     blocks: list[d.Block] = []
     for one in integrals.quantities:
-        blocks += _quantity(one)
+        blocks += _quantity(one, book)
     sentences = []
     if "energy" not in integrals.names:
         explanation = integrals.energy_statement()
@@ -53,7 +54,7 @@ def conserved(equations: Explained) -> Iterator[d.Section]:
     yield d.Section("Conserved quantities", tuple(blocks))
 
 
-def _quantity(one: Quantity) -> Iterator[d.Block]:
+def _quantity(one: Quantity, book: BookNotation) -> Iterator[d.Block]:
     name = one.name[0].upper() + one.name[1:]
     same = f", which is the {' and the '.join(one.also)}" if one.also else ""
     holds = f"; {one.condition}" if one.condition else ""
@@ -64,23 +65,23 @@ def _quantity(one: Quantity) -> Iterator[d.Block]:
         expression = one.expression
         if expression.count_ops() > WRITTEN:
             raise DerivationError("too long")
-        yield d.Formula(_letter(one.name), expression)
+        yield d.Formula(_letter(one.name, book), expression)
     except DerivationError:
         yield d.Paragraph(("Its expression is too long to be written out here.",), quiet=True)
 
 
-def _letter(name: str) -> Notation:
+def _letter(name: str, book: BookNotation) -> Notation:
     parts = name.split()
     if name == "energy":
-        return Notation("E")
+        return book.sign("energy")
     if name.startswith("linear"):
-        return Notation("P", parts[3] if len(parts) == 4 else "")
+        return book.sign("linear_momentum", parts[3] if len(parts) == 4 else "")
     if name.startswith("angular"):
-        return Notation("L", parts[3] + (", c" if name.endswith("mass") else ""))
-    return Notation("p", name.removeprefix("momentum of "))
+        return book.sign("angular_momentum", parts[3] + (", c" if name.endswith("mass") else ""))
+    return book.sign("momentum", name.removeprefix("momentum of "))
 
 
-def base_parameters(equations: Explained) -> Iterator[d.Section]:
+def base_parameters(equations: Explained, book: BookNotation = CARDAN) -> Iterator[d.Section]:
     """Combinations of masses and inertias that determine the motion."""
     if len(equations.system.bodies) > LARGEST:
         return
@@ -90,18 +91,22 @@ def base_parameters(equations: Explained) -> Iterator[d.Section]:
         return
     if parameters.combinations:
         of = "the joint forces of the tree" if equations.system.closed else "the joint forces"
-        yield d.Section("Base parameters", combinations(parameters, of))
+        yield d.Section("Base parameters", combinations(parameters, of, book))
 
 
-def combinations(parameters: BaseParameters, of: str) -> tuple[d.Block, ...]:
+def combinations(
+    parameters: BaseParameters, of: str, book: BookNotation = CARDAN
+) -> tuple[d.Block, ...]:
     """Base parameters, and what has no effect alone."""
+    mass, moment, inertia = (book.sign(quantity).character for quantity in BASE_QUANTITIES)
     said = (
-        f"{len(parameters.combinations)} combinations of masses (μ), first moments (σ) and second "
-        f"moments (J) about the joints determine {of}:"
+        f"{len(parameters.combinations)} combinations of masses ({mass}), first moments ({moment}) "
+        f"and second moments ({inertia}) about the joints determine {of}:"
     )
     blocks: list[d.Block] = [d.Paragraph((said,))]
     formulas: list[d.Block] = [
-        d.Formula(_base(name), expression) for name, expression in parameters.combinations.items()
+        d.Formula(_base(name, book), expression)
+        for name, expression in parameters.combinations.items()
     ]
     blocks += formulas if len(formulas) <= 24 else [d.Folded("All of them", tuple(formulas))]
     for title, names in (
@@ -114,13 +119,16 @@ def combinations(parameters: BaseParameters, of: str) -> tuple[d.Block, ...]:
     return tuple(blocks)
 
 
-BASE = {"mass": ("mu", ""), "moment": ("sigma", ""), "xx": ("J", "xx"), "yy": ("J", "yy"),
-        "zz": ("J", "zz"), "xy": ("J", "xy"), "xz": ("J", "xz"), "yz": ("J", "yz")}  # fmt: skip
+BASE_QUANTITIES = ("base_mass", "base_moment", "base_inertia")
+INERTIAS = ("xx", "yy", "zz", "xy", "xz", "yz")
 
 
-def _base(name: str) -> Notation:
+def _base(name: str, book: BookNotation) -> Notation:
     """``lower.base_xx`` is J with the index lower, xx; no parameter is called so."""
     owner, _, entry = name.rpartition(".base_")
     kind, _, axis = entry.partition("_")
-    letter, index = BASE.get(kind, (entry, ""))
-    return Notation(letter, ", ".join(filter(None, (owner, index or axis))))
+    if kind in INERTIAS:
+        return book.sign("base_inertia", ", ".join(filter(None, (owner, kind))))
+    index = ", ".join(filter(None, (owner, axis)))
+    quantity = f"base_{kind}"
+    return book.sign(quantity, index) if quantity in BASE_QUANTITIES else Notation(entry, index)

@@ -6,10 +6,11 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from ..equations.finite_elements.record import FiniteElementRecord
+from ..equations.reading.book_symbols import CARDAN, BookNotation
 from ..equations.reading.loop_report import loop_lines
-from ..equations.reading.notation import Notation, notation, symbols
+from ..equations.reading.notation import Notation, notation
+from . import book_forms, elements, kane, motion, tables
 from . import content as d
-from . import elements, motion, tables
 from .formulas import NOTEBOOK, Formulas
 from .graph import figure
 
@@ -19,14 +20,17 @@ if TYPE_CHECKING:
 Progress = Callable[[str], object]
 
 
-def document(equations: Explained | FiniteElementRecord, progress: Progress) -> d.Document:
+def document(
+    equations: Explained | FiniteElementRecord, progress: Progress, book: BookNotation
+) -> d.Document:
     """The page of equations in whatever coordinates."""
     if isinstance(equations, FiniteElementRecord):
-        names = {p: notation(p) for p in (*equations.parameters, *equations.inputs)}
-        return _page(equations, tuple(_absolute(equations, progress)), names)
-    formulas = Formulas(equations)
+        numbers = (*equations.parameters, *equations.inputs)
+        names = {p: notation(p, numbers=book.numbers) for p in numbers}
+        return _page(equations, tuple(_absolute(equations, progress, book)), names, book)
+    formulas = Formulas(equations, book=book)
     sections = tuple(_relative(equations, formulas, progress))
-    return _page(equations, sections, dict(symbols(equations)) | formulas.symbols)
+    return _page(equations, sections, dict(book.of(equations)) | formulas.symbols, book)
 
 
 def cell(equations: Explained | FiniteElementRecord) -> d.Document:
@@ -34,11 +38,11 @@ def cell(equations: Explained | FiniteElementRecord) -> d.Document:
     formulas: list[d.Section] = []
     names: dict[str, Notation] = {}
     if isinstance(equations, FiniteElementRecord):
-        tables_of = [*tables.parameters(equations.system), *elements.sections(equations)]
+        tables_of = [*tables.parameters(equations.system), *elements.sections(equations, CARDAN)]
     else:
         formulas_drawn = Formulas(equations, NOTEBOOK)
         formulas = [d.Section("", _circuits(equations)), formulas_drawn.section()]
-        names = dict(symbols(equations)) | formulas_drawn.symbols
+        names = dict(CARDAN.of(equations)) | formulas_drawn.symbols
         tables_of = [*tables.coordinates(equations), *tables.parameters(equations.system)]
         tables_of += tables.operations(equations)
     folded = tuple(d.Folded(section.title, section.blocks) for section in tables_of)
@@ -49,9 +53,11 @@ def _page(
     equations: Explained | FiniteElementRecord,
     sections: tuple[d.Section, ...],
     names: dict[str, Notation],
+    book: BookNotation = CARDAN,
 ) -> d.Document:
     system = equations.system
     lead = [d.Paragraph((_lead(equations),))]
+    lead += [d.Paragraph((text,), quiet=True) for text in book_forms.notes(book)]
     lead += [d.Paragraph((f"Note: {note}",), quiet=True) for note in system.notes]
     return d.Document(system.name, tuple(lead), sections, names)
 
@@ -83,22 +89,26 @@ def _relative(equations: Explained, formulas: Formulas, progress: Progress) -> I
     yield from tables.parameters(equations.system)
     progress("simplifying equations")
     yield formulas.section()
+    if formulas.book.key == "kane":
+        yield from kane.partial_velocities(equations)
     progress("looking for conserved quantities")
-    yield from motion.conserved(equations)
+    yield from motion.conserved(equations, formulas.book)
     progress("finding base parameters")
-    yield from motion.base_parameters(equations)
+    yield from motion.base_parameters(equations, formulas.book)
     yield from tables.frames(equations.system)
     progress("counting operations")
     yield from tables.operations(equations)
     yield _sources(equations)
 
 
-def _absolute(equations: FiniteElementRecord, progress: Progress) -> Iterator[d.Section]:
+def _absolute(
+    equations: FiniteElementRecord, progress: Progress, book: BookNotation
+) -> Iterator[d.Section]:
     progress("drawing the graph")
     yield _graph(equations)
     yield from tables.parameters(equations.system)
     progress("counting operations")
-    yield from elements.sections(equations)
+    yield from elements.sections(equations, book)
     yield from tables.frames(equations.system)
     yield _sources(equations)
 

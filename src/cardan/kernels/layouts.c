@@ -39,6 +39,7 @@ const size_t cardan_lane_method_layout[4] = {
 #include "sparse.h"
 #include "position.h"
 #include "solids.h"
+#include "wasm_calls.h"
 
 extern const size_t cardan_run_layout[141];
 const size_t cardan_run_layout[141] = {
@@ -263,5 +264,19 @@ const size_t cardan_solid_layout[17] = {
     offsetof(cardan_solid, elasticity), offsetof(cardan_solid, density), offsetof(cardan_solid,
     first), offsetof(cardan_solid, column), offsetof(cardan_solid, gradient), offsetof(cardan_solid,
     product), offsetof(cardan_solid, block), offsetof(cardan_solid, culprit)
+};
+
+extern const size_t cardan_wasm_function_layout[19];
+const size_t cardan_wasm_function_layout[19] = {
+    sizeof(cardan_wasm_function), offsetof(cardan_wasm_function, call),
+    offsetof(cardan_wasm_function, delete_error), offsetof(cardan_wasm_function, delete_trap),
+    offsetof(cardan_wasm_function, store), offsetof(cardan_wasm_function, run),
+    offsetof(cardan_wasm_function, prepare), offsetof(cardan_wasm_function, memory),
+    offsetof(cardan_wasm_function, lock), offsetof(cardan_wasm_function, at_in),
+    offsetof(cardan_wasm_function, at_out), offsetof(cardan_wasm_function, at_work),
+    offsetof(cardan_wasm_function, at_p), offsetof(cardan_wasm_function, at_w),
+    offsetof(cardan_wasm_function, np), offsetof(cardan_wasm_function, nw),
+    offsetof(cardan_wasm_function, size), offsetof(cardan_wasm_function, at),
+    offsetof(cardan_wasm_function, sizes)
 };
 #endif

@@ -155,6 +155,9 @@ class Manifest(Record):
         "before the names of all functions in C; in exports that were asked for one",
         default="",
     )
+    precision: str = field(
+        one_of("double", "single"), "of all numbers in C; single in exports only", default="double"
+    )
     sha256: Mapping[str, str] = field(
         table(HASH, FILE), "hash of every other file of the directory", run=NOTHING
     )

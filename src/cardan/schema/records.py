@@ -45,6 +45,7 @@ RECORDS = {
     "cardan_target": "position.h",
     "cardan_position": "position.h",
     "cardan_solid": "solids.h",
+    "cardan_wasm_function": "wasm_calls.h",
 }
 LANE_RECORDS = {"cardan_simd": "simd_steps.h", "cardan_lane_method": "simd_steps.h"}
 # what the functions of an element give, in the order of mesh.h
@@ -72,6 +73,17 @@ FORMS = (
 )
 # the matrices of a tangent
 PARTS = ("K", "C", "M", "R", "G", "H", "L")
+# records of exported models, of which Python writes constants alone
+EXPORT_RECORDS = {
+    **dict.fromkeys(
+        (
+            *("cardan_export", "cardan_exported_function", "cardan_exported_event"),
+            *("cardan_exported_tick", "cardan_exported_method"),
+        ),
+        "export.h",
+    ),
+    "cardan_simulation": "simulate.h",
+}
 # fields of SimdSteps that are one number per lane: of its run, of its trial
 PER_LANE = (
     *("t", "size", "until", "span", "idle", "rejected", "steps", "rejections", "evaluations"),
@@ -105,7 +117,7 @@ def constants(header: str) -> dict[str, int]:
 
 def _members(record: str) -> list[tuple[str, str, str]]:
     """Name in Python, designator in C and type of every field; a pointer has the type ``*``."""
-    header = {**RECORDS, **LANE_RECORDS}[record]
+    header = {**RECORDS, **LANE_RECORDS, **EXPORT_RECORDS}[record]
     body = re.search(rf"struct {record} \{{(.*?)\n\}}", _text(header), re.DOTALL)
     assert body is not None, f"{header} declares no {record}"
     members: list[tuple[str, str, str]] = []
@@ -123,6 +135,12 @@ def _members(record: str) -> list[tuple[str, str, str]]:
             else:
                 members.append((name, name, "*" if "*" in part else declared[1]))
     return members
+
+
+@cache
+def kinds(record: str) -> dict[str, str]:
+    """Type in C of every field of a record; a pointer has the type ``*``."""
+    return {name: kind for name, _, kind in _members(record)}
 
 
 def fields(record: str, **nested: type[ctypes.Structure]) -> list[tuple[str, Any]]:
@@ -275,6 +293,13 @@ class SolidRecord(ctypes.Structure):
 
     __slots__ = ()
     _fields_ = fields("cardan_solid")
+
+
+class WasmFunction(ctypes.Structure):
+    """``cardan_wasm_function``: a function of WebAssembly as C calls it."""
+
+    __slots__ = ()
+    _fields_ = fields("cardan_wasm_function")
 
 
 def check(library: ctypes.CDLL, record: str, structure: type[ctypes.Structure]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import zlib
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..arrays import Array
 from ..errors import ModelError
 
+HERE = Path(__file__).parent
 # an object of JSON
 JsonObject = dict[str, Any]
 # what a second difference of whole numbers may be
@@ -94,3 +96,8 @@ def turns(rotations: NDArray[np.float64]) -> NDArray[np.float64]:
     signs = np.where(np.cumsum(against, axis=0) % 2, -1.0, 1.0)
     quaternions[1:] *= signs[..., None]
     return quaternions
+
+
+def text_of(name: str) -> str:
+    """A file of this folder."""
+    return (HERE / name).read_text(encoding="utf-8")

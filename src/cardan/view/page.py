@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import json
 import re
 import sys
 import tempfile
@@ -25,13 +26,13 @@ from . import curves, plain_page, scene_page
 from . import drawing as drawn
 from .curves import HasHistories
 from .drawing import Abscissa, Drawing
-from .packing import deflated
+from .packing import JsonObject, deflated, text_of
 from .supports import supports
 
 PICTURES = 1500  # a longer motion gets fewer pictures per second
 HERE = Path(__file__).parent
 PAGES = ("3d", "plain")
-MARK = re.compile("__(TITLE|SCRIPT|DATA|BLOB|PROGRAM|START|ABSCISSA)__")
+MARK = re.compile("__(TITLE|SCRIPT|DATA|BLOB|PROGRAM|START|ABSCISSA|LIVE|WASM)__")
 HEIGHT = 560  # of a page in a notebook
 
 
@@ -155,7 +156,7 @@ def page_of(
     if page not in PAGES:
         raise ArgumentError(f"page='{page}': there is no such page.{near(page, PAGES)}")
     first = motions[0].manifest
-    detail = _detail(meshes)
+    detail = detail_of(meshes)
     if fps <= 0:
         raise ArgumentError(f"fps={fps:g}: give pictures per second, such as 60")
     if "pose" in first.absent:
@@ -173,6 +174,7 @@ def drawing_page(
     page: str = "3d",
     detail: str | float = "auto",
     title: str | None = None,
+    live: tuple[JsonObject, str] | None = None,
 ) -> Page:
     """The page of a drawing, written to a file, opened in a browser or shown in a notebook.
 
@@ -180,8 +182,9 @@ def drawing_page(
         drawing: What it shows.
         path, page, title: As :func:`animate`; the name of the drawing is the headline by default.
         detail: As ``meshes=`` there.
+        live: Of a model that runs in the page: what it has to know of it, and elements of HTML.
     """
-    text = _filled(drawing, page, detail, drawing.name if title is None else title)
+    text = _filled(drawing, page, detail, drawing.name if title is None else title, live)
     if path is not None:
         return Page(text, publish(Path(path), text))
     result = Page(text)
@@ -230,7 +233,7 @@ def _names(names: str | Sequence[str] | None) -> Sequence[str] | None:
     return (names,) if isinstance(names, str) else names
 
 
-def _detail(meshes: str | float | bool) -> str | float:
+def detail_of(meshes: str | float | bool) -> str | float:
     """Detail of the meshes: ``"auto"``, ``"full"``, a share, or False without meshes.
 
     Raises:
@@ -304,42 +307,51 @@ def _sweeping(abscissa: Abscissa) -> float:
     return float(np.ptp(abscissa.values)) / 6.0 or 1.0
 
 
-def _filled(drawing: Drawing, page: str, detail: str | float, headline: str) -> str:
+def _filled(
+    drawing: Drawing,
+    page: str,
+    detail: str | float,
+    headline: str,
+    live: tuple[JsonObject, str] | None,
+) -> str:
     """The text of a page."""
     unit = drawing.abscissa.unit
     parts = {
         "TITLE": html.escape(_encodable(headline)),
         "ABSCISSA": html.escape("time" if unit == "s" else drawing.abscissa.name),
+        "LIVE": live[1] if live else "",
+        # allows WebAssembly, and no text as code
+        "WASM": " 'wasm-unsafe-eval'" if live else "",
     }
     try:
         if page == "plain":
             template = "plain.html"
-            parts |= {"SCRIPT": _text("plain.js"), "DATA": plain_page.data(drawing)}
+            script = "" if live else text_of("plain.js")
+            parts |= {"SCRIPT": script, "DATA": plain_page.data(drawing)}
         else:
             template = "page.html"
             data, block = scene_page.parts(drawing, detail)
-            script = {"PROGRAM": _program(), "START": _text("three/start.js")}
-            parts |= {"DATA": data, "BLOB": block, **script}
+            parts |= {"DATA": data, "BLOB": block}
+            parts |= {"PROGRAM": _program(), "START": text_of("three/start.js")}
     except CardanError:
         raise
     except ValueError:
         raise ModelError(
             f"a page shows bodies at finite places; some of '{drawing.name}' are not"
         ) from None
+    if live:
+        more = json.dumps(live[0], separators=(",", ":"), allow_nan=False)
+        parts["DATA"] = f'{parts["DATA"][:-1]},"live":{more}}}'
     # names are the user's: nothing in them may end the script or open a tag
     for character in "<>&\u2028\u2029":
         parts["DATA"] = parts["DATA"].replace(character, f"\\u{ord(character):04x}")
     # in one sweep: what is filled in is never searched for marks
-    return MARK.sub(lambda mark: parts[mark[1]], _text(template))
+    return MARK.sub(lambda mark: parts[mark[1]], text_of(template))
 
 
 def _encodable(text: str) -> str:
     """A text without the halves of characters that names of files may hold: UTF-8 has none."""
     return text.encode("utf-8", "replace").decode("utf-8")
-
-
-def _text(name: str) -> str:
-    return (HERE / name).read_text(encoding="utf-8")
 
 
 @cache
@@ -354,13 +366,13 @@ def _resampled(motion: TrajectoryRecord, fps: float) -> TrajectoryRecord:
     span = float(motion.t[-1] - motion.t[0])
     count = int(min(PICTURES, max(2.0, abs(span) * fps + 1.5)))
     times = np.linspace(motion.t[0], motion.t[-1], count)
-    if motion.dense is not None and (motion.model is not None or frame_history.is_recorded(motion)):
+    if frame_history.can_resample(motion):
         return motion.resample(times)
     if motion.dense is None and len(motion) <= PICTURES:
         return motion
     # the rows that are there, of which many may be close to each other
     sign = 1.0 if span >= 0 else -1.0
-    return _some(motion, np.unique(np.searchsorted(sign * motion.t, sign * times).clip(0, last)))
+    return rows_of(motion, np.unique(np.searchsorted(sign * motion.t, sign * times).clip(0, last)))
 
 
 def _with_energies(resampled: TrajectoryRecord, motion: TrajectoryRecord) -> TrajectoryRecord:
@@ -375,7 +387,7 @@ def _with_energies(resampled: TrajectoryRecord, motion: TrajectoryRecord) -> Tra
     return resampled
 
 
-def _some(motion: TrajectoryRecord, rows: NDArray[np.intp]) -> TrajectoryRecord:
+def rows_of(motion: TrajectoryRecord, rows: NDArray[np.intp]) -> TrajectoryRecord:
     """The motion at some of its rows, with what is stored of them."""
     poses = {k: v[rows] for k, v in motion.stored.items() if k.startswith("pose ")}
     constant = {k: v for k, v in motion.stored.items() if k == "parameters"}

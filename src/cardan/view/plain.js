@@ -47,8 +47,8 @@ function bounds(every) {
   }
   return { low, high, size: Math.max(...sub(high, low), 1e-6) };
 }
-const start = bounds(false), whole = bounds(true);
-const { low, high, size } = whole.size < 3 * start.size ? whole : start;
+const start = bounds(false), whole = data.live ? data.live.reach : bounds(true);
+const { low, high, size } = data.live || whole.size < 3 * start.size ? whole : start;
 
 // the camera: a target, two angles and a distance
 
@@ -255,7 +255,7 @@ function draw() {
   pen.clearRect(0, 0, stage.width, stage.height);
   floor();
   const list = [], [a, b, k] = row();
-  poses = data.bodies.map((body) => between(body.pose[a], body.pose[b], k));
+  poses = live ? live.poses : data.bodies.map((body) => between(body.pose[a], body.pose[b], k));
   pen.strokeStyle = css("--shade"); pen.lineCap = "round";
   data.bodies.forEach((body, k) => body.solids.forEach((s) => shadow(poses[k], s)));
   lines = tubes.map((beam) => pointsOf(beam, a, b, k));
@@ -266,9 +266,17 @@ function draw() {
   data.bodies.forEach((body, k) => body.solids.forEach((s) => solidOf(list, poses[k], s, paint(s, k))));
   tubes.forEach((beam, i) => tube(list, lines[i], beam.r, rgb(palette[(data.bodies.length + i) % palette.length])));
   list.sort((p, q) => q.depth - p.depth).forEach((thing) => thing.draw());
+  if (live) {
+    live.trails.forEach((points, k) => path(points, palette[(k + 1) % palette.length]));
+    if (live.line) path(live.line, css("--ink"));
+  }
   triad();
   clock.textContent = `${t.toFixed(2)} / ${last.toFixed(2)} s`;
   name();
+}
+function path(points, color) {
+  pen.strokeStyle = color; pen.lineWidth = 1.5 * devicePixelRatio;
+  for (let i = 1; i < points.length; i++) segment(points[i - 1], points[i]);
 }
 function away(p, q) {
   // pixels from the pointer to the segment from p to q
@@ -276,14 +284,18 @@ function away(p, q) {
   const k = Math.min(1, Math.max(0, ((pointer[0] - p[0]) * dx + (pointer[1] - p[1]) * dy) / length));
   return Math.hypot(p[0] + k * dx - pointer[0], p[1] + k * dy - pointer[1]);
 }
-function name() {
+function under() {
   // the body whose solid is nearest under the pointer
   let best = null, nearest = 4 * devicePixelRatio;
-  if (pointer && !grip) data.bodies.forEach((body, k) => body.solids.forEach((s) => {
+  data.bodies.forEach((body, k) => body.solids.forEach((s) => {
     const p = project(place(poses[k], s.a)), q = s.b ? project(place(poses[k], s.b)) : p;
     const d = away(p, q) - (s.r || Math.min(...s.size) / 2) * p[3];
-    if (d < nearest) { nearest = d; best = { body, c: [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2] }; }
+    if (d < nearest) { nearest = d; best = { k, body, depth: (p[2] + q[2]) / 2, c: [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2] }; }
   }));
+  return { best, nearest };
+}
+function name() {
+  let { best, nearest } = pointer && !grip ? under() : { best: null, nearest: 0 };
   if (pointer && !grip) tubes.forEach((beam, i) => lines[i].slice(1).forEach((v, j) => {
     const p = project(lines[i][j]), q = project(v), d = away(p, q) - beam.r * p[3];
     if (d < nearest) { nearest = d; best = { body: beam, c: [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2] }; }
@@ -319,4 +331,34 @@ stage.onpointermove = (e) => {
   }
 };
 stage.addEventListener("wheel", (e) => { e.preventDefault(); eye.distance *= Math.exp(e.deltaY * 0.001); }, { passive: false });
-requestAnimationFrame(frame);
+// a model that runs in the page: live_panel.js
+
+let live = null;
+function unproject(x, y, depth) {
+  const k = view.scale / depth, [px, py] = [x * devicePixelRatio, y * devicePixelRatio];
+  return add(view.from, add(mul(view.forward, depth), add(mul(view.right, (px - view.cx) / k), mul(view.up, (view.cy - py) / k))));
+}
+const viewer = {
+  place(frames) { live.poses = data.bodies.map((_, k) => [...frames.subarray(18 * k, 18 * k + 12)]); },
+  trail(k, points) { live.trails[k] = points; },
+  line(ends) { live.line = ends; },
+  hold() { grip = null; },
+  // turned, moved, zoomed or pointed at
+  changed: () => true,
+  solids: (k) => (k < 0 ? data.ground : data.bodies[k].solids),
+  reshaped() {},
+  pick(x, y) {
+    pointer = [x * devicePixelRatio, y * devicePixelRatio];
+    const { best } = under();
+    return best && { body: best.k, point: unproject(x, y, best.depth) };
+  },
+  across(x, y, point) { return unproject(x, y, project(point)[2]); },
+  draw,
+};
+if (data.live) {
+  live = { poses: data.bodies.map((body) => body.pose[0]), trails: [], line: null };
+  document.querySelector("footer").hidden = true;
+  look();
+  draw();
+  startLive(data, viewer);
+} else requestAnimationFrame(frame);

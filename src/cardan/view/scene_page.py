@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Sequence
-from pathlib import Path
 
 import numpy as np
 
 from ..arrays import Array, Integers
-from ..errors import ModelError, ModelWarning, counted, warn
+from ..errors import ModelError
 from . import meshes
 from .beams import STRAIN, DrawnBeam
 from .drawing import Drawing
+from .mesh_parts import MeshParts
 from .packing import JsonObject, Packer, step_of, turns
 from .solids import Solid, short
 from .surfaces import DISPLACEMENT, DrawnSurface
@@ -20,8 +20,6 @@ from .surfaces import DISPLACEMENT, DrawnSurface
 # steps of lengths, turns and curves against the size of what is shown
 FINE, TURN, CURVE, STILL = 1e-5, 1e-5, 1e-4, 1e-9
 DEFORMED = 1e-5  # of shapes of surfaces and their amplitudes, which may cancel each other
-# triangles of a page unless a user asks for more or fewer
-AUTO_TRIANGLES = 200_000
 ROUND = 24  # corners of a round section
 
 
@@ -223,23 +221,13 @@ def _scale(beams: Iterable[DrawnBeam], surfaces: Iterable[DrawnSurface]) -> Json
 
 
 class _Solids:
-    """Solids of a page; meshes are read, reduced and packed, each file once."""
+    """Solids of a page; meshes are packed, each file once."""
 
     def __init__(self, pack: Packer, drawing: Drawing, detail: str | float) -> None:
         self._pack = pack
         self._packed: dict[str, list[JsonObject]] = {}
-        self._problems: dict[str, str] = {}
         every = [s for body in drawing.bodies for s in body.solids] + drawing.ground
-        files = dict.fromkeys(str(s["file"]) for s in every if s["kind"] == "mesh")
-        self._parts: dict[str, list[meshes.Part]] = {}
-        for file in files if detail is not False else ():
-            try:
-                self._parts[file] = meshes.read(Path(file))
-            except ModelError as problem:
-                self._problems[file] = str(problem)
-        total = sum(len(part.triangles) for each in self._parts.values() for part in each)
-        share = 1.0 if detail == "full" else AUTO_TRIANGLES / max(total, 1)
-        self._share = min(1.0, float(detail) if isinstance(detail, float) else share)
+        self._meshes = MeshParts(every, detail)
 
     def of(self, solids: list[Solid], fallback: list[Solid]) -> list[JsonObject]:
         """Solids as the page draws them, ``fallback`` where not one can be."""
@@ -256,9 +244,8 @@ class _Solids:
     def _mesh(self, file: str) -> list[JsonObject]:
         if file not in self._packed:
             entries: list[JsonObject] = []
-            for part in self._parts.get(file, ()):
-                most = max(12, int(np.ceil(self._share * len(part.triangles))))
-                small = meshes.encoded(part if self._share >= 1 else meshes.reduced(part, most))
+            for part in self._meshes.of(file):
+                small = meshes.encoded(part)
                 entries.append(
                     {
                         "kind": "mesh",
@@ -274,10 +261,7 @@ class _Solids:
 
     def complain(self) -> None:
         """Warn of meshes that are not shown."""
-        if self._problems:
-            first = next(iter(self._problems.values()))
-            n = len(self._problems)
-            warn(f"{counted(n, 'mesh', 'meshes')} cannot be drawn: {first}", ModelWarning)
+        self._meshes.complain()
 
 
 def _scaled(entry: JsonObject, solid: Solid) -> JsonObject:

@@ -54,9 +54,7 @@ def bodies(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid]]:
     manifest = motion.manifest
     links = _links(motion)
     radius = _radius(motion, links)
-    drawn = []
-    # without the C of every single pose, as far as that goes
-    places = bodies_in_place(motion) if is_recorded(motion) else {}
+    drawn, places = [], poses_of_bodies(motion)
     for k, body in _bodies(manifest):
         name = str(body.name)
         solids = _shapes(motion, name)
@@ -64,11 +62,18 @@ def bodies(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid]]:
         fallback = [link(a, b, radius, joint=not inboard) for a, b in links[name]]
         fallback += inboard + _cuts(motion, name, radius) + _center(motion, k, links[name], radius)
         fallback += _touching(motion, name)
-        poses = places[name] if name in places else _poses(motion, name)
-        drawn.append(DrawnBody(name, solids or fallback, fallback, poses))
+        drawn.append(DrawnBody(name, solids or fallback, fallback, places[name]))
     # thinner than what turns about it, which then covers its end
     ground = _shapes(motion, "ground") or [link(a, b, 0.8 * radius) for a, b in links["ground"]]
     return drawn, ground
+
+
+def poses_of_bodies(motion: TrajectoryRecord) -> dict[str, Array]:
+    """Transforms (nt, 4, 4) to ground axes of all bodies of a scene in joint coordinates."""
+    # without the C of every single pose, as far as that goes
+    places = bodies_in_place(motion) if is_recorded(motion) else {}
+    names = [str(body.name) for _, body in _bodies(motion.manifest)]
+    return {name: places[name] if name in places else _poses(motion, name) for name in names}
 
 
 def numbers_of(motion: TrajectoryRecord) -> dict[str, float]:

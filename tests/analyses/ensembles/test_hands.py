@@ -61,7 +61,9 @@ def test_dask_gives_the_same(double: cd.CompiledModel) -> None:
         distributed.Client(cluster) as client,
     ):
         made = double.ensemble(**options(), client=client)
+        parts = [double.ensemble(**options(), client=client, part=(k, 3)) for k in (1, 2, 3)]
     same(made, double.ensemble(**options()))
+    same(cd.Ensemble.join(parts), made)
 
 
 def test_another_build_is_refused(double: cd.CompiledModel) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -68,6 +69,19 @@ def test_a_data_set_has_labels(runs: cd.Ensemble, tmp_path: Path) -> None:
     assert runs.to_xarray()["Gr__e___"].attrs["name"] == "Größe, α"
 
 
+def test_a_data_set_goes_into_a_bucket(runs: cd.Ensemble) -> None:
+    """By zarr, piece by piece, here in memory."""
+    xarray = pytest.importorskip("xarray")
+    for needed in ("zarr", "fsspec"):
+        pytest.importorskip(needed)
+    data = runs.to_xarray()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # zarr says that texts are new in its format
+        data.to_zarr("memory://bucket/runs.zarr", mode="w")
+        again = xarray.open_zarr("memory://bucket/runs.zarr")
+    np.testing.assert_array_equal(again["states"].values, runs["states"])
+
+
 def test_what_is_no_ensemble(runs: cd.Ensemble, tmp_path: Path) -> None:
     motion = runs.run(0).save(tmp_path / "run.nc")
     with pytest.raises(cd.ModelError, match="is not an ensemble that cardan can read"):
@@ -76,5 +90,5 @@ def test_what_is_no_ensemble(runs: cd.Ensemble, tmp_path: Path) -> None:
         cd.load_motion(runs.save(tmp_path / "runs.nc"))
     with pytest.raises(cd.ModelError, match="there is no such file"):
         cd.load_ensemble(tmp_path / "none.nc")
-    with pytest.raises(cd.ModelError, match="whose ending is one of"):
+    with pytest.raises(cd.ModelError, match="files that end in one of"):
         runs.save(tmp_path / "runs.h5")

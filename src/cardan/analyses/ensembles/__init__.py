@@ -1,6 +1,6 @@
 """Many runs of one model: side by side in lanes, shared by threads or a client, reduced on the way.
 
-What a run gives depends on its own numbers alone: it has the same bits whether it is computed in
+What a run gives depends on its local numbers alone: it has the same bits whether it is computed in
 lanes, one by one, in threads or elsewhere with the same build.
 """
 
@@ -17,15 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arguments import Count, Seed, checked
-from ...errors import (
-    CardanError,
-    ModelError,
-    SolveError,
-    SolveWarning,
-    brief,
-    collected_warnings,
-    warn,
-)
+from ...errors import CardanError, ModelError, SolveWarning, brief, collected_warnings, warn
 from ...runtime.calls.batch import threads as threads_of
 from ...runtime.models.loaded_model import LoadedModel
 from ..simulation.events import event_table_of
@@ -36,14 +28,16 @@ from ..simulation.settings import settings, watched
 from ..simulation.simulate import case_of, chosen
 from ..simulation.times import Span, span
 from .checkpoint import Checkpoint
-from .collection import UNFINISHED, Gathered
-from .energy_check import unaccounted
-from .executors import Block, Client, Threads, interruptible
-from .job import Job, histories_of
+from .collection import UNFINISHED, Gathered, PartResults
+from .energy_check import energy_checks, unaccounted
+from .executors import Client, Threads, interruptible
+from .job import BlockResult, Job, histories_of
 from .lane_runner import suits, width_of
 from .reductions import reductions
-from .result import EnsembleRecord
+from .request_record import written
+from .result import EnsembleRecord, Request, reported
 from .sampling import Plan
+from .share import Block, part_of, share_of
 from .single_runs import motion
 from .variations import varied
 
@@ -84,6 +78,7 @@ def ensemble(
     threads: int | None = None,
     lanes: int | None = None,
     client: Any = None,
+    part: Sequence[int] | None = None,
     checkpoint: str | Path | None = None,
     check: bool = False,
     progress: bool | Callable[[float], None] | None = None,
@@ -112,7 +107,11 @@ def ensemble(
         threads: By default ``$CARDAN_THREADS``, else the cores of this process.
         lanes: 1: no lanes. By default as many as vectors have, once they pay.
         client: Computes instead of threads: of ``dask.distributed``, or an executor.
-        checkpoint: A file that keeps finished blocks of runs. The same call goes on from there.
+        part: ``(k, n)``: only part k of n of the runs, from 1 on, such as ``part=(3, 8)`` in job 3
+            of 8 that share nothing but a disk. ``cd.Ensemble.join`` makes the whole of them, to the
+            bit. ``run(i)`` and messages count the runs of the part.
+        checkpoint: A file that keeps finished blocks of runs. The same call goes on from there. One
+            file per part, which is not locked.
         check, progress: As of ``simulate``.
 
     Returns:
@@ -134,11 +133,12 @@ def ensemble(
         model, x0=x0, q=q, u=u, z=z, parameters=parameters, inputs=inputs, sample_time=sample,
         vary=vary, runs=runs, seed=seed, over=(over.start, over.end),
     )  # fmt: skip
+    portion = part_of(part)
     executor, file = _executor(client, threads), _file(checkpoint)
     how = watched(how, input_signals, over.length, max_step)
     job = Job(model, how, input_signals, event_table, over, variations, reductions_by_name)
     job = _settled(job, rtol) if method == "auto" else job
-    return _reported(*_computed(_sized(job, lanes), executor, file, progress), check)
+    return reported(*_computed(_sized(job, lanes), portion, executor, file, progress), check)
 
 
 def _executor(client: Any, threads: Any) -> Threads | Client:
@@ -250,64 +250,56 @@ def _reduction_key(reduction: object) -> str:
 
 
 def _computed(
-    job: Job, executor: Threads | Client, checkpoint: Path | None, progress: Any
-) -> tuple[EnsembleRecord, dict[int, str]]:
-    """All blocks, those of the checkpoint first; what finished runs in lanes miss."""
-    gathered, left = Gathered(job), blocks(job)
+    job: Job, part: tuple[int, int] | None, executor: Threads | Client, path: Path | None,
+    progress: Any,
+) -> tuple[EnsembleRecord, dict[int, str]]:  # fmt: skip
+    """All blocks of a part, those of the checkpoint first; what finished runs in lanes miss."""
+    # the same blocks for any number of parts, so that sums over them have the same bits
+    share, left = share_of(part or (1, 1), blocks(job), job.model.name)
+    request = Request.of(job, share)
+    local = replace(job, varied=job.varied.part(share.first, share.last))
+    hashes = whose(job) if path or part else {}
+    gathered, block_results = Gathered(local.sizes), dict[int, BlockResult]()
     clock = time.perf_counter()
-    file = Checkpoint(checkpoint, whose(job)) if checkpoint is not None else None
-    with closing(file) if file else nullcontext(), interruptible() as stop:
-        for block_result in file.block_results(job, left) if file else ():
-            gathered.add(block_result)
-            left.remove((block_result.first, block_result.last))
-        restored = gathered.done
-        with showing(progress, job.model.name) as show:
-            for block_result in executor.block_results(job, left, stop) if left else ():
-                if file and not np.isin(block_result.status, UNFINISHED).any():
-                    file.add(block_result)
-                gathered.add(block_result)
-                show(gathered.done / job.varied.runs)
-    with collected_warnings():  # runs that are made again have warned before
-        missed = unaccounted(job, gathered.x, gathered.numbers, gathered.finished)
+    file = None
+    if path is not None:
+        stated = {**hashes, "part": str(share)}
+        file = Checkpoint(path, stated, written(request, share, job.reductions), part is None)
+    # what the file has is not computed again; a block is on the disk before it counts
+    with closing(file) if file else nullcontext():
+        with interruptible() as stop:
+            for block_result in file.block_results(local.sizes, left) if file else ():
+                block_results[block_result.first] = gathered.add(block_result)
+                left.remove((block_result.first, block_result.last))
+            restored = gathered.done
+            with showing(progress, job.model.name) as show:
+                for block_result in executor.block_results(local, left, stop) if left else ():
+                    if file and not np.isin(block_result.status, UNFINISHED).any():
+                        file.add(block_result)
+                    block_results[block_result.first] = gathered.add(block_result)
+                    show(gathered.done / len(share))
+        with collected_warnings():  # runs that are made again have warned before
+            checks = energy_checks(local, gathered.x, gathered.numbers, gathered.finished)
+        # the last record says that nothing is missing
+        done = gathered.done == len(share)
+        if file and done:
+            file.finish(checks)
+    missed = unaccounted(checks)
     gathered.add_messages(missed)
-    saved_message = f"{file.runs} runs are kept in {file.path}, {AGAIN}" if file else CURE
+    results = None
+    if part is not None:
+        ordered = tuple(block_results[k] for k in sorted(block_results))
+        results = PartResults(hashes, local.sizes, ordered, tuple(checks) if done else None, job)
     record = EnsembleRecord.of(
-        gathered, time.perf_counter() - clock, repr(executor), restored, saved_message
+        gathered,
+        request,
+        time.perf_counter() - clock,
+        repr(executor),
+        restored,
+        f"{file.runs} runs are kept in {file.path}, {AGAIN}" if file else CURE,
+        local,
+        results,
     )
     for text in gathered.merged_warnings():
         warn(text, SolveWarning)
     return record, missed
-
-
-def _reported(result: EnsembleRecord, missed: Mapping[int, str], check: bool) -> EnsembleRecord:
-    """The result; with warnings of runs that did not reach their end, or cannot account for it.
-
-    Args:
-        result: Of all runs, with as many messages as are kept.
-        missed: What finished runs miss, whether it is kept or not.
-        check: Whether to raise instead.
-    """
-    failed = len(result) - int(result.finished.sum())
-    messages = {k: text for k, text in result.messages.items() if result.finished[k]}
-    missing = {**messages, **missed}
-    said = []
-    if failed and result.interrupted:
-        said += [
-            f"interrupted when {result.done} of {len(result)} runs were done; "
-            f"{result.saved_message}"
-        ]
-    elif failed:
-        first = int(np.argmin(result.finished))
-        why = result.message(first)
-        said += [f"{failed} of {len(result)} runs did not reach their end; run {first}: {why}"]
-    if missing:
-        first = min(missing)
-        said += [
-            f"at least {len(missing)} of {len(result)} runs miss far more than their tolerance is "
-            f"worth; run {first}: {missing[first]}"
-        ]
-    if said and check:
-        raise SolveError("; ".join(said))
-    for text in said:
-        warn(text, SolveWarning)
-    return result

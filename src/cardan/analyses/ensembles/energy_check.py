@@ -4,9 +4,15 @@ Runs that are done one by one say so themselves. Of runs in lanes nothing is kep
 where all forces have a potential, energy at both ends points at runs, and those that look worst are
 done again to be looked at from step to step. Where sources give or take energy that is done with
 the first run and those with the most and the fewest steps.
+
+Parts of an ensemble look at runs of their own, by the same criteria: those of the whole are among
+them.
 """
 
 from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,11 +23,28 @@ from .job import Job
 from .lane_runner import NUMBERS, suits
 
 Bools = NDArray[np.bool_]
-AGAIN = 16  # runs that are done again at most
+# why a run is done again -> how many runs are, at most: those with the highest scores
+CRITERIA = {"missed": 16, "first": 1, "most steps": 1, "fewest steps": 1}
 
 
-def unaccounted(job: Job, final: Array, numbers: Array, finished: Bools) -> dict[int, str]:
-    """Energy that runs in lanes miss, as a sentence by number of the run.
+class EnergyCheck(NamedTuple):
+    """A run that was looked at from step to step.
+
+    Attributes:
+        criterion: Why, one of ``CRITERIA``.
+        score: By that criterion; of equal ones the first run counts.
+        run: Its number.
+        text: What it misses, as a sentence; empty where it misses nothing.
+    """
+
+    criterion: str
+    score: float
+    run: int
+    text: str = ""
+
+
+def energy_checks(job: Job, final: Array, numbers: Array, finished: Bools) -> list[EnergyCheck]:
+    """Energy that runs in lanes miss.
 
     Args:
         job: The ensemble.
@@ -34,15 +57,42 @@ def unaccounted(job: Job, final: Array, numbers: Array, finished: Bools) -> dict
     if not (
         has_energy and finished.any() and suits(model, job.how, job.input_signals, job.event_table)
     ):
-        return {}
+        return []
     steps = numbers[:, NUMBERS.index("steps")]
     if _conservative(job):
-        some = _suspicious(job, final, steps, finished)
+        with np.errstate(all="ignore"):  # runs that broke down have no energy
+            ratios = _ratios(job, final, steps, finished)
+        chosen = _highest("missed", ratios, ratios > 0)
     else:
-        there = np.flatnonzero(finished)
-        some = np.unique([there[0], there[steps[there].argmax()], there[steps[there].argmin()]])
-    said = ((int(k), str(job.motion(int(k), None).solver_info.warning)) for k in some)
-    return {k: text for k, text in said if text}
+        scores = {"first": 0 * steps, "most steps": steps, "fewest steps": -steps}
+        chosen = [one for why, score in scores.items() for one in _highest(why, score, finished)]
+    texts = {
+        k: str(job.motion(k, None).solver_info.warning or "")
+        for k in sorted({one.run for one in chosen})
+    }
+    return [one._replace(text=texts[one.run]) for one in chosen]
+
+
+def _highest(criterion: str, scores: Array, mask: Bools) -> list[EnergyCheck]:
+    """The runs of a mask with the highest scores, as many as the criterion takes."""
+    runs = np.flatnonzero(mask)
+    runs = runs[np.argsort(-scores[runs], kind="stable")[: CRITERIA[criterion]]]
+    return [EnergyCheck(criterion, float(scores[k]), int(k)) for k in runs]
+
+
+def selected(checks: Iterable[EnergyCheck]) -> list[EnergyCheck]:
+    """As many as each criterion takes, of those with the highest scores."""
+    ordered = sorted(checks, key=lambda one: (-one.score, one.run))
+    return [
+        one
+        for criterion, count in CRITERIA.items()
+        for one in [one for one in ordered if one.criterion == criterion][:count]
+    ]
+
+
+def unaccounted(checks: Iterable[EnergyCheck]) -> dict[int, str]:
+    """Energy that runs miss, as a sentence by number of the run."""
+    return {one.run: one.text for one in sorted(checks, key=lambda one: one.run) if one.text}
 
 
 def _conservative(job: Job) -> bool:
@@ -51,8 +101,8 @@ def _conservative(job: Job) -> bool:
     return not (outputs and outputs[0].entries) and not job.event_table.rows
 
 
-def _suspicious(job: Job, final: Array, steps: Array, finished: Bools) -> NDArray[np.intp]:
-    """The runs whose energy changed most, beyond what their tolerance is worth."""
+def _ratios(job: Job, final: Array, steps: Array, finished: Bools) -> Array:
+    """Energy that runs gained or lost over what their tolerance is worth (runs,); 0 up to that."""
     model, part = job.model, job.varied
     parameters = None
     if part.varies_parameters:
@@ -68,7 +118,5 @@ def _suspicious(job: Job, final: Array, steps: Array, finished: Bools) -> NDArra
     energy_scale = np.maximum(first.kinetic, last.kinetic) + moved
     missed = np.abs(last.total - first.total)
     most = tolerated(job.how, fastest, energy_scale, energy_scale + np.abs(last.potential), steps)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        ratio = np.where(finished & (missed > most), missed / most, 0.0)
-    worst = np.argsort(-ratio, kind="stable")[:AGAIN]
-    return np.sort(worst[ratio[worst] > 0])
+    ratios: Array = np.where(finished & (missed > most), missed / most, 0.0)
+    return ratios

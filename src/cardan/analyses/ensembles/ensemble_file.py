@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from dataclasses import astuple
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +18,7 @@ from ...version import ENSEMBLE
 from .file_schema import NOTES, Read, checked
 from .lane_runner import NUMBERS
 from .reductions import Bins
+from .share import Share
 
 if TYPE_CHECKING:
     from .result import EnsembleRecord, Request
@@ -132,6 +134,7 @@ def _notes(ensemble: EnsembleRecord) -> dict[str, Any]:
         "hands": ensemble.executor,
         "restored": ensemble.restored,
         "kept": ensemble.saved_message,
+        **({} if request.share is None else {"share": list(astuple(request.share))}),
     }
 
 
@@ -196,4 +199,5 @@ def _request(read: Read) -> Request:
         lanes=notes.lanes,
         varied=read.varied,
         axes={name: tuple(axes) for name, axes in notes.axes.items()},
+        share=None if notes.share is None else Share(*notes.share),
     )

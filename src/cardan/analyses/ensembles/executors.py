@@ -23,8 +23,8 @@ from ...runtime.models.saved_models import parts, restore
 from ..simulation.files.append_log import build_key
 from .job import BlockResult, Job, compute
 from .lane_runner import suits, width_of
+from .share import Block
 
-Block = tuple[int, int]
 PATIENCE = 0.05  # seconds between two looks at signals
 AHEAD = 2  # blocks per worker that wait at a client
 
@@ -208,6 +208,19 @@ def _model(kind: type[LoadedModel], parts: tuple[Any, ...]) -> LoadedModel:
     return model
 
 
+def _why(model: LoadedModel) -> str:
+    """Why builds differ, and the cure."""
+    if model._objects.reproducible:
+        return (
+            "Versions of cardan or of the mathematical library differ, and so would the last "
+            "digits. Use equal ones"
+        )
+    return (
+        "Compilers, processors or versions differ, and so would the last digits. Use equal "
+        "machines, or compile with reproducible=True, which has equal bits on all of them"
+    )
+
+
 def remote(
     sent: tuple[type[LoadedModel], tuple[Any, ...]],
     job_fields: dict[str, Any],
@@ -230,8 +243,7 @@ def remote(
     if key != job.build:
         raise BuildError(
             f"runs {first} to {last - 1} were sent to a machine whose build of model "
-            f"'{model.name}' is {key}; that of the sender is {job.build}. Compilers, processors or "
-            "versions differ, and so would the last digits. Use equal machines"
+            f"'{model.name}' is {key}; that of the sender is {job.build}. {_why(model)}"
         )
     width = 1
     if job.width > 1 and suits(model, job.how, job.input_signals, job.event_table):

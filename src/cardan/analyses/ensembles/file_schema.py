@@ -43,6 +43,7 @@ class Notes(Record):
     words: Sequence[str] = field(listed(text))
     seconds: float = field(number)
     restored: int = field(count)
+    share: Sequence[int] | None = field(listed(count, 5), default=None)
 
 
 @dataclass

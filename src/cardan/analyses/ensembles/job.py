@@ -28,6 +28,23 @@ ENERGIES = ("kinetic energy", "potential energy", "energy")
 
 
 @dataclass(frozen=True)
+class Sizes:
+    """Sizes of the answers of an ensemble.
+
+    Attributes:
+        runs: How many there are.
+        nx: Entries of a state.
+        times: Output times.
+        reductions: Reductions by name.
+    """
+
+    runs: int
+    nx: int
+    times: int
+    reductions: Mapping[str, Reduction]
+
+
+@dataclass(frozen=True)
 class Job:
     """An ensemble, or some runs of it.
 
@@ -52,6 +69,12 @@ class Job:
     reductions: Mapping[str, Reduction]
     width: int = 1
     build: str = ""
+
+    @property
+    def sizes(self) -> Sizes:
+        """Sizes of the answers."""
+        times = 0 if self.over.times is None else len(self.over.times)
+        return Sizes(self.varied.runs, self.model.nx, times, self.reductions)
 
     def runner(self) -> LaneRunner | Single:
         """The runner of one thread."""

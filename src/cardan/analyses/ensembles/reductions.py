@@ -12,7 +12,7 @@ import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 
@@ -72,6 +72,10 @@ class Reduction(ABC):
     axes: tuple[str, ...]
 
     @abstractmethod
+    def phrase(self) -> str:
+        """The words that :func:`reductions` reads it from; none of a function."""
+
+    @abstractmethod
     def part(self, block: Histories) -> Parts:
         """Contribution of a block."""
 
@@ -95,6 +99,10 @@ class States(Reduction):
     per_run = True
     axes = ("run", "time", "entry")
 
+    def phrase(self) -> str:
+        """Same as :meth:`Reduction.phrase`."""
+        return "states"
+
     def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
         """Same as :meth:`Reduction.shapes`."""
         return {"value": (runs, times, nx)}
@@ -112,6 +120,10 @@ class OverTime(Reduction):
     name: str
     per_run = True
     axes = ("run",)
+
+    def phrase(self) -> str:
+        """Same as :meth:`Reduction.phrase`."""
+        return f"{self.kind} of {self.name} over time"
 
     def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
         """Same as :meth:`Reduction.shapes`."""
@@ -135,6 +147,10 @@ class UserFunction(Reduction):
     function: Callable[[Array, Array], Any]
     per_run = True
     axes = ("run",)
+
+    def phrase(self) -> str:
+        """Same as :meth:`Reduction.phrase`."""
+        return ""
 
     def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
         """Same as :meth:`Reduction.shapes`."""
@@ -169,6 +185,10 @@ class OverRuns(Reduction):
     name: str
     per_run = False
     axes = ("time",)
+
+    def phrase(self) -> str:
+        """Same as :meth:`Reduction.phrase`."""
+        return f"{self.kind} of {self.name} over runs"
 
     def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
         """Same as :meth:`Reduction.shapes`."""
@@ -237,6 +257,10 @@ class Histogram(Reduction):
     per_run = False
     axes = ("bin",)
 
+    def phrase(self) -> str:
+        """Same as :meth:`Reduction.phrase`."""
+        return f"histogram of {self.name} from {self.low!r} to {self.high!r} in {self.bins}"
+
     def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
         """Same as :meth:`Reduction.shapes`."""
         return {"value": (self.bins + 2,)}
@@ -293,7 +317,23 @@ def reductions(
     return reductions
 
 
-def _read(phrase: str, histories: Sequence[str]) -> Reduction:
+def reread(phrases: Mapping[str, str]) -> dict[str, Reduction]:
+    """Reductions by name, to put parts of them together, from their phrases.
+
+    Raises:
+        ModelError: words that mean nothing.
+    """
+    return {
+        name: _read(phrase, None) if phrase else UserFunction(name, _elsewhere)
+        for name, phrase in phrases.items()
+    }
+
+
+def _elsewhere(t: Array, x: Array) -> NoReturn:
+    raise AssertionError("what a function gave is read, not computed again")
+
+
+def _read(phrase: str, histories: Sequence[str] | None) -> Reduction:
     text = " ".join(phrase.split())
     if text == "states":
         return States()
@@ -311,8 +351,8 @@ def _read(phrase: str, histories: Sequence[str]) -> Reduction:
     return OverTime(kind, name) if axis == "time" else OverRuns(kind, name)
 
 
-def _checked_name(phrase: str, name: str, histories: Sequence[str]) -> str:
-    if name not in histories:
+def _checked_name(phrase: str, name: str, histories: Sequence[str] | None) -> str:
+    if histories is not None and name not in histories:
         raise ModelError(
             f"reduce: '{phrase}': there is no history '{name}'.{near(name, histories)}"
         )

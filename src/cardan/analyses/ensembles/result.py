@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 
 from ...arguments import checked
 from ...arrays import Array, Booleans
-from ...errors import ArgumentError, ModelError, counted, near
+from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, counted, near, warn
 from ...runtime.trajectory.solver_info import EVENT, FINISHED
 from ...runtime.trajectory.trajectory import TrajectoryRecord
-from .collection import UNFINISHED, Gathered
+from .collection import UNFINISHED, Gathered, PartResults
 from .job import Job, entries
 from .lane_runner import NUMBERS
+from .share import Share
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,7 @@ class Request:
         lanes: Side by side.
         varied: Name -> values (runs,) or (runs, n): what the runs differ by.
         axes: Reduction -> names of its axes, as :attr:`.Reduction.axes` says them.
+        share: Which part of the runs it is.
     """
 
     model: str
@@ -51,17 +53,19 @@ class Request:
     lanes: int
     varied: Mapping[str, Array] = field(repr=False)
     axes: Mapping[str, tuple[str, ...]]
+    share: Share | None = None
 
     @classmethod
-    def of(cls, job: Job) -> Request:
-        """The request of a job."""
+    def of(cls, job: Job, share: Share) -> Request:
+        """The request of a part of a job."""
         model, times = job.model, job.over.times
         columns = [c for c in job.varied.columns if len(c.values) == job.varied.runs]
         varied: dict[str, Array] = {}
         for c in columns:
             # a joint may have both its coordinates and its speeds varied
             name = c.name if c.name not in varied else f"{c.name}.{c.block}"
-            varied[name] = c.values[:, 0] if c.values.shape[1] == 1 else c.values
+            values = c.values[share.first : share.last]
+            varied[name] = values[:, 0] if values.shape[1] == 1 else values
         return cls(
             model=model.name,
             entries=entries(model),
@@ -76,6 +80,7 @@ class Request:
             lanes=job.width,
             varied=varied,
             axes={name: one.axes for name, one in job.reductions.items()},
+            share=share,
         )
 
 
@@ -96,6 +101,7 @@ class EnsembleRecord:
         restored: How many runs came from a checkpoint.
         saved_message: What is kept of an interrupted one, in words.
         source: What runs are computed again from; None for an ensemble of a file.
+        part_results: What a part is joined with others by.
     """
 
     request: Request = field(repr=False)
@@ -110,27 +116,36 @@ class EnsembleRecord:
     restored: int = 0
     saved_message: str = field(default="", repr=False)
     source: Job | None = field(default=None, repr=False)
+    part_results: PartResults | None = field(default=None, repr=False)
 
     @classmethod
     def of(
-        cls, gathered: Gathered, seconds: float, executor: str, restored: int, saved_message: str
+        cls,
+        gathered: Gathered,
+        request: Request,
+        seconds: float,
+        executor: str,
+        restored: int,
+        saved_message: str = "",
+        source: Job | None = None,
+        part_results: PartResults | None = None,
     ) -> EnsembleRecord:
         """The result of what was gathered."""
         g = gathered
-        messages = dict(sorted(g.messages.items()))
         return cls(
-            request=Request.of(g.job),
+            request=request,
             final=g.x,
             results=g.results(),
             codes=g.codes,
             status_names=tuple(g.status_names),
             numbers=g.numbers,
-            messages=messages,
+            messages=g.messages,
             seconds=seconds,
             executor=executor,
             restored=restored,
             saved_message=saved_message,
-            source=g.job,
+            source=source,
+            part_results=part_results,
         )
 
     def __len__(self) -> int:
@@ -202,6 +217,12 @@ class EnsembleRecord:
         return np.array(self.status_names)[self.codes]
 
     @property
+    def part(self) -> tuple[int, int] | None:
+        """``(k, n)``: part k of n of an ensemble that was divided; else None."""
+        share = self.request.share
+        return None if share is None or share.undivided else (share.number, share.count)
+
+    @property
     def success(self) -> bool:
         """True when all runs reached their end."""
         return bool(self.finished.all())
@@ -251,6 +272,7 @@ def _summary(ensemble: EnsembleRecord) -> str:
     lines = [
         f"ensemble of {request.model}: {counted(len(ensemble), 'run')} from {request.start:g} s to "
         f"{request.end:g} s",
+        *_part(request.share),
         f"  varied: {names}",
         f"  {request.method}, {request.settings}; {ensemble.executor}{lanes}",
         *([f"  auto: {request.reason}"] if request.reason else []),
@@ -271,6 +293,13 @@ def _summary(ensemble: EnsembleRecord) -> str:
         )
     lines.append(f"  kept: {', '.join(['final', *ensemble.results])}")
     return "\n".join(lines)
+
+
+def _part(share: Share | None) -> list[str]:
+    """Which part of all runs an ensemble is, as a line."""
+    if share is None or share.undivided:
+        return []
+    return [f"  {share}: runs {share.first} to {share.last - 1} of {share.runs}"]
 
 
 def _speed(ensemble: EnsembleRecord) -> str:
@@ -297,3 +326,40 @@ def run(ensemble: EnsembleRecord, i: int, times: Sequence[float] | None = None) 
     return ensemble.job.motion(
         i % len(ensemble), None if times is None else np.asarray(times, float)
     )
+
+
+def reported(ensemble: EnsembleRecord, missed: Mapping[int, str], check: bool) -> EnsembleRecord:
+    """The result; with warnings of runs that did not reach their end, or cannot account for it.
+
+    Args:
+        ensemble: Of all runs, with as many messages as are kept.
+        missed: What finished runs miss, whether it is kept or not.
+        check: Whether to raise instead.
+
+    Raises:
+        SolveError: with ``check``.
+    """
+    failed = len(ensemble) - int(ensemble.finished.sum())
+    messages = {k: text for k, text in ensemble.messages.items() if ensemble.finished[k]}
+    missing = {**messages, **missed}
+    said = []
+    if failed and ensemble.interrupted:
+        said += [
+            f"interrupted when {ensemble.done} of {len(ensemble)} runs were done; "
+            f"{ensemble.saved_message}"
+        ]
+    elif failed:
+        first = int(np.argmin(ensemble.finished))
+        why = ensemble.message(first)
+        said += [f"{failed} of {len(ensemble)} runs did not reach their end; run {first}: {why}"]
+    if missing:
+        first = min(missing)
+        said += [
+            f"at least {len(missing)} of {len(ensemble)} runs miss far more than their tolerance "
+            f"is worth; run {first}: {missing[first]}"
+        ]
+    if said and check:
+        raise SolveError("; ".join(said))
+    for text in said:
+        warn(text, SolveWarning)
+    return ensemble

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -25,6 +26,9 @@ if TYPE_CHECKING:
     from ...runtime.models.loaded_model import LoadedModel
 
 BLOCKS = ("q", "u", "udot", "tau", "r", "z")
+# a name and a unit, as saved runs have them above columns
+HEADING = re.compile(r"(.+) \[([^\[\]]*)\]")
+FORCES = {"rad/s": "N*m", "m/s": "N"}  # by the unit of a speed
 # samples left out at either end where derivatives come from a spline
 ENDS = 6
 
@@ -165,7 +169,8 @@ def _of_table(model: LoadedModel, data: Any) -> dict[str, Array]:
             "data: a Trajectory, a file, or a mapping with 't', 'q' and 'tau' is wanted, not "
             f"{type(data).__name__}"
         )
-    samples = {str(key): numbers(f"data: '{key}'", data[key]) for key in data.keys()}  # noqa: SIM118
+    plain = _without_units(model, [str(key) for key in data.keys()])  # noqa: SIM118
+    samples = {plain[str(key)]: numbers(f"data: '{key}'", data[key]) for key in data.keys()}  # noqa: SIM118
     if "t" not in samples or samples["t"].ndim != 1:
         raise ArgumentError(f"data: times 't' (nt,) are missing.{near('t', samples)}")
     named = columns(model)
@@ -191,6 +196,40 @@ def _of_table(model: LoadedModel, data: Any) -> dict[str, Array]:
             missing = next(name for name in named[block] if name not in samples)
             raise ArgumentError(f"data: column '{missing}' is missing.{near(missing, samples)}")
     return blocks
+
+
+def _without_units(model: LoadedModel, heads: Sequence[str]) -> dict[str, str]:
+    """Headings of columns, such as ``elbow [rad]``, and the names in them.
+
+    Raises:
+        ArgumentError: another unit than that of the model.
+    """
+    named = columns(model)
+    units = {"t": "s"} | {
+        name: row.unit
+        for block, rows in (("q", "q"), ("u", "u"), ("r", "r"), ("z", "z"))
+        for name, row in zip(named[block], model.manifest.block(rows), strict=True)
+    }
+    for name, tau, row in zip(named["udot"], named["tau"], model.manifest.speeds, strict=True):
+        units[name] = f"{row.unit}^2" if row.unit.endswith("/s") else ""
+        units[tau] = FORCES.get(row.unit, "")
+    every = {"t", *BLOCKS, *(name for names in named.values() for name in names)}
+    plain = {}
+    for head in heads:
+        match = None if head in every else HEADING.fullmatch(head)
+        plain[head] = head if match is None else match[1]
+        expected = units.get(plain[head], "")
+        if match is not None and expected and _bare(match[2]) != _bare(expected):
+            raise ArgumentError(
+                f"data: '{head}': '{plain[head]}' is in {expected}; convert it, and leave the unit "
+                "out or state this one"
+            )
+    return plain
+
+
+def _bare(unit: str) -> str:
+    """A unit without signs of products: N*m, N m and Nm are one."""
+    return re.sub(r"[\s*·]", "", unit)
 
 
 def _check(model: LoadedModel, blocks: Mapping[str, Array]) -> None:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import argparse
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from ...api.scene import Scene
+    from ...runtime.formats.contents import Ending
 
 DEFAULTS: dict[str, Any] = {"t": 10.0}
 
@@ -53,10 +54,30 @@ def file(*endings: str) -> Callable[[str], Path]:
 
 
 def saved(text: str) -> Path:
-    """The type of a file that a run or an ensemble is written to."""
-    from ...runtime import formats
+    """The type of a file that an ensemble or a path is written to."""
+    from ...runtime.formats import FORMATS
 
-    return file(*formats.writable())(text)
+    return _written(text, FORMATS, "results")
+
+
+def motion(text: str) -> Path:
+    """The type of a file that a run is written to."""
+    from ...view.motion_files import FORMATS
+
+    return _written(text, FORMATS, "runs")
+
+
+def _written(text: str, table: Sequence[Ending], what: str) -> Path:
+    """The path of a file in one of some formats; what is missing is said before a run begins."""
+    from ...errors import ModelError
+    from ...runtime.formats import by_ending
+
+    path = Path(text)
+    try:
+        by_ending(path, table, what, bare=False)
+    except (ModelError, ModuleNotFoundError) as problem:
+        raise argparse.ArgumentTypeError(str(problem)) from problem
+    return path
 
 
 def data(text: str) -> Path:

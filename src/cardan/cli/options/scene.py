@@ -22,11 +22,12 @@ METHODS = (
 )  # fmt: skip
 
 
-def arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the file and how it is read."""
+def arguments(parser: argparse.ArgumentParser, optional: bool = False) -> None:
+    """Declare the file, which may be left out if it is optional, and how it is read."""
     parser.add_argument(
         "file",
         metavar="FILE",
+        nargs="?" if optional else None,
         type=Path,
         help="a scene (.yaml), robot (.urdf, .sdf) or MJCF (.xml); or the name of an example",
     )

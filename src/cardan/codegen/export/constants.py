@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any, TypeAlias
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,6 +41,34 @@ def _quoted(text: str) -> str:
     return '"' + plain.replace("\\", "\\\\").replace('"', '\\"').replace("?", "\\?") + '"'
 
 
+class Declarations(Protocol):
+    """What takes the data of an export: a C file, or the memory of a program."""
+
+    def say(self, about: str) -> None:
+        """Comment on what follows."""
+
+    def external(self, declared: str) -> None:
+        """Declare a constant that stands elsewhere."""
+
+    def numbers(self, name: str, values: Array | Sequence[float], kind: str = "") -> Name | None:
+        """Declare an array of numbers, or of records of them by rows; NULL where it is empty.
+
+        Args:
+            name: In C.
+            values: The numbers; of two axes in one row after the other.
+            kind: Type in C; else as the array has it.
+        """
+
+    def records(self, kind: str, name: str, rows: Sequence[Value]) -> Name | None:
+        """Declare an array of records, or of other values; NULL without any."""
+
+    def record(self, declared: str, fields: Mapping[str, Value]) -> None:
+        """Declare one record."""
+
+    def named(self, declared: str, values: Iterable[float], names: Iterable[str]) -> None:
+        """Declare numbers with a comment each; C wants at least one."""
+
+
 class Constants:
     """Lines of a C file that declare constants, one after the other.
 
@@ -60,14 +88,12 @@ class Constants:
         """Put a comment above what follows."""
         self.lines += ["", f"/* {about} */"]
 
-    def numbers(self, name: str, values: Array | Sequence[float], kind: str = "") -> Name | None:
-        """Declare an array of numbers, or of records of them by rows; NULL where it is empty.
+    def external(self, declared: str) -> None:
+        """Declare a constant that stands in another file."""
+        self.lines.append(f"extern {declared};")
 
-        Args:
-            name: In C.
-            values: The numbers; of two axes in one row after the other.
-            kind: Type in C; else as the array has it.
-        """
+    def numbers(self, name: str, values: Array | Sequence[float], kind: str = "") -> Name | None:
+        """Declare an array; see :class:`Declarations`."""
         array = np.asarray(values)
         if not array.size:
             return None

@@ -1,4 +1,4 @@
-"""Export: a model as plain C that compiles alone, with a package for NumPy on top."""
+"""Export: a model as plain C that compiles alone, with what calls it on top."""
 
 from __future__ import annotations
 
@@ -17,11 +17,13 @@ from ...schema.functions import FUNCTIONS
 from ...schema.manifest import Manifest
 from .. import flat_scene, header, layout, manifest
 from ..header import Exported
-from ..languages import LANGUAGES, cython
+from ..languages import BINDINGS
 from ..sources import source
 from ..writing import generate
 from . import companions, model_file
+from . import precision as precisions
 from . import prefix as prefixes
+from .jacobians import with_jacobians
 from .model_file import Content
 from .readme import readme
 
@@ -37,10 +39,11 @@ class ExportRequest:
 
     Attributes:
         target: The directory.
-        language: ``"cython"`` or ``"c"``.
+        language: ``"c"``, or what calls the C, such as ``"cython"``.
         integrators: By their kernels.
         reproducible: Whether flags forbid contraction.
         prefix: Before all names.
+        precision: Of all numbers, ``"double"`` or ``"single"``.
     """
 
     target: Path
@@ -48,6 +51,7 @@ class ExportRequest:
     integrators: tuple[str, ...]
     reproducible: bool
     prefix: str
+    precision: str
 
     @classmethod
     def checked(
@@ -57,6 +61,7 @@ class ExportRequest:
         integrators: Sequence[str],
         reproducible: bool,
         prefix: str,
+        precision: str,
     ) -> ExportRequest:
         """The options, checked.
 
@@ -64,15 +69,16 @@ class ExportRequest:
             CodegenError: an unknown word, a directory that holds other things.
         """
         target, methods = Path(directory).resolve(), tuple(name.lower() for name in integrators)
-        if language not in LANGUAGES:
-            raise CodegenError(f"language '{language}' does not exist.{near(language, LANGUAGES)}")
+        if language not in BINDINGS:
+            raise CodegenError(f"language '{language}' does not exist.{near(language, BINDINGS)}")
         for name in methods:
             if name not in companions.INTEGRATORS:
                 hint = near(name, companions.INTEGRATORS)
                 raise CodegenError(f"integrators: '{name}' does not exist.{hint}")
         prefixes.check(prefix, language)
+        precisions.check(precision, language, methods)
         check(target)
-        return cls(target, language, methods, reproducible, prefix)
+        return cls(target, language, methods, reproducible, prefix, precision)
 
 
 def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
@@ -91,6 +97,8 @@ def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
         layout.add_files(folder, _texts(layout.manifest_of(folder), request, content))
         if request.prefix:
             prefixes.add(folder, request.prefix)
+        if request.precision == "single":
+            precisions.apply(folder)
         (folder / layout.LOCK).unlink()
 
     try:
@@ -108,17 +116,17 @@ def _texts(data: Manifest, request: ExportRequest, content: Content) -> dict[str
     methods, functions, elements = request.integrators, content.functions, data.absolute
     flags = (*FLAGS, f"-ffp-contract={'off' if request.reproducible else 'on'}")
     line = f"cc {' '.join(flags)} -DCARDAN_EXAMPLE -o example *.c -lm && ./example"
-    package = cython.package(data) if request.language == "cython" else ""
+    binding = BINDINGS[request.language]
     headers = ["simulate.h" if methods else "export.h", *(["mesh_export.h"] if elements else [])]
     files = companions.kernels(methods, elements)
     files |= {
         "functions.h": header.prototypes(data.name, functions, headers, content.declared),
         "model.c": model_file.text(data, content, methods),
         "example.c": f"/* Try it:  {line} */\n{source('example.c')}",
-        "README.md": readme(data, functions, line, bool(methods), package),
+        "README.md": readme(data, functions, line, bool(methods), binding),
         **content.files,
     }
-    return files | (cython.files(data, flags) if package else {})
+    return files | (binding.files(data, flags) if binding else {})
 
 
 def export(
@@ -131,6 +139,7 @@ def export(
     reproducible: bool = False,
     loops: bool | None = None,
     prefix: str = "",
+    precision: str = "double",
 ) -> Path:
     """Write C that needs nothing but a C compiler, and what makes it easy to use.
 
@@ -138,7 +147,7 @@ def export(
         equations: What to write.
         directory: A new or empty one, or an earlier export of cardan, which is replaced.
         start: Folder of a model -> values to start from, by block; of other blocks the scene's.
-        functions, language, integrators, reproducible, loops, prefix: As
+        functions, language, integrators, reproducible, loops, prefix, precision: As
             ``equations.export`` takes them.
 
     Returns:
@@ -153,8 +162,13 @@ def export(
     for one in functions or ():
         if not isinstance(one, str) and not (isinstance(one, tuple | list) and len(one) == 2):
             raise CodegenError(f"functions: {brief(one)}: give names, or ('pose', 'hand')")
-    request = ExportRequest.checked(directory, language, integrators, reproducible, prefix)
+    options = (language, integrators, reproducible, prefix, precision)
+    request = ExportRequest.checked(directory, *options)
     requested = _requested(equations, functions, request.integrators)
+    binding = BINDINGS[language]
+    if binding and binding.jacobians:
+        named = _requested(equations, functions or [*_usual(equations)], ())
+        requested = with_jacobians(equations, language, named, requested)
 
     def fill(folder: Path) -> Content:
         _write(folder, equations, requested, loops)
@@ -210,8 +224,7 @@ def _requested(
         DerivationError: one does not exist.
     """
     available = equations.names()
-    # what equations do not tell, such as an energy, is left out
-    usual = [name for name in STANDARD if name in available]
+    usual = _usual(equations)
     requested = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or usual]
     if integrators or not functions:
         # what keeps a closed system closed belongs to its dynamics
@@ -231,6 +244,12 @@ def _requested(
                 why or f"function '{name}' does not exist.{near(name, available)}"
             )
     return requested
+
+
+def _usual(equations: EquationRecord) -> list[str]:
+    """Functions where none are named, without what equations do not tell, such as an energy."""
+    available = equations.names()
+    return [name for name in STANDARD if name in available]
 
 
 def _ordered(entries: Mapping[str, FunctionRow]) -> dict[str, Exported]:

@@ -47,6 +47,7 @@ def export(
     integrators: Sequence[str] = (),
     reproducible: bool = False,
     prefix: str = "",
+    precision: str = "double",
 ) -> Path:
     """Write C that needs nothing but a C compiler.
 
@@ -61,6 +62,7 @@ def export(
         reproducible: The flags written down forbid contraction: equal bits from every compiler.
         prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
             different prefixes can be linked into one program.
+        precision: ``"double"``.
 
     Returns:
         The directory. It appears whole or not at all.
@@ -70,7 +72,8 @@ def export(
             that elements in tables do not go with.
         DerivationError: an unknown function.
     """
-    request = ExportRequest.checked(directory, language, integrators, reproducible, prefix)
+    options = (language, integrators, reproducible, prefix, precision)
+    request = ExportRequest.checked(directory, *options)
     _check(absolute, request)
     names = _requested(absolute, functions, request.integrators)
 
@@ -118,6 +121,12 @@ def _check(absolute: FiniteElementRecord, request: ExportRequest) -> None:
         raise CodegenError(
             f"language '{request.language}': model '{name}' is in absolute coordinates, whose "
             "elements are exported as C: language='c'. In Python use cardan.compile()"
+        )
+    if request.precision != "double":
+        raise CodegenError(
+            f"precision='{request.precision}': model '{name}' is in absolute coordinates, whose "
+            "equations need double precision. Joint coordinates have it: "
+            "derive(scene, coordinates='relative')"
         )
     for method in request.integrators:
         if method not in METHODS:

@@ -12,7 +12,7 @@ from ...schema.manifest import Manifest
 from ...schema.rows import column
 from ..header import VALUES, Exported, array
 from ..program.naming import comment
-from .constants import Constants, Name, Value
+from .constants import Constants, Declarations, Name, Value
 
 # where none are asked for: tolerances of a run, and the step of methods that choose none [s]
 TOLERANCES = {"rtol": 1e-9, "atol": 1e-12}
@@ -50,7 +50,7 @@ def text(manifest: Manifest, content: Content, integrators: Sequence[str]) -> st
         content: Of the export.
         integrators: Methods of the export, by their kernels.
     """
-    functions, element_fields, name = content.functions, content.fields, comment(manifest.name)
+    element_fields, name = content.fields, comment(manifest.name)
     c = Constants(
         "/*",
         f" * model.c: values of model '{name}' to start from; the model as one",
@@ -58,6 +58,20 @@ def text(manifest: Manifest, content: Content, integrators: Sequence[str]) -> st
         " */",
         f'#include "{"tables.h" if element_fields.get("elements") else "functions.h"}"',
     )
+    declare(c, manifest, content, integrators)
+    return c.text
+
+
+def declare(
+    c: Declarations, manifest: Manifest, content: Content, integrators: Sequence[str]
+) -> None:
+    """Declare values to start from and ``cardan_scene``; arguments as of :func:`text`.
+
+    Args:
+        c: Where they are declared.
+        manifest, content, integrators: As above.
+    """
+    functions = content.functions
     for block in VALUES:
         values = content.start.get(block) or starts(manifest, block)
         rows = manifest.block(block)
@@ -65,7 +79,7 @@ def text(manifest: Manifest, content: Content, integrators: Sequence[str]) -> st
         c.say(BLOCKS[block].meaning)
         c.named(f"const double {array(block)}", values, map(comment, names))
     for one in integrators:
-        c.lines.append(f"extern const cardan_method cardan_{one}_method;")
+        c.external(f"const cardan_method cardan_{one}_method")
     methods = [
         _method(one, {**TOLERANCES, **content.tolerances.get(one, {})}) for one in integrators
     ]
@@ -88,10 +102,9 @@ def text(manifest: Manifest, content: Content, integrators: Sequence[str]) -> st
         **(
             _events(c, manifest) if integrators and {"events", "transition"} <= {*functions} else {}
         ),
-        **element_fields,
+        **content.fields,
     }
     c.record("const cardan_export cardan_scene", fields)
-    return c.text
 
 
 def starts(manifest: Manifest, block: str) -> list[float]:
@@ -139,7 +152,7 @@ def _constraints(manifest: Manifest) -> dict[str, Value]:
     return {"positions": positions, "rates": len(rows)}
 
 
-def _events(c: Constants, manifest: Manifest) -> dict[str, Value]:
+def _events(c: Declarations, manifest: Manifest) -> dict[str, Value]:
     """Event tables: kinds, signs and sample times."""
     modes, rows, kinds = [row.name for row in manifest.s], list[Value](), list[Value]()
     for row in manifest.events:

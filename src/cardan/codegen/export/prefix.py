@@ -7,7 +7,6 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from ...errors import CodegenError, brief
-from ...schema.manifest import Manifest
 from .. import layout
 from . import linkage
 
@@ -30,7 +29,9 @@ def check(prefix: str, language: str) -> None:
             "digits and _, such as 'arm_'"
         )
     if prefix and language != "c":
-        raise CodegenError(f"prefix='{prefix}': it goes with language='c'; packages do not collide")
+        raise CodegenError(
+            f"prefix='{prefix}': it goes with language='c'; what Python loads does not collide"
+        )
 
 
 def add(folder: Path, prefix: str) -> None:
@@ -42,16 +43,7 @@ def add(folder: Path, prefix: str) -> None:
     for name, text in texts.items():
         more = _declared(text, prefix) if name in shared else ""
         texts[name] = renamed(text + more, names, prefix)
-    layout.add_files(folder, texts)
-
-    def renamed_functions(manifest: Manifest) -> Manifest:
-        functions = {
-            name: entry.replaced(sha256=manifest.sha256[entry.file])
-            for name, entry in manifest.functions.items()
-        }
-        return manifest.replaced(prefix=prefix, functions=functions)
-
-    layout.change(folder, renamed_functions)
+    layout.replace_texts(folder, texts, prefix=prefix)
 
 
 def _names(texts: Mapping[str, str]) -> frozenset[str]:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from ...schema.manifest import BLOCKS, Manifest
 from ..header import BLOCKS as LISTED
 from ..header import Exported
+from ..languages.binding import Binding
 from ..sources import source
 
 MOST = 60  # names in a list
@@ -41,7 +42,7 @@ def readme(
     functions: Mapping[str, Exported],
     compile_line: str,
     simulates: bool,
-    package: str = "",
+    binding: Binding | None = None,
 ) -> str:
     """The file.
 
@@ -50,14 +51,14 @@ def readme(
         functions: Those of the export.
         compile_line: How to compile and run the example.
         simulates: Whether integrators came along.
-        package: Name of the package for NumPy, if there is one.
+        binding: What calls the C, if anything does.
     """
     meshed = manifest.absolute
     files = {**FILES, "`example.c`": f"a call from C: `{compile_line}`"}
     files |= (ELEMENT_FILES if meshed else {}) | (RUN_FILES if simulates else {})
-    if package:
-        use = f"`pip install .`, then `import {package}`"
-        files[f"`{package}.pyx`, `setup.py`"] = f"a package for NumPy: {use}"
+    if binding:
+        package = binding.package(manifest)
+        files[binding.listed.format(package=package)] = binding.use.format(package=package)
     listed = [
         (f"`{name}`", ", ".join(entry.inputs), escaped(entry.about) + _shapes(entry))
         for name, entry in functions.items()

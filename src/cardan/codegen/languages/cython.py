@@ -6,18 +6,18 @@ import json
 import keyword
 import sys
 from collections.abc import Sequence
-from pprint import pformat
 
-from ...errors import counted
 from ...schema.blocks import ARGUMENTS, ORDER
 from ...schema.c_functions import FunctionRow, ResultRow
-from ...schema.manifest import BLOCKS as BLOCK_KEYS
 from ...schema.manifest import Manifest
-from ...schema.request import reads
 from ..program.naming import mangle
 from ..sources import source
+from .binding import Binding, arguments, literal, plain, summary
+from .binding import names as listed_names
+from .binding import sizes as block_sizes
 
 SUFFIX = ".pyx"
+SIZED = ("q", "q0", "r", "wrench", "u", "udot", "tau", "du", "z", "s")
 NEEDED = ("numpy", "cython", "setuptools", "setup", "cardan")
 
 HEAD = '''\
@@ -123,25 +123,17 @@ def files(manifest: Manifest, flags: Sequence[str]) -> dict[str, str]:
 
 def write(manifest: Manifest) -> str:
     """The ``.pyx`` of a model."""
-    names = {
-        BLOCK_KEYS[letter]: tuple(row.name for row in manifest.block(letter)) for letter in "qurp"
-    }
-    bodies = tuple(part for body in manifest.bodies for part in body.parts)
-    nq, nu = len(names["coordinates"]), len(names["speeds"])
-    sizes = {"q": nq, "q0": nq, "r": len(names["inputs"]), "wrench": 6 * len(bodies)}
-    sizes |= dict.fromkeys(("u", "udot", "tau", "du"), nu)
-    sizes |= {"z": len(manifest.z), "s": len(manifest.s), "e": len(manifest.events)}
+    names = listed_names(manifest)
+    lengths = block_sizes(manifest) | {"wrench": 6 * len(names["bodies"])}
+    sizes = {name: lengths[name] for name in SIZED} | {"e": len(manifest.events)}
+    nq, nu = sizes["q"], sizes["u"]
     head = HEAD.format(
-        title=_text(f"{manifest.name}: C functions of a multibody model."),
-        about=_text(
-            f"{counted(nq, 'coordinate')}, {counted(nu, 'speed')}, "
-            f"{counted(len(names['parameters']), 'parameter')}."
-        ),
+        title=plain(f"{manifest.name}: C functions of a multibody model."),
+        about=plain(summary(manifest)),
         name=manifest.name,
-        bodies=_literal(bodies),
-        sizes=_literal(sizes),
-        slots=_literal({block: k for k, block in enumerate(ORDER)}),
-        **{key: _literal(value) for key, value in names.items()},
+        sizes=literal(sizes),
+        slots=literal({block: k for k, block in enumerate(ORDER)}),
+        **{key: literal(value) for key, value in names.items()},
     )
     functions = manifest.functions.items()
     parts = [_function(name, entry, nq, nu, sizes["z"]) for name, entry in functions]
@@ -150,7 +142,7 @@ def write(manifest: Manifest) -> str:
 
 def _function(name: str, entry: FunctionRow, nq: int, nu: int, nz: int) -> str:
     """The Python function of one C function."""
-    takes = _arguments(name, entry)
+    takes = arguments(name, entry)
     # solvers call rhs(t, x)
     optional = [block for block in takes if ARGUMENTS[block].default]
     left = {block: "0.0" if block == "t" else "None" for block in optional}
@@ -162,10 +154,10 @@ def _function(name: str, entry: FunctionRow, nq: int, nu: int, nz: int) -> str:
     outputs = entry.outputs
     shape = tuple(outputs[0].shape) if len(outputs) == 1 else (entry.output_size,)
     entries = [text for o in outputs for text in _named(o)]
-    lines = [f"def {name}({signature}):", f'    """{_text(entry.about or name)}.', "", "    Args:"]
+    lines = [f"def {name}({signature}):", f'    """{plain(entry.about or name)}.', "", "    Args:"]
     lines += [f"        {block}: {ARGUMENTS[block].text}" for block in takes]
     lines += ["", "    Returns:", f"        Array (..., {', '.join(map(str, shape))})"]
-    lines[-1] += f": {_text(', '.join(entries))}" if len(entries) <= 12 else ""
+    lines[-1] += f": {plain(', '.join(entries))}" if len(entries) <= 12 else ""
     lines += ['    """']
     blocks, values = list(takes), list(takes)
     if "x" in takes:
@@ -184,13 +176,6 @@ def _function(name: str, entry: FunctionRow, nq: int, nu: int, nz: int) -> str:
     return "\n".join(lines)
 
 
-def _arguments(name: str, entry: FunctionRow) -> list[str]:
-    """Arguments as a compiled model takes them, as far as the C can read them."""
-    letters = reads(name.split("__")[0], entry.of)
-    usual = (*entry.inputs, "t", "r")
-    return [x for x in letters if not ARGUMENTS[x].default or x in usual]
-
-
 def _named(output: ResultRow) -> list[str]:
     """Entries of a result with their units."""
     units = output.units or [""] * len(output.entries)
@@ -198,12 +183,9 @@ def _named(output: ResultRow) -> list[str]:
     return [f"{entry} [{unit}]" if unit else entry for entry, unit in pairs]
 
 
-def _literal(value: object) -> str:
-    """Python text of names and numbers, wrapped."""
-    return pformat(value, width=96, compact=True, sort_dicts=False)
-
-
-def _text(text: str) -> str:
-    """Words of the user inside a docstring."""
-    plain = "".join(c if c.isprintable() else " " for c in text)
-    return plain.replace("\\", "\\\\").replace('"', "'")
+BINDING = Binding(
+    package,
+    files,
+    "`{package}.pyx`, `setup.py`",
+    "a package for NumPy: `pip install .`, then `import {package}`",
+)

@@ -20,12 +20,14 @@ from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
 from ...ir.solve import solve
+from ...schema.blocks import COORDINATES
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
 from ...schema.request import Request
 from ..constraints.reaction_friction import friction_forces
 from ..constraints.treatments import Bound
 from ..constraints.treatments.treatment import by_multipliers
 from .context import RECIPES, Context, recipe, settled
+from .coordinate_columns import Shares, along_coordinates, combined
 from .directions import Direction, directions, is_single
 from .dynamics import Dynamics
 from .newton_euler_derivatives import Derivatives
@@ -58,20 +60,28 @@ def derivative(c: Context) -> tuple[Output, ...]:
         expected = f"needs a {kind}" if kind else "takes no frame or joint"
         raise DerivationError(f"derivative: '{request.function}' {expected}: '{request}'")
     c = with_mass_matrix(c)
-    parts = {wrt: directions(c.k, wrt, c.names) for wrt in request.wrt}
-    flat = [d for part in parts.values() for d in part]
+    parts = {wrt: _columns(c, wrt) for wrt in request.wrt}
+    flat = [d for along, _ in parts.values() for d in along]
     outputs = settled(c, RECIPES[request.function](replace(c, of=request.of)))
     columns = columns_of(c, request.function, outputs, flat)
     shape = outputs[0].shape if len(outputs) == 1 else (sum(o.size for o in outputs),)
     rows, outputs_by_block, start = [name for o in outputs for name in _entries(o)], [], 0
-    for wrt, part in parts.items():
-        block_columns = columns[start : start + len(part)]
-        start += len(part)
-        full_shape = shape if is_single(wrt) else (*shape, len(part))
+    for wrt, (along, shares) in parts.items():
+        block_columns = columns[start : start + len(along)]
+        start += len(along)
+        labels = [d.name for d in along]
+        if shares is not None:
+            block_columns, labels = combined(c.k.graph, block_columns, shares), [*c.names["q"]]
+        full_shape = shape if is_single(wrt) else (*shape, len(labels))
         nodes = tuple(column[i] for i in range(prod(shape)) for column in block_columns)
-        names = tuple(f"{row},{d.name}" for row in rows for d in part)
+        names = tuple(f"{row},{label}" for row in rows for label in labels)
         outputs_by_block.append(Output(f"d_{wrt}", full_shape, nodes, names))
     return tuple(outputs_by_block)
+
+
+def _columns(c: Context, wrt: str) -> tuple[list[Direction], list[Shares] | None]:
+    """Directions to differentiate along, and what columns are made of them if not the same."""
+    return along_coordinates(c) if wrt == COORDINATES else (directions(c.k, wrt, c.names), None)
 
 
 def with_mass_matrix(c: Context) -> Context:

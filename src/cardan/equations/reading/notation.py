@@ -21,7 +21,7 @@ _GREEK = """
 """
 GREEK = frozenset(_GREEK.split())
 # numbers of a body by their dotted names: upper.mass is m with the index upper
-NUMBERS = {"mass": "m", "com": "c", "inertia": "I"}
+NUMBERS = {"mass": "m", "com": "c", "inertia": "I", "gravity": "g"}
 # what TeX takes for commands or layout
 _TEX = {
     "\\": r"\backslash{}",
@@ -45,11 +45,13 @@ class Notation:
         letter: One letter, the name of a Greek one, or a word.
         index: Below it, "" without one.
         dots: Time derivatives, 0 to 2.
+        mark: ``"star"`` behind the letter, ``"bar"`` above it.
     """
 
     letter: str
     index: str = ""
     dots: int = 0
+    mark: str = ""
 
     @property
     def is_letter(self) -> bool:
@@ -73,46 +75,69 @@ class Notation:
             base = f"\\{self.letter}"
         else:
             base = self.letter if self.is_letter and self.letter.isalnum() else _word(self.letter)
+        if self.mark:
+            base = rf"\bar{{{base}}}" if self.mark == "bar" else f"{base}^{{*}}"
         if self.dots:
             base = f"\\{'d' * self.dots}ot{{{base}}}"
         return f"{base}_{{{_index(self.index)}}}" if self.index else base
 
 
-def notation(name: str, dots: int = 0) -> Notation:
-    """Notation of a name: digits at its end, and the part after a dot, are subscripts."""
+SPEED = Notation("u")
+
+
+def notation(name: str, dots: int = 0, numbers: Mapping[str, str] = NUMBERS) -> Notation:
+    """Notation of a name: digits at its end, and the part after a dot, are subscripts.
+
+    Args:
+        name: Of a coordinate, parameter or input.
+        dots: Time derivatives.
+        numbers: Letters of gravity and of the numbers of bodies.
+    """
     letters = re.fullmatch(r"([^\W\d_]+)_?(\d+)", name)
     if letters:
         return Notation(letters[1], letters[2], dots)
     number = re.fullmatch(r"(.+)\.(mass|com|inertia)(?:\.([xyz]+))?", name)
     if number:
-        return Notation(NUMBERS[number[2]], ",".join(filter(None, (number[1], number[3]))), dots)
+        letter, _, base = numbers[number[2]].partition("_")
+        return Notation(letter, ",".join(filter(None, (base, number[1], number[3]))), dots)
     head, sign, tail = name.partition("_")
     if sign and tail and (head in GREEK or len(head) == 1):
         return Notation(head, tail, dots)
     head, sign, tail = name.partition(".")
     if sign and head and tail:
-        first = Notation("g") if head == "gravity" else notation(head, dots)
+        letter, _, base = numbers["gravity"].partition("_")
+        first = Notation(letter, base) if head == "gravity" else notation(head, dots)
         return Notation(first.letter, ",".join(filter(None, (first.index, tail))), dots)
     return Notation(name, "", dots)
 
 
-def symbols(equations: EquationRecord) -> Mapping[str, Notation]:
+def symbols(
+    equations: EquationRecord,
+    speed: Notation = SPEED,
+    rates: bool = True,
+    numbers: Mapping[str, str] = NUMBERS,
+) -> Mapping[str, Notation]:
     """Notation by name of symbol, for coordinates, speeds, inputs and parameters.
 
-    A speed that is the rate of a coordinate is that coordinate with a dot, any other one a u.
+    Args:
+        equations: Of joint coordinates.
+        speed: Letter of speeds, with the index that all of them have.
+        rates: A speed that is the rate of a coordinate is that coordinate with a dot.
+        numbers: Letters of gravity and of the numbers of bodies.
     """
-    plain = _rates(equations)
+    plain = _rates(equations) if rates else {}
     notations: dict[str, Notation] = {}
     for letter in ("p", "r", "q"):
         for name in equations.blocks[letter].entries:
-            notations[name] = notation(name)
+            notations[name] = notation(name, numbers=numbers)
     for name, rate in zip(equations.speeds, equations.blocks["udot"].entries, strict=True):
         coordinate = plain.get(name)
         for key, dots in ((name, 0), (rate, 1)):
             if coordinate is not None:
                 notations[key] = notation(coordinate, dots + 1)
             else:
-                notations[key] = Notation("u", of_rate(name), dots)
+                index = ", ".join(filter(None, (speed.index, of_rate(name))))
+                notations[key] = Notation(speed.letter, index, dots)
     return _distinct(notations)
 
 

@@ -211,13 +211,17 @@ def _matrix(parts: list[Segment], columns: int) -> Segment:
 
 def _name(name: str) -> Segment:
     """A letter with dots and an index: ``omegadot_1``, ``zddot``."""
-    match = re.fullmatch(r"([A-Za-z]+?)(d?dot)?(?:_(\w+))?", name)
+    match = re.fullmatch(r"([A-Za-z]+?)(star|bar)?(d?dot)?(?:_(\w+))?", name)
     assert match is not None, name
-    letter, dotted, index = match.groups()
+    letter, mark, dotted, index = match.groups()
     letter = "lambda" if letter == "lam" else letter
     greek, sign = letter in GREEK, Notation(letter).character
     mathml = f"<mi>{sign}</mi>"
     latex = f"\\{letter}" if greek else letter if len(letter) == 1 else rf"\mathrm{{{letter}}}"
+    if mark == "bar":
+        mathml, latex = f"<mover>{mathml}<mo>¯</mo></mover>", rf"\bar{{{latex}}}"
+    elif mark:
+        mathml, latex = f"<msup>{mathml}<mo>*</mo></msup>", f"{latex}^{{*}}"
     if dotted:
         above = "." * dotted.count("d")
         mathml, latex = f"<mover>{mathml}<mo>{above}</mo></mover>", rf"\{dotted}{{{latex}}}"

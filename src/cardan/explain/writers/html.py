@@ -194,6 +194,8 @@ class _Writer:
         sign = _fitting(sign)
         variant = ' mathvariant="normal"' if len(sign.character) > 1 else ""
         base = f"<mi{variant}>{escape(sign.character)}</mi>"
+        if sign.mark == "star":
+            base = f"<msup>{base}<mo>*</mo></msup>"
         if sign.dots:
             base = f"<mover>{base}<mo>{'.' * sign.dots}</mo></mover>"
         if not sign.index:
@@ -262,7 +264,7 @@ def _operator(sign: str, infix: bool = False) -> str:
 def _fitting(sign: Notation) -> Notation:
     """Names that no line could hold are cut within formulas; tables have them in full."""
     index = ", ".join(_cut(part, INDEX) for part in sign.index.split(", "))
-    return Notation(_cut(sign.letter, LONGEST), _cut(index, 2 * INDEX + 2), sign.dots)
+    return Notation(_cut(sign.letter, LONGEST), _cut(index, 2 * INDEX + 2), sign.dots, sign.mark)
 
 
 def _cut(name: str, most: int) -> str:

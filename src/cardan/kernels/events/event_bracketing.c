@@ -37,7 +37,7 @@ static real fitted(const real *differences, real theta)
     real x = theta * (cardan_samples - 1), sum = differences[cardan_samples - 1];
 
     for (int k = cardan_samples - 2; k >= 0; k--)
-        sum = differences[k] + (x - k) / (k + 1) * sum;
+        sum = differences[k] + (x - (real)k) / (real)(k + 1) * sum;
     return sum;
 }
 

@@ -19,6 +19,7 @@
 
 enum { MOST_AT_ONCE = 50, MOST_CLOSE = 20, MOST_IN_A_BURST = 1000 };
 static const real ROUNDING = 256 * DBL_EPSILON;
+static const real TIMED = CARDAN_ROUNDING(1e-9, 1e-4); /* of a period */
 static const real CLOSE = 1e3 * DBL_EPSILON, BURST = 1e-6; /* of the time, of the span */
 
 ptrdiff_t cardan_board_length(const cardan_run *run)
@@ -121,11 +122,11 @@ void cardan_events_clock(cardan_run *run)
 {
     for (ptrdiff_t i = 0; i < run->tick_count; i++) {
         cardan_tick *tick = run->ticks + i;
-        real k = ceil((run->t - tick->phase) / tick->period - 1e-9);
+        real k = ceil((run->t - tick->phase) / tick->period - TIMED);
         tick->count = (ptrdiff_t)k;
         tick->next = tick->phase + k * tick->period;
         /* a tick that rounding puts beside the start is at the start */
-        if (fabs(tick->next - run->t) <= 1e-9 * tick->period)
+        if (fabs(tick->next - run->t) <= TIMED * tick->period)
             tick->next = run->t;
     }
 }

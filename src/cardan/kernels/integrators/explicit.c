@@ -6,6 +6,8 @@
 #include <math.h>
 
 enum { LOOKS = 4 /* the stiffness test runs every fourth step */ };
+/* parts of a step that are the rounding of times: of one behind a grid point, of one before a stop */
+static const real PASSED = CARDAN_ROUNDING(1e-6, 1e-2), LEFT = CARDAN_ROUNDING(1e-9, 1e-2);
 
 /* Start a fixed-step run; the sign of h follows the direction of the run. */
 int cardan_fixed_init(cardan_run *run)
@@ -18,11 +20,11 @@ int cardan_fixed_init(cardan_run *run)
 real cardan_grid(const cardan_run *run)
 {
     real stop = run->until;
-    /* t may lie between grid points after a shortened step; 1e-6 absorbs rounding */
-    real done = floor((run->t - run->segment) / run->h + 1e-6);
+    /* t may lie between grid points after a shortened step */
+    real done = floor((run->t - run->segment) / run->h + PASSED);
     real t = run->segment + (done + 1) * run->h;
 
-    return (stop - t) / run->h < 1e-9 ? stop : t;
+    return (stop - t) / run->h < LEFT ? stop : t;
 }
 
 /* Stiffness test: count the accepted step as `limited` if stability, not accuracy, limits it.

@@ -13,7 +13,7 @@
 #include <math.h>
 
 /* residuals relative to the size of the mechanism: what is sought, and what still counts as closed */
-static const real SOUGHT = 1e-15, CLOSED = 1e-11;
+static const real SOUGHT = CARDAN_ROUNDING(1e-15, 1e-7), CLOSED = CARDAN_ROUNDING(1e-11, 2e-5);
 /* what constraints may be open by at a given step, of the size of the mechanism; what they are
  * rounded by, in units of that */
 static const real OPEN = 1e-4, ROUNDED = 1e3;

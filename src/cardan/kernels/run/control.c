@@ -107,7 +107,7 @@ int cardan_first_step(cardan_run *run, int order)
     /* where the probe fails, the first trial step is the probe's; it may shrink from there */
     if (status == 0 && isfinite(d2))
         h0 = fmin(100 * h0, fmax(d1, d2) <= 1e-15 ? fmax(1e-6, h0 * 1e-3)
-                                                  : pow(0.01 / fmax(d1, d2), 1.0 / order));
+                                                  : CARDAN_COARSE(pow(0.01 / fmax(d1, d2), 1.0 / (double)order)));
     run->h = sign * fmax(fmin(h0, h), 10 * least(run));
     return 0;
 }

@@ -6,7 +6,8 @@
 #include <float.h>
 #include <math.h>
 
-static const real ROUNDING = 1e-14; /* of speeds on the constraints, times the square of the hold */
+/* of speeds on the constraints, times the square of the hold */
+static const real ROUNDING = CARDAN_ROUNDING(1e-14, 5e-6);
 static const real BENT = 0.3; /* radians by which a given step may differ from the mean of its rates */
 
 /* Fill in the part of r that is given by pieces. */

@@ -188,9 +188,12 @@ static int drive(const cardan_export *model, const cardan_simulation *settings, 
     int status = cardan_run_start(run);
 
     for (int more = status == 0; more;) {
+        const ptrdiff_t left = settings->budget - run->steps;
+        run->budget = settings->budget > 0 && left < BUDGET ? left : BUDGET;
         status = cardan_run_drive(run);
         /* a full log is emptied; rows have room for all times */
-        more = status == CARDAN_MORE || (status == CARDAN_FULL && run->log_count > 0);
+        more = (status == CARDAN_MORE && (settings->budget <= 0 || run->steps < settings->budget))
+               || (status == CARDAN_FULL && run->log_count > 0);
         report_event(model, settings, run);
     }
     return status;
@@ -225,7 +228,7 @@ int cardan_simulate(const cardan_export *model, cardan_simulation *settings, voi
         status = enter(model, settings, at.prepared, &run);
     if (status == 0)
         status = drive(model, settings, &run);
-    settings->row_count = run.count, settings->t = run.t;
+    settings->row_count = run.count, settings->steps = run.steps, settings->t = run.t;
     settings->x_end = run.y, settings->s_end = run.s;
     return status;
 }

@@ -22,12 +22,13 @@ typedef struct cardan_simulation {
     double rho_inf;                /* of "alpha": what is too fast for a step keeps this part of itself */
     const double *times;           /* (time_count) of the rows, ascending from start to end */
     ptrdiff_t time_count;
+    ptrdiff_t budget;              /* most steps of the run, after which it ends with CARDAN_MORE; 0: no limit */
     double *rows;                  /* (time_count, 1 + nx + nr + ns): t, x, r, s */
     void (*on_event)(void *context, double t, const char *event); /* told of every event */
     void *context;
 
     /* what came of it; x and s lie in the memory of the run */
-    ptrdiff_t row_count;
+    ptrdiff_t row_count, steps;
     double t;                      /* where it ended */
     const double *x_end, *s_end;
 } cardan_simulation;

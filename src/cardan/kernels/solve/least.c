@@ -17,7 +17,8 @@
 #include <float.h>
 #include <math.h>
 
-static const real ORTHOGONAL = 1e-15, DEPENDENT = 1e-16, SHARE = 0.1, LEAST_SCALE = 1e-12;
+static const real ORTHOGONAL = CARDAN_ROUNDING(1e-15, 5e-7);
+static const real DEPENDENT = CARDAN_ROUNDING(1e-16, 6e-8), SHARE = 0.1, LEAST_SCALE = 1e-12;
 enum { MOST_SWEEPS = 30 };
 
 /* arrays within the workspace */
@@ -149,6 +150,14 @@ static void rotate(real *a, real *b, ptrdiff_t n, real cosine, real sine)
     }
 }
 
+/* sqrt(1 + z^2), of which mathematical libraries differ in the last bit */
+static real beside_one(real z)
+{
+    const real size = fabs(z);
+
+    return size > 1 ? size * sqrt(1 + 1 / (size * size)) : sqrt(1 + size * size);
+}
+
 /* Jacobi rotation that makes two columns orthogonal. Returns 0 if they already are. */
 static int make_orthogonal(const parts *p, ptrdiff_t hard, ptrdiff_t i, ptrdiff_t j)
 {
@@ -159,8 +168,8 @@ static int make_orthogonal(const parts *p, ptrdiff_t hard, ptrdiff_t i, ptrdiff_
     if (!(fabs(ab) > ORTHOGONAL * sqrt(aa) * sqrt(bb)))
         return 0;
     zeta = (bb - aa) / (2 * ab);
-    tangent = (zeta < 0 ? -1 : 1) / (fabs(zeta) + hypot(1, zeta));
-    cosine = 1 / hypot(1, tangent);
+    tangent = (zeta < 0 ? -1 : 1) / (fabs(zeta) + beside_one(zeta));
+    cosine = 1 / beside_one(tangent);
     rotate(a, b, hard, cosine, cosine * tangent);
     rotate(p->w + i * p->r, p->w + j * p->r, p->r, cosine, cosine * tangent);
     return 1;

@@ -21,6 +21,7 @@ from ...schema.manifest import Manifest, from_file
 from ..build import cache, prebuilt
 from ..build.object_file import Object
 from ..build.toolchain import Compiler
+from . import webassembly
 from .abi_ctypes import LOADED, block_sizes
 from .interpreted import Interpreted, announce
 from .lanes import Recipe
@@ -47,6 +48,7 @@ class Code:
         built: The shared object it lives in, None without a compiler.
         library: Keeps it loaded.
         interpreted: What is evaluated instead where there is no compiler.
+        wasm: The WebAssembly that ``symbol`` stands for there, if it can be run.
         recipe: What its lane builds are made of, None without a compiler.
         blocks: Numbers of each input block that the C reads, as its object says.
         lanes: States that it takes side by side, with parameters of their own where several.
@@ -60,6 +62,7 @@ class Code:
     built: Object | None = None
     library: ctypes.CDLL | None = field(default=None, repr=False)
     interpreted: Interpreted | None = field(default=None, repr=False)
+    wasm: webassembly.Compiled | None = field(default=None, repr=False)
     recipe: Recipe | None = field(default=None, repr=False)
     blocks: dict[str, int] = field(default_factory=dict, repr=False)
     lanes: int = 1
@@ -107,6 +110,7 @@ class Objects:
         reproducible: bool = False,
         threads: int | None = None,
         available: Sequence[str] | None = None,
+        translate: webassembly.Translate | None = None,
     ) -> None:
         self.directory = Path(directory)
         self.reproducible = reproducible
@@ -120,11 +124,12 @@ class Objects:
         self.reference: tuple[tuple[Any, ...], Any] | None = (
             None  # of the last judgement, and for what
         )
-        self._provide = provide
+        self._provide, self._translate = provide, translate
         # others compile the same scene in the same folder, with other functions
         self._available = available
         self.lock = threading.RLock()
         self._loaded: dict[str, Code] = {}
+        self._machine: webassembly.Machine | None = None
         self._saved: dict[str, Any] = {}
         self._saved_mark = (0, 0)
         self._parsed: dict[str, tuple[Any, Any]] = {}
@@ -289,18 +294,27 @@ class Objects:
                     paths, self.directory, self.reproducible, by, extra
                 )
         except CompilerMissing as missing:
-            codes = [Interpreted(self._expressions(symbol, missing)) for symbol in symbols]
-            announce()
-            return [
-                Code(symbol, self.manifest.functions[symbol], True, one.address, interpreted=one)
-                for symbol, one in zip(symbols, codes, strict=True)
-            ]
+            functions = [self._expressions(symbol, missing) for symbol in symbols]
+            return [self._evaluated(*pair) for pair in zip(symbols, functions, strict=True)]
         try:
             return [self._connected(s, one, by) for s, one in zip(symbols, built, strict=True)]
         except BaseException:
             for one in built:
                 one.discard()
             raise
+
+    def _evaluated(self, symbol: str, function: Function) -> Code:
+        """A function where there is no compiler: as WebAssembly, or as its expressions."""
+        entry = self.manifest.functions[symbol]
+        if self._translate is not None and webassembly.available():
+            self._machine = self._machine or webassembly.Machine()
+            blocks = {block.name: len(block) for block in function.inputs}
+            with stage(f"model '{self.manifest.name}': compiling {symbol} by {webassembly.NAME}"):
+                one = self._machine.function(self._translate, function, entry, blocks)
+            return Code(symbol, entry, True, one.address, one.prepare, wasm=one, blocks=blocks)
+        announce()
+        expressions = Interpreted(function)
+        return Code(symbol, entry, True, expressions.address, interpreted=expressions)
 
     def _connected(self, symbol: str, built: Object, by: Compiler) -> Code:
         """A function in its object.
@@ -324,8 +338,9 @@ class Objects:
             ) from None
         path, check = self.directory / entry.file, partial(self._verify_sources, symbol)
         recipe = Recipe(name, path, self.directory, self.reproducible, by, check)
-        loaded = address, prepare, built, library, None, recipe, blocks, self.lanes.get(symbol, 1)
-        return Code(symbol, entry, built.fresh, *loaded)
+        loaded = Code(symbol, entry, built.fresh, address, prepare, built, library)
+        lanes = self.lanes.get(symbol, 1)
+        return replace(loaded, recipe=recipe, blocks=blocks, lanes=lanes)
 
     def _expressions(self, symbol: str, missing: CompilerMissing) -> Function:
         """The saved Function of a symbol.
@@ -366,6 +381,11 @@ class Objects:
         Raises:
             BuildError: one is missing or was changed.
         """
+        if self.manifest.precision != "double":
+            raise BuildError(
+                f"{self.directory} holds C in {self.manifest.precision} precision, for programs of "
+                "your own: export the model with precision='double' to open it here"
+            )
         for name, stated in self.manifest.sha256.items():
             if name.endswith(".h"):
                 self._verify(self.directory / Path(name).name, stated)

@@ -7,23 +7,29 @@ so many bytes, and a hash of everything that counts tells whether it is what was
 from __future__ import annotations
 
 import json
-from collections.abc import Collection
+from collections.abc import Collection, Iterable, Sequence
+from importlib.util import find_spec
 from pathlib import Path
+from typing import TypeVar
 
 from ...atomic_file import replaced
-from ...errors import ModelError
+from ...errors import ModelError, likely
 from ...regular_file import content
 from ...version import VERSION, Format
-from .contents import Attributes, Contents, FileFormat, Variables
+from .contents import Attributes, Contents, Ending, FileFormat, Variables
 from .csv import CSV
+from .json_text import JSON
 from .matlab import MATLAB
 from .netcdf import NETCDF
+from .netcdf4 import NETCDF4
 from .npz import NPZ
 
-FORMATS: tuple[FileFormat, ...] = (NETCDF, NPZ, CSV, MATLAB)
+FORMATS: tuple[FileFormat, ...] = (NETCDF, NPZ, CSV, MATLAB, JSON, NETCDF4)
+AnyEnding = TypeVar("AnyEnding", bound=Ending)
 HASH = "sha256"
 SOURCE, WRITER = "source", "cardan "  # the text that names the writer, and what is before it
-KINDS = {"run": "a run", "ensemble": "an ensemble"}  # what files hold
+# what files hold
+KINDS = {"run": "a run", "ensemble": "an ensemble", "linear": "a linear model"}
 MOST = 1 << 40  # bytes of a file
 
 
@@ -39,15 +45,9 @@ def save(path: Path, form: Format, contents: Contents, cure: str) -> Path:
     Raises:
         ModelError: the ending of another format, a variable too large for the format, or a file
             that cannot be written.
+        ModuleNotFoundError: a package that the format needs is not installed.
     """
-    fitting = [one for one in FORMATS if path.suffix in one.endings]
-    if not fitting:
-        endings = ", ".join(f"{one.endings[0]} ({one.name})" for one in FORMATS)
-        raise ModelError(
-            f"{path}: {form.kind}s are written to files whose ending is one of {endings}; "
-            "to_xarray() gives the numbers to writers of other formats"
-        )
-    (chosen,) = fitting
+    chosen = by_ending(path, FORMATS, f"{form.kind}s")
     variables = {name: one for name, one in contents.variables.items() if one.values.size}
     for name, one in variables.items():
         if chosen.limit and one.values.nbytes > chosen.limit:
@@ -108,14 +108,49 @@ def load(path: Path, form: Format, notes: Collection[str]) -> Contents:
     return _today(contents, form, version)
 
 
+def by_ending(path: Path, table: Sequence[AnyEnding], what: str, bare: bool = True) -> AnyEnding:
+    """The format of a file by the ending of its name, in letters of any case.
+
+    Args:
+        path: The file.
+        table: Formats to choose from.
+        what: Is written, in the plural.
+        bare: Whether a name without an ending is one of the first format.
+
+    Raises:
+        ModelError: there is no such format.
+        ModuleNotFoundError: a package that it needs is not installed.
+    """
+    ending = path.suffix.lower()
+    fitting = [one for one in table if ending in one.endings and (ending or bare)]
+    if not fitting:
+        names = ", ".join(f"{one.endings[0]} ({one.name})" for one in table)
+        close = likely(ending, endings(table))
+        hint = f". Did you mean {' or '.join(close)}?" if close else ""
+        raise ModelError(f"{path}: {what} are written to files that end in one of {names}{hint}")
+    (chosen,) = fitting
+    for package in chosen.packages:
+        if find_spec(package) is None:
+            raise ModuleNotFoundError(
+                f"{path}: {chosen.name} files need {package}, which is not installed: "
+                f"pip install 'cardan[{chosen.extra}]'"
+            )
+    return chosen
+
+
+def endings(table: Iterable[Ending]) -> tuple[str, ...]:
+    """Endings of the files of some formats."""
+    return tuple(ending for one in table for ending in one.endings if ending)
+
+
 def writable() -> tuple[str, ...]:
     """Endings of all files that are written."""
-    return tuple(ending for one in FORMATS for ending in one.endings if ending)
+    return endings(FORMATS)
 
 
 def readable() -> tuple[str, ...]:
     """Endings of the files that are read again."""
-    return tuple(e for one in FORMATS if one.parse is not None for e in one.endings if e)
+    return endings(one for one in FORMATS if one.parse is not None)
 
 
 def _parsed(data: bytes) -> tuple[Attributes, Variables]:
@@ -125,7 +160,10 @@ def _parsed(data: bytes) -> tuple[Attributes, Variables]:
         ValueError: it is of none, or damaged.
     """
     for one in FORMATS:
-        if one.parse is not None and data.startswith(one.magic):
+        if data.startswith(one.magic or (b"\0",)):
+            if one.parse is None:
+                listed = ", ".join(readable())
+                raise ValueError(f"{one.name} is written only, and {listed} are read")
             return one.parse(data)
     names = " nor ".join(one.name for one in FORMATS if one.parse is not None)
     raise ValueError(f"its format is neither {names}")

@@ -68,6 +68,21 @@ def letters(texts: Iterable[str], dimension: str, name: str = "") -> Variable:
     return Variable((dimension, f"{name or dimension}_letters"), values, {"_Encoding": "utf-8"})
 
 
+def texts(one: Variable) -> list[str]:
+    """Texts out of an array of :func:`letters`."""
+    return [b"".join(row).rstrip(b"\0").decode() for row in one.values]
+
+
+def for_json(values: Array) -> Array:
+    """Numbers with None in place of what is not finite, which JSON does not have."""
+    finite = np.isfinite(values)
+    if finite.all():
+        return values
+    entries: Array = values.astype(object)
+    entries[~finite] = None
+    return entries
+
+
 def safe_name(name: str, taken: Container[str]) -> str:
     """A name that readers of all formats take, and no other variable has."""
     safe = OTHER.sub("_", name)
@@ -83,20 +98,34 @@ Variables = dict[str, Variable]
 
 
 @dataclass(frozen=True)
-class FileFormat:
-    """One way to write contents to a file.
+class Ending:
+    """A format by what the names of its files end in.
 
     Attributes:
         name: As messages call it.
         endings: Of its files; what has none is of the first format.
-        write: To a path.
-        magic: First bytes of its files; none where they are not read again.
-        parse: Attributes and variables of such bytes; a ValueError where they are damaged.
-        limit: Bytes of one variable, 0 without such a limit.
+        packages: Modules that its writer imports, beyond those of cardan.
+        extra: Of cardan, which installs these.
     """
 
     name: str
     endings: tuple[str, ...]
+    packages: tuple[str, ...] = field(default=(), kw_only=True)
+    extra: str = field(default="", kw_only=True)
+
+
+@dataclass(frozen=True)
+class FileFormat(Ending):
+    """One way to write contents to a file.
+
+    Attributes:
+        write: To a path.
+        magic: First bytes of its files, where all begin with the same.
+        parse: Attributes and variables of such bytes, a ValueError where they are damaged; None
+            where files are not read again.
+        limit: Bytes of one variable, 0 without such a limit.
+    """
+
     write: Callable[[Path, Attributes, Variables], None]
     magic: tuple[bytes, ...] = ()
     parse: Callable[[bytes], tuple[Attributes, Variables]] | None = None

@@ -14,7 +14,7 @@ import numpy as np
 from ...arguments import checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief, near
-from ...schema.blocks import DIRECTIONS
+from ...schema.blocks import COORDINATES, DIRECTIONS
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
 from ...schema.request import Request
 from ..calls.evaluation import Values, into
@@ -39,10 +39,12 @@ class Derivatives(Functions, ABC):
 
         Args:
             function: Such as ``"forward_dynamics"``, or ``("pose", "hand")``.
-            wrt: Blocks ``t q u r p udot tau``, or parameters and inputs by name, such as
+            wrt: Blocks ``t q u z r p udot tau``, or parameters and inputs by name, such as
                 ``("q", "u", "upper.mass")``. ``"q"`` stands for nu columns along the speeds: the
-                change of the function when q moves as it does at unit speeds (``integrate``). By
-                default q, u, r and p as far as the function reads them.
+                change of the function when q moves as it does at unit speeds (``integrate``),
+                ``"coordinates"`` for nq columns along q as it is stored: a unit quaternion counts
+                by its direction, along itself nothing changes. By default q, u, r and p as far as
+                the function reads them.
 
         Returns:
             A :class:`Derivative`: called, it gives one array per block or name, ``(..., *shape,
@@ -68,6 +70,7 @@ class Derivatives(Functions, ABC):
             raise ModelError(f"derivative: {name} {expected}")
         self._check_of(name, of)
         reads = {*FUNCTIONS[name].reads.replace("x", "q u z").split(), "p"}
+        reads |= {COORDINATES} if "q" in reads else set()
         if not wrt or not isinstance(wrt, (str, list, tuple)):
             raise ModelError(
                 "derivative: wrt is a block such as 'q', a parameter or input, or several of "

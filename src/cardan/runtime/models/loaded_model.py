@@ -6,7 +6,7 @@ import ctypes
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,6 +23,7 @@ from ..calls.layout import Layout
 from ..calls.loaded_function import LoadedFunction
 from ..calls.objects import Key, Objects, Provide
 from ..calls.parameters import Parameters
+from ..calls.webassembly import Translate
 from .description import Description
 from .random_states import random_state
 
@@ -46,6 +47,9 @@ class LoadedModel(Description):
 
     Rooms below ``api`` pass this around; ``api.CompiledModel`` adds their analyses for users.
     """
+
+    # writes functions as WebAssembly, where that is at hand
+    _translate: ClassVar[Translate | None] = None
 
     @checked
     def __init__(
@@ -71,7 +75,9 @@ class LoadedModel(Description):
         Raises:
             ModelError: no readable manifest.
         """
-        self._objects = Objects(Path(directory), provide, reproducible, threads, available)
+        self._objects = Objects(
+            Path(directory), provide, reproducible, threads, available, type(self)._translate
+        )
         self._set(Parameters(self._objects.manifest))
 
     def _set(self, parameters: Parameters, layout: Layout | None = None) -> None:

@@ -104,6 +104,11 @@ def is_recorded(motion: TrajectoryRecord) -> bool:
     return not scene.empty and "position" in motion.scene and complete and not driven
 
 
+def can_resample(motion: TrajectoryRecord) -> bool:
+    """True when a run knows the poses of its bodies at any time, not at its rows alone."""
+    return motion.dense is not None and (motion.model is not None or is_recorded(motion))
+
+
 def frame_on_body(motion: TrajectoryRecord, frame: str) -> Array:
     """Transform (4, 4) from the axes of a frame to those of the rigid body that carries it.
 

@@ -48,26 +48,12 @@ LEFT_OUT = ("functions", "sha256", "available", "finite_elements")
 COLUMNS = "largest before projection, when, largest after it, when"
 # entries of a pose (3, 4): rotation matrix and position [m]
 POSE = [f"R{i}{j}" if j < 4 else f"p{'xyz'[i - 1]}" for i in (1, 2, 3) for j in (1, 2, 3, 4)]
-FEWER = "Simulate with an array of output times to keep fewer of them"
+FEWER = "Simulate with an array of output times to keep fewer of them, or take .npz or .nc4"
 
 
-@checked
-def save(motion: TrajectoryRecord, path: str | Path) -> Path:
-    """Write everything but the model; :func:`cardan.load_motion` reads it.
-
-    The ending says the format: .nc (netCDF), .npz (NumPy archive), .csv (a table of what changes
-    over time) or .mat (MATLAB); the last two are not read again. The file appears complete or not
-    at all.
-
-    Returns:
-        Its path.
-
-    Raises:
-        ModelError: a variable too large for the format, the ending of another format, or a file
-            that cannot be written.
-    """
-    contents = Contents(_variables(motion), _notes(motion))
-    return formats.save(Path(path), RUN, contents, FEWER)
+def contents(motion: TrajectoryRecord) -> Contents:
+    """Everything of a run but its model, as files have it."""
+    return Contents(_variables(motion), _notes(motion))
 
 
 def _variables(motion: TrajectoryRecord) -> dict[str, Variable]:
@@ -141,7 +127,8 @@ def _computed(motion: TrajectoryRecord) -> dict[str, Variable]:
     for k, body in enumerate(_bodies(motion)):
         pose = motion.pose(body)[:, :3, :]
         entries = [f"{body}.pose.{entry}" for entry in POSE]
-        about = {"frame": json.dumps(body), "names": _list(entries)}
+        units = ["m" if entry.startswith("p") else "1" for entry in POSE]
+        about = {"frame": json.dumps(body), "names": _list(entries), "units": _list(units)}
         variables[f"pose_{k}"] = Variable(("time", "axis", "column"), pose, about)
     return variables
 
@@ -225,9 +212,9 @@ def load(path: str | Path, model: LoadedModel | None = None) -> TrajectoryRecord
             coordinates or parameters.
     """
     path = Path(path)
-    contents = formats.load(path, RUN, ("title", *NOTES))
+    read = formats.load(path, RUN, ("title", *NOTES))
     try:
-        notes, values, poses = motion_schema.checked(contents)
+        notes, values, poses = motion_schema.checked(read)
         if model is not None:
             model = _of_run(path, notes["manifest"], values.get("parameters"), model)
         motion = _trajectory(notes, values, model)

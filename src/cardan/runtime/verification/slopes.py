@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...schema.blocks import COORDINATES
 from ...schema.request import Request
 from .differences import missing, ways, worst_of
 from .evaluation import ELSEWHERE, Trial
 from .joint_motion import Array, times
 
-LETTERS = ("t", "q", "u", "z", "udot", "tau", "r")
+LETTERS = ("t", "q", COORDINATES, "u", "z", "udot", "tau", "r")
 
 
 def derivative(trial: Trial, of: str) -> float | str:
@@ -32,15 +33,17 @@ def derivative(trial: Trial, of: str) -> float | str:
 
 def _columns(trial: Trial, name: str, of: str | None, letter: str, part: Array) -> float:
     """The columns of one block, added up along random ways."""
-    n, size = len(part), len(trial.model._layout.names(letter)) if letter != "t" else 1
+    block = "q" if letter == COORDINATES else letter
+    n, size = len(part), len(trial.model._layout.names(block)) if letter != "t" else 1
     size = trial.model.nu if letter == "q" else size
     if not size:
         return 0.0
     columns, worst = part.reshape(n, part[0].size // size, size), np.nan
     scale = np.abs(columns).max(axis=(1, 2), initial=0.0)
     for way in ways(n, size):
+        way = _tangential(trial, way) if letter == COORDINATES else way
         rate = trial.along_speeds(way) if letter == "q" else way
-        slope, off = trial.slope(name, of, {letter: rate})
+        slope, off = trial.slope(name, of, {block: rate})
         worst = worst_of(worst, missing(slope, off, times(columns, way), scale))
     return worst
 
@@ -90,7 +93,7 @@ def rhs_jacobian(trial: Trial, of: str | None) -> float | str:
 
 
 def _tangential(trial: Trial, way: Array) -> Array:
-    """A way of the state along which quaternions turn and keep their lengths."""
+    """A way of coordinates or states along which quaternions turn and keep their lengths."""
     way = way.copy()
     for first in trial.model.manifest.quaternions:
         part = slice(first, first + 4)

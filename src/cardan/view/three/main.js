@@ -1,6 +1,6 @@
 // The page: what is drawn, time, and hands.
 
-import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, Quaternion, Vector3 } from "three";
+import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, Matrix4, Plane, Quaternion, Vector3 } from "three";
 import { arrow, beam, outermost, palette, shade, solid, spring, triad } from "./geometry.js";
 import { holders, posts } from "./supports.js";
 import { short, Strip } from "./strip.js";
@@ -55,6 +55,7 @@ class Page {
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.hash();
     if (!still && this.nt > 1 && !this.paused) this.play(true);
+    if (data.live) return;
     const loop = (stamp) => { this.tick(stamp); requestAnimationFrame(loop); };
     requestAnimationFrame(loop);
   }
@@ -64,9 +65,9 @@ class Page {
   build() {
     const { data, stage } = this;
     this.bodies = data.bodies.map((body, k) => {
-      const group = new Group(), color = palette[k % palette.length];
+      const group = new Group();
       group.name = body.name;
-      for (const s of body.solids) group.add(solid(s, s.kind === "mesh" ? "#d5d9e0" : color, k));
+      this.fill(group, body.solids, k);
       stage.scene.add(group);
       return group;
     });
@@ -93,6 +94,10 @@ class Page {
     this.named = [...this.bodies, ...this.beams, ...this.surfaces];
     // what the camera may go with
     this.carriers = [...this.bodies, ...this.surfaces];
+  }
+
+  fill(group, solids, k) {
+    for (const s of solids) group.add(solid(s, s.kind === "mesh" ? "#d5d9e0" : palette[k % palette.length], k));
   }
 
   // what hangs on the size of the scene, once it is known
@@ -147,7 +152,12 @@ class Page {
 
   // what the picture has to hold: everything, but for a few bodies that fly off; of what goes far, its start
   inView() {
-    const { data } = this, start = size(this.cloud([0])), rows = this.rows(60), whole = this.cloud(rows);
+    const { data } = this;
+    if (data.live) {
+      const { low, high } = data.live.reach;
+      return [...this.cloud([0]), ...[0, 1, 2, 3, 4, 5, 6, 7].map((k) => new Vector3(...[0, 1, 2].map((c) => (k & (1 << c) ? high : low)[c])))];
+    }
+    const start = size(this.cloud([0])), rows = this.rows(60), whole = this.cloud(rows);
     if (size(whole) < 3 * start || !(start > 0)) return whole;
     const center = middle(this.cloud([0]));
     const stays = this.carriers.map((_, b) => this.cloud(rows, [b]).every((p) => p.distanceTo(center) < 2 * start));
@@ -233,6 +243,7 @@ class Page {
   }
 
   place() {
+    if (this.running) return [0, 0];
     const { data } = this, [i, j, k] = this.row(this.now), columns = data.poses ? data.poses.columns : 0;
     const p = new Vector3(), q = new Quaternion(), v = new Vector3();
     const mixed = (array, width, offset, into) => into.fromArray(array, width * i + offset).lerp(v.fromArray(array, width * j + offset), k);
@@ -268,6 +279,66 @@ class Page {
       this.was.copy(this.following.position);
     }
     return [i, k];
+  }
+
+  // a model that runs in the page: live_panel.js
+  viewer() {
+    const { stage, data } = this, turn = new Matrix4(), n = data.bodies.length, plane = new Plane(), at = new Vector3();
+    const trails = [], hand = new Line(new BufferGeometry().setFromPoints([at, at]), new LineBasicMaterial({ color: "#c2255c" }));
+    hand.frustumCulled = hand.visible = false;
+    stage.scene.add(hand);
+    this.running = true;
+    return {
+      place: (frames) => {
+        this.bodies.forEach((group, k) => {
+          const f = frames.subarray(18 * k, 18 * k + 12);
+          group.quaternion.setFromRotationMatrix(turn.set(f[0], f[1], f[2], 0, f[3], f[4], f[5], 0, f[6], f[7], f[8], 0, 0, 0, 0, 1));
+          group.position.fromArray(f, 9);
+        });
+        const first = 18 * (n + data.live.traces.length) + 9, end = (k) => new Vector3().fromArray(frames, first + 18 * k);
+        this.springs.forEach((s, k) => s.stretch(end(2 * k), end(2 * k + 1)));
+        if (this.following) {
+          stage.carry(at.subVectors(this.following.position, this.was));
+          this.was.copy(this.following.position);
+        }
+      },
+      trail: (k, points) => {
+        if (!trails[k]) {
+          trails[k] = new Line(new BufferGeometry(), new LineBasicMaterial({ color: palette[(k + 1) % palette.length] }));
+          trails[k].frustumCulled = false;
+          trails[k].geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * 600), 3));
+          stage.scene.add(trails[k]);
+        }
+        const { position } = trails[k].geometry.attributes;
+        points.forEach((p, i) => position.setXYZ(i, ...p));
+        position.needsUpdate = true;
+        trails[k].geometry.setDrawRange(0, points.length);
+      },
+      line: (ends) => {
+        hand.visible = !!ends;
+        if (ends) hand.geometry.setFromPoints(ends.map((p) => new Vector3(...p)));
+      },
+      hold: (on) => { stage.controls.enabled = !on; },
+      pick: (x, y) => {
+        const hit = stage.under(x, y, this.bodies.filter((group) => group.visible));
+        let thing = hit && hit.object;
+        while (thing && !this.bodies.includes(thing)) thing = thing.parent;
+        return thing ? { body: this.bodies.indexOf(thing), point: hit.point.toArray() } : null;
+      },
+      across: (x, y, point) => {
+        plane.setFromNormalAndCoplanarPoint(stage.camera.getWorldDirection(new Vector3()), at.fromArray(point));
+        return (stage.ray(x, y).ray.intersectPlane(plane, new Vector3()) ?? at).toArray();
+      },
+      draw: () => { this.dirty = false; stage.draw(); this.axes(); },
+      changed: () => this.dirty,
+      solids: (k) => (k < 0 ? data.ground : data.bodies[k].solids),
+      reshaped: (k) => {
+        const group = k < 0 ? this.ground : this.bodies[k];
+        for (const one of [...group.children]) if (k < 0 || one !== this.triads[k]) { one.removeFromParent(); one.geometry?.dispose(); }
+        if (k >= 0) this.fill(group, data.bodies[k].solids, k);
+        else for (const s of data.ground) group.add(solid(s, GREY));
+      },
+    };
   }
 
   seek(t) {
@@ -563,6 +634,7 @@ try {
     get target() { return page.stage.controls.target.toArray(); },
     get rate() { return page.rate; },
   };
+  if (data.live) await startLive(data, page.viewer());
   document.body.dataset.ready = "";
 } catch (problem) {
   $("trouble").hidden = false;

@@ -209,8 +209,13 @@ export class Stage {
 
   // what lies under a pixel, of some things
   under(x, y, things) {
+    return this.ray(x, y).intersectObjects(things, true)[0];
+  }
+
+  // from the eye through a pixel
+  ray(x, y) {
     const ray = new Raycaster(), box = this.canvas.getBoundingClientRect();
     ray.setFromCamera(new Vector2((2 * (x - box.left)) / box.width - 1, 1 - (2 * (y - box.top)) / box.height), this.camera);
-    return ray.intersectObjects(things, true)[0];
+    return ray;
   }
 }

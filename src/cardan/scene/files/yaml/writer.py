@@ -8,7 +8,6 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-from ....arguments import checked
 from ....atomic_file import written
 from ....elements.validation import AXES
 from ....errors import ModelError, lasting
@@ -33,28 +32,26 @@ from .superelements import record_files
 LIMITS = ("lower", "upper", "speed", "effort")
 
 
-@checked
-def save(model: SceneRecord, path: str | Path) -> None:
-    """Write the scene as a file that :func:`cardan.load` reads; whole or not at all.
-
-    Included scenes are written out; numbers keep all their digits. Records of superelements are
-    written beside it: ``crane.boom.npz``.
+def write(model: SceneRecord, path: Path, strict: bool = False) -> tuple[str, ...]:
+    """Write the scene; records of superelements are written beside it.
 
     Args:
         model: The scene.
-        path: A ``.yaml`` file.
+        path: The file.
+        strict: Has no effect: what the file cannot say is always refused.
+
+    Returns:
+        Nothing that it does not say.
 
     Raises:
         ModelError: an expression no file can say, or a file that cannot be written.
     """
-    path = Path(path)
-    if path.suffix.lower() not in (".yaml", ".yml"):
-        raise ModelError(f"file '{path.name}': scenes are saved as .yaml, not '{path.suffix}'")
     records = record_files(model, path.stem)
     text = to_text(model, path.parent, records)
     for name, record in {records[n]: one.record for n, one in model.superelements.items()}.items():
         record.save(path.with_name(name))
     written(path, text)
+    return ()
 
 
 def to_text(model: SceneRecord, folder: Path, records: Mapping[str, str]) -> str:

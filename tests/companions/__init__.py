@@ -1,0 +1,1 @@
+"""Pages that go along with two books, and problem sheets."""
