@@ -32,10 +32,11 @@ GUIDE: dict[str, tuple[str, ...]] = {
     "Models and runs": ("functions", "integrators", "events", "ensembles", "pictures"),
     "Analyses": ("statics_and_modes", "branches", "cycles", "identification"),
     "Trust": ("verification", "hard_cases", "what_goes_with_what", "security"),
+    "Books": ("companions/index",),
     "The project": ("building", "architecture", "contributing", "performance/index"),
 }
 FOLDER = "\n```{toctree}\n:hidden:\n:glob:\n\n*\n```\n"
-LINK = re.compile(r"(?<=\]\()([^)\s]+)(?=\))")
+LINK = re.compile(r"(?P<image>!?)\[(?P<text>[^\]]*)\]\((?P<target>[^)\s]+)\)")
 
 
 def pages() -> Iterator[tuple[Path, str]]:
@@ -56,9 +57,9 @@ def mended(text: str, path: Path, place: str) -> str:
     places[DOCS / "README.md"] = "index"
 
     def changed(match: re.Match[str]) -> str:
-        link, mark, anchor = match[1].partition("#")
-        if not link or "://" in link:
-            return match[1]
+        link, mark, anchor = match["target"].partition("#")
+        if match["image"] or not link or "://" in link:
+            return match[0]
         target = Path(os.path.normpath(path.parent / link))
         if target.is_dir() and (target / "README.md").exists():
             target /= "README.md"
@@ -68,9 +69,12 @@ def mended(text: str, path: Path, place: str) -> str:
             there = "gallery/index.md"
         elif target.parent == ROOT / "examples" and target.suffix in {".py", ".ipynb"}:
             there = f"gallery/{target.stem}.md".replace("05_notebook.md", "05_notebook.ipynb")
+        elif DOCS not in target.parents and target.exists():
+            return match["text"]  # programs and tests of the repository
         else:
-            return match[1]
-        return os.path.relpath(there, Path(place).parent.as_posix()) + mark + anchor
+            return match[0]
+        leads = os.path.relpath(there, Path(place).parent.as_posix()) + mark + anchor
+        return f"[{match['text']}]({leads})"
 
     return LINK.sub(changed, text)
 
@@ -95,7 +99,11 @@ def collect(source: Path) -> None:
 
 
 def write_guide(source: Path) -> None:
-    """The page of the guide with its chapters."""
+    """The page of the guide with its chapters, and of folders that have no first page."""
+    books = source / "companions" / "index.md"
+    if not books.exists():
+        listed = FOLDER.replace(":hidden:\n", "").replace("*\n", "*\n*/*\n")
+        books.write_text(f"# Companions to two books\n{listed}", encoding="utf-8")
     chapters = [
         f"## {title}\n\n```{{toctree}}\n:maxdepth: 1\n\n" + "\n".join(names) + "\n```\n"
         for title, names in GUIDE.items()

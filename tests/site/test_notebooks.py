@@ -12,7 +12,7 @@ PAGE = Path(__file__).parents[2] / "docs" / "site" / "first_hour.md"
 STEP = re.compile(r"^## (\d+)\. ", re.MULTILINE)
 CELL = re.compile(r"^```\{code-cell\}[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 # what the last line of a cell must be for a picture to appear below it
-PICTURE = re.compile(r"(\w+\.(animate|plot)\(.*\)|.*\.graph|axes\.set\(.*\);)")
+PICTURE = re.compile(r"(\w+\.(animate|plot|page)\(.*\)|.*\.graph|axes\.set\(.*\);)")
 
 
 def test_ten_steps_with_pictures() -> None:

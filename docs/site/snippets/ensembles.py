@@ -42,6 +42,12 @@ runs.save("runs.nc")
 # load_ensemble
 again = cd.load_ensemble("runs.nc")
 
+# Ensemble.part, Ensemble.join
+for k in (1, 2):  # each in a job of its own
+    part = model.ensemble(1.0, vary=plan, part=(k, 2), checkpoint=f"runs-{k}.part")
+    print(part.part)
+whole = cd.Ensemble.join("runs-*.part")
+
 # Ensemble.of
 print(cd.Ensemble.of.__doc__)  # called by the runner
 

@@ -65,6 +65,9 @@ figure = motion.plot("pendulum.svg", ["pivot"])
 # Trajectory.animate
 page = motion.animate("pendulum.html", traces="tip")
 
+# page
+live = cd.page(cd.examples["double_pendulum"], "live.html", q={"shoulder": 1.0})
+
 # Page.saved
 print(page.saved())
 
@@ -140,6 +143,12 @@ print(stress.normal_stress(0.0, 0.02).shape)
 
 # Trajectory.line, Trajectory.sections
 print(sway.line("pole").shape, sway.sections("pole").shape)
+
+# Trajectory.to_pandas
+try:
+    print(motion.to_pandas().shape)
+except cd.CardanError as problem:  # needs pandas
+    print(problem)
 
 # Trajectory.to_xarray
 try:
