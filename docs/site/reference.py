@@ -8,12 +8,13 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Iterator
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
 import cardan as cd
-from golden.public import _is_made, _members, public, signature
+from golden.public import _function, _is_made, _members, _result, public, signature
+from golden.verbs import held
 
 SNIPPETS = Path(__file__).parent / "snippets"
 MARK = re.compile(r"^# ([A-Za-z_][\w.]*(?:, [A-Za-z_][\w.]*)*)$", re.MULTILINE)
@@ -76,6 +77,21 @@ def label(key: str) -> str:
     return f"{public()[key].__module__.split('.')[1]}.{key}"
 
 
+@cache
+def makers() -> dict[str, str]:
+    """Class of results -> the first function or method with an example that returns it."""
+    found: dict[str, str] = {}
+    examples = snippets()
+    for key, value in public().items():
+        named = _members(value) if inspect.isclass(value) and not _is_made(value) else [("", value)]
+        for own, member in named:
+            for word in re.findall(r"\w+", held(_result(_function(member)))):
+                name = f"{label(key)}.{own}".rstrip(".")
+                if word != key and name in examples:
+                    found.setdefault(word, name)
+    return found
+
+
 def members(kind: type) -> dict[str, Any]:
     """Methods and properties of a class for readers."""
     return {} if _is_made(kind) else {n: x for n, x in _members(kind) if not isinstance(x, str)}
@@ -112,6 +128,9 @@ def entry(key: str, examples: dict[str, tuple[str, str]]) -> Iterator[str]:
         dotted = key if key.startswith("cardan.") else f"{value.__module__}.{value.__qualname__}"
         kind = "autoexception" if issubclass(value, Exception) else "autoclass"
         yield from (f".. {kind}:: {dotted}", "", *_example(name, examples, "   "))
+        maker = makers().get(key)
+        if maker is not None and name not in examples:
+            yield from (f"   Returned by ``{maker}``.", "", *_example(maker, examples, "   "))
         said = inspect.getdoc(value) or ""
         for own, member in members(value).items():
             listed = re.search(rf"^    (\w+, )*{own}(, \w+)*: ", said, re.MULTILINE)

@@ -45,6 +45,12 @@ def test_every_public_name_has_an_example() -> None:
     assert not [name for name in asked() if name not in EXAMPLES]
 
 
+def test_every_class_of_results_has_an_example() -> None:
+    results = [key for key in public() if not key.startswith("cardan.")]
+    shown = {*EXAMPLES, *(key for key in results if key in reference.makers())}
+    assert not [key for key in results if not {key, reference.label(key)} & shown]
+
+
 def test_every_example_is_of_something_public() -> None:
     every = set()
     for key, value in public().items():
