@@ -8,6 +8,8 @@ from __future__ import annotations
 import ast
 import hashlib
 import html
+import json
+import re
 import runpy
 import shutil
 import subprocess
@@ -28,7 +30,7 @@ SHOT = (
     *(
         "--enable-unsafe-swiftshader",
         "--force-prefers-reduced-motion",
-        "--timeout=4000",
+        "--virtual-time-budget=500",
         "--window-size=720,450",
     ),
 )
@@ -154,7 +156,8 @@ def write(folder: Path, static: Path, cache: Path) -> None:
     for script, result in zip(examples(), results, strict=True):
         if result is None:
             shutil.copy(script, folder)
-            title, image = "A notebook: equations and a motion, cell by cell", None
+            title, image = "A notebook: equations and a motion, cell by cell", f"{script.stem}.svg"
+            (static / image).write_text(_stored_picture(script), encoding="utf-8")
         else:
             title, image = result.title, _show(result, folder, static)
         picture = f":img-top: ../_static/gallery/{image}\n:img-alt: {title}\n" if image else ""
@@ -182,6 +185,15 @@ def _result(script: Path, cache: Path) -> Result | None:
     result = run(script, cache)
     photograph(result)
     return result
+
+
+def _stored_picture(notebook: Path) -> str:
+    """The first drawing among the stored outputs of a notebook."""
+    cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
+    data = [output.get("data", {}) for cell in cells for output in cell.get("outputs", ())]
+    texts = ("".join(lines) for one in data for lines in one.values())
+    drawings = (re.search(r"<svg.*?</svg>", text, re.DOTALL) for text in texts)
+    return next(filter(None, drawings))[0]
 
 
 def _show(result: Result, folder: Path, static: Path) -> str | None:

@@ -120,7 +120,8 @@ def entry(key: str, examples: dict[str, tuple[str, str]]) -> Iterator[str]:
     name = label(key)
     yield from ("", name, "-" * len(name), "")
     if inspect.ismodule(value):
-        yield from (f".. py:module:: {key}", "", inspect.getdoc(value) or "", "")
+        yield from (f".. py:module:: {key}", "", ".. py:currentmodule:: None", "")
+        yield from (inspect.getdoc(value) or "", "")
         yield from _example(name, examples, "")
     elif inspect.isclass(value) and value.__name__ != name.rpartition(".")[2]:
         yield from _alias(key, value, examples)
@@ -182,7 +183,7 @@ def write(folder: Path) -> None:
     (folder / "programs").mkdir(parents=True, exist_ok=True)
     examples, contents = snippets(), pages()
     for page, (title, keys) in contents.items():
-        lines = [title, "=" * len(title), ".. py:currentmodule:: cardan"]
+        lines = [title, "=" * len(title), ".. py:currentmodule:: None"]
         for key in keys:
             lines += entry(key, examples)
         (folder / f"{page}.rst").write_text("\n".join(lines) + "\n", encoding="utf-8")
