@@ -4,6 +4,7 @@
 #   make bench             speed beside error and beside other programs, docs/performance; QUICK=1
 #   make hard              every integrator on every hard case, docs/hard_cases.md
 #   make browser           the page in Chromium; make picture: the pictures of the documents
+#   make site              the documentation site in out/site, offline
 #   make wheel             source archive and wheel in dist, checked as a package index wants them
 #   make PYTHON=python3.12 choose the interpreter;  make test PYTEST_ARGS="tests/ir -x" choose tests
 
@@ -23,10 +24,10 @@ INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --no-compile
 STEPS := ^ *(Collecting [[:alnum:]_.-]+|Installing collected packages|kernels: .*)
 SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/calls/*.pyx) $(wildcard src/cardan/kernels/*.[ch] src/cardan/kernels/*/*.[ch] src/cardan/kernels/*/*/*.[ch])
 
-.PHONY: help demo test tests slow bench hard lint types external fuzz wheel browser picture clean
+.PHONY: help demo test tests slow bench hard lint types external fuzz wheel browser picture site clean
 
 help:
-	@sed -n '2,8s/^#   //p' Makefile
+	@sed -n '2,9s/^#   //p' Makefile
 
 $(BIN)/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "cardan needs Python 3.11 or newer; say make PYTHON=...")'
@@ -63,8 +64,8 @@ tests: $(VENV)/.installed-test
 		$(BIN)/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder \
 		-m 'not external and not slow' $(PYTEST_ARGS)
 
-# what make test takes a spread of
-slow: $(VENV)/.installed-test
+# what make test takes a spread of, and the documentation site
+slow: $(VENV)/.installed-test $(VENV)/.installed-docs
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n 2 --dist load \
 		-m 'slow and not external' $(PYTEST_ARGS)
 
@@ -106,6 +107,10 @@ picture: $(VENV)/.installed-browser
 # writes docs/hard_cases.md
 hard: $(VENV)/.installed-test
 	$(BIN)/python tests/hard/page.py
+
+# pages, reference, theory, gallery with a run of every example; pictures where there is Chromium
+site: $(VENV)/.installed-docs
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python docs/site/build_site.py out/site
 
 # with the symbols of an old glibc, so that it runs on every Linux in use
 wheel: $(BIN)/python

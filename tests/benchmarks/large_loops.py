@@ -56,7 +56,7 @@ CHAINS = (
 TEXT = """# Long loops
 
 Rigid scenes with long loops or many loops
-([how coordinates are chosen](../coordinates.md#large-loops)), against the motion and the
+([how coordinates are chosen](../coordinates.md#what-each-kind-offers)), against the motion and the
 equilibrium that their own equations give. Written by `tests/benchmarks/large_loops.py`. Times are
 seconds of the processor, the least of several runs, on a machine that others used too. Those of
 first use include the compiler of C; kernels, which serve every model, are there.

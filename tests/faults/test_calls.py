@@ -101,3 +101,16 @@ def test_arguments_have_the_names_of_the_signature(pendulum: cd.CompiledModel) -
     np.testing.assert_array_equal(beam.transition(q, u, None), beam.transition(q, u, []))
     with pytest.raises(cd.ArgumentError, match=r"motion: amplitude=1e\+300: states of that size"):
         beam.modes().motion(0, amplitude=1e300)
+
+
+def test_a_model_takes_its_own_functions_from_a_shared_folder() -> None:
+    def model(*functions: str) -> cd.CompiledModel:
+        scene = cd.Scene("shared_folder")
+        rod = scene.body("rod", mass=1.25, com=(0, 0, -0.5))
+        scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
+        return cd.compile(scene, functions=functions)
+
+    model("rhs", "energy").prepare()
+    other = model("rhs", "mass_matrix")
+    assert {row.function for row in other.report().rows} == {"rhs", "mass_matrix"}
+    other.prepare()

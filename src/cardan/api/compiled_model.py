@@ -35,8 +35,9 @@ class CompiledModel(LoadedModel):
     equations are M udot + h = f + tau with gravity inside h; quaternions are (w, x, y, z) and must
     have length 1; 6-vectors have the angular part first. SI units, radians.
 
-    Raises (every function):
-        ArgumentError: wrong shape. ModelError: unknown name, or a function that was not compiled.
+    Raises:
+        ArgumentError: wrong shape.
+        ModelError: unknown name, or a function that was not compiled.
         SolveError: a number given is not finite; or, for one state, the result is not. In a batch
             the states that fail hold NaN or infinity and a SolveWarning names the first.
     """

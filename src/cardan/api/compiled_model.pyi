@@ -66,8 +66,9 @@ class CompiledModel(LoadedModel):
     equations are M udot + h = f + tau with gravity inside h; quaternions are (w, x, y, z) and must
     have length 1; 6-vectors have the angular part first. SI units, radians.
 
-    Raises (every function):
-        ArgumentError: wrong shape. ModelError: unknown name, or a function that was not compiled.
+    Raises:
+        ArgumentError: wrong shape.
+        ModelError: unknown name, or a function that was not compiled.
         SolveError: a number given is not finite; or, for one state, the result is not. In a batch
             the states that fail hold NaN or infinity and a SolveWarning names the first.
     """
@@ -111,7 +112,7 @@ class CompiledModel(LoadedModel):
                 ``"Radau"``, ``"Rosenbrock"`` (adaptive), ``"RK4"``, ``"EnergyMidpoint"``,
                 ``"EnergyMomentum"`` (fixed step), or a :class:`cardan.GeneralizedAlpha`; ``"auto"``
                 takes what the scene and the first steps ask for, and says why.
-            rtol, atol: Tolerances of a step: rtol |x| + atol, root mean square over the state; of
+            rtol, atol: Tolerances of a step: ``rtol |x| + atol``, root mean square over the state; of
                 generalized-alpha and Radau on nodes (rtol + atol) times the extent, of angles 1, and of
                 speeds in Radau that over the step. Unless given atol is 1e-3 rtol, at most 1e-9.
             step: Step of fixed methods and of generalized-alpha, first one of others [s].

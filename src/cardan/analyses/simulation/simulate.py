@@ -83,7 +83,7 @@ def simulate(
             ``"Radau"``, ``"Rosenbrock"`` (adaptive), ``"RK4"``, ``"EnergyMidpoint"``,
             ``"EnergyMomentum"`` (fixed step), or a :class:`cardan.GeneralizedAlpha`; ``"auto"``
             takes what the scene and the first steps ask for, and says why.
-        rtol, atol: Tolerances of a step: rtol |x| + atol, root mean square over the state; of
+        rtol, atol: Tolerances of a step: ``rtol |x| + atol``, root mean square over the state; of
             generalized-alpha and Radau on nodes (rtol + atol) times the extent, of angles 1, and of
             speeds in Radau that over the step. Unless given atol is 1e-3 rtol, at most 1e-9.
         step: Step of fixed methods and of generalized-alpha, first one of others [s].

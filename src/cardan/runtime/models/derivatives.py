@@ -47,9 +47,10 @@ class Derivatives(Functions, ABC):
                 the function reads them.
 
         Returns:
-            A :class:`Derivative`: called, it gives one array per block or name, (..., *shape of
-            the function, columns); t and single names have no axis of columns. One array instead
-            of a tuple where ``wrt`` is a text. Units: of the function over those of the argument.
+            A :class:`Derivative`: called, it gives one array per block or name, ``(..., *shape,
+            columns)``, shape that of the function; t and single names have no axis of columns. One
+            array instead of a tuple where ``wrt`` is a text. Units: of the function over those of
+            the argument.
 
         Raises:
             ModelError: no such function, block, parameter or input.

@@ -184,10 +184,11 @@ class LoadedModel(Description):
         return self._function(function, of).caller.batch.lanes
 
     def _written(self) -> list[Key]:
-        """Keys of the functions whose C is in the directory."""
+        """Keys of the functions of this model whose C is in the directory."""
         rows = self.manifest.functions.items()
         keys = [(name.split("__")[0], entry.of) for name, entry in rows]
-        return [key for key in keys if key[0] in STANDARD]
+        # other models of the same equations write there too
+        return [key for key in keys if key[0] in STANDARD and key[0] in self.manifest.available]
 
     @property
     def saved(self) -> tuple[str, ...]:
@@ -268,7 +269,7 @@ class LoadedModel(Description):
     def random_state(
         self, rng: np.random.Generator | Seed | None = None, shape: tuple[int, ...] = ()
     ) -> Array:
-        """States x (*shape, nx) inside limits and domains; speeds within +-1."""
+        """States x ``(*shape, nx)`` inside limits and domains; speeds within +-1."""
         return random_state(self.manifest, np.random.default_rng(rng), shape)
 
     # who verifies builds stands above: the class that users hold

@@ -109,7 +109,7 @@ def response(method: str, z: Complexes) -> NDArray[np.complexfloating[Any, Any]]
 
 @checked
 def stable_along(method: str, direction: complex) -> float:
-    """Stability limit of a method along a ray: the largest r with |R| <= 1 up to it.
+    """Stability limit of a method along a ray: the largest r with ``|R| <= 1`` up to it.
 
     Args:
         method: As :func:`response` takes it.
