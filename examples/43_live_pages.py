@@ -11,12 +11,18 @@ import cardan as cd
 
 out = Path(sys.argv[1] if len(sys.argv) > 1 else "out")
 
-# parameters that the scene declares are sliders; the path of the tip is drawn
+# a mass on a spring that swings; parameters that the scene declares are sliders
+scene = cd.Scene("elastic_pendulum", gravity=(0, 0, -9.81))
+mass = scene.parameter("mass", 1.0, unit="kg")
+stiffness = scene.parameter("stiffness", 60.0, unit="N/m")
+arm = scene.body("arm", mass=0.05, com=(0, 0, -0.1), inertia=(1e-4, 1e-4, 1e-5))
+bob = scene.body("bob", mass=mass, com=(0, 0, 0), shape=cd.shape.sphere(0.06))
+scene.joint("pivot", cd.Revolute("y"), scene.ground, arm)
+scene.joint("slide", cd.Prismatic("z"), arm.at(0, 0, -0.5), bob)
+scene.force("spring", cd.JointSpring("slide", stiffness=stiffness, damping=0.05))
+equations = cd.derive(scene)
 pendulum = cd.page(
-    cd.load(cd.examples.path("double_pendulum")),
-    out / "pendulum.html",
-    q={"shoulder": 1.6},
-    traces="lower",
+    equations, out / "pendulum.html", q={"pivot": 1.0}, traces="bob", plots=["energy", "slide"]
 )
 print(f"pendulum: {Path(pendulum).stat().st_size / 1e3:.0f} KB")
 

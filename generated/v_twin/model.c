@@ -6,12 +6,12 @@
 
 /* generalized coordinates */
 const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
-    1.437159153096, /* right.crank [rad] */
-    -1.687537945892, /* right.rod [rad] */
-    0.200425715475, /* right.piston [m] */
-    -0.133637173699, /* left.crank [rad] */
-    0.166953276639, /* left.rod [rad] */
-    0.249443205703, /* left.piston [m] */
+    1.437159154772, /* right.crank [rad] */
+    -1.687537947625, /* right.rod [rad] */
+    0.200425715389, /* right.piston [m] */
+    -0.133637172023, /* left.crank [rad] */
+    0.166953274548, /* left.rod [rad] */
+    0.249443205717, /* left.piston [m] */
 };
 
 /* generalized speeds */

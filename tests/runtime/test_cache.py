@@ -368,7 +368,6 @@ def test_missing_compiler_says_what_to_install(source, monkeypatch):
     monkeypatch.setenv("PATH", "/nonexistent")
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setattr(toolchain, "ziglang", lambda: [])
-    monkeypatch.setattr("cardan.runtime.calls.webassembly.available", lambda: False)
     with pytest.raises(BuildError, match=r"no C compiler.*pip install 'cardan\[compiler\]'"):
         cache.build([source])
     with pytest.raises(CompilerMissing):

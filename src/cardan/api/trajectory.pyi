@@ -5,7 +5,6 @@ from pathlib import Path
 from typing import Any, final
 
 from matplotlib.figure import Figure
-from pandas import DataFrame
 
 from ..analyses.mechanisms.screw_axis import ScrewAxis
 from ..arguments import Count
