@@ -38,7 +38,7 @@ for kind in ("CoSimulation", "ModelExchange"):
 
 # Stops and a sampled controller: events happen inside the steps of co-simulation, and
 # are signs and times for the importer in model exchange. FMI 2.0 is for programs that know no 3.0.
-scene = cd.Scene("door")
+scene = cd.Scene("elevator_door")
 door = scene.body("door", mass=20.0)
 scene.joint("rail", cd.Prismatic("x"), scene.ground, door)
 scene.force("friction", cd.JointDamper("rail", 12.0))
