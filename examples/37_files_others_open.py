@@ -8,7 +8,7 @@ from importlib.util import find_spec
 
 import cardan as cd
 
-scene = cd.Scene("arm", gravity=(0, 0, -9.81))
+scene = cd.Scene("lamp_arm", gravity=(0, 0, -9.81))
 rod = cd.inertia.rod(1.0, 0.6, axis="z")
 bar = cd.shape.box(0.06, 0.04, 0.6, position=(0, 0, -0.3), color=(0.9, 0.4, 0.1))
 upper = scene.body("upper", mass=1.0, com=(0, 0, -0.3), inertia=rod, shape=bar)

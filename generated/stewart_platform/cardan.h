@@ -17,6 +17,8 @@
  * and element j of an entry to state j. Parameters are then shared by the states, or one set per
  * state with -DCARDAN_LANE_PARAMETERS. A status tells of any of the states.
  *
+ * An export in single precision has float where it says double, and defines CARDAN_FLOAT.
+ *
  * Self-contained: C99 and its mathematical library; no memory is allocated, no state is kept.
  */
 #ifndef CARDAN_H
@@ -34,7 +36,7 @@
 #endif
 #if CARDAN_LANES > 1
 #define CARDAN_PACK CARDAN_LANES
-#elif defined __GNUC__
+#elif defined __GNUC__ && !defined CARDAN_FLOAT
 #define CARDAN_PACK 2
 #else
 #define CARDAN_PACK 1
@@ -58,6 +60,18 @@ typedef real wreal;
 #else
 typedef double wreal;
 #define CARDAN_WREAL(x) (x)
+#endif
+
+/* what counts as rounding, in double and in single precision */
+#ifdef CARDAN_FLOAT
+#define CARDAN_ROUNDING(of_double, of_single) (of_single)
+#else
+#define CARDAN_ROUNDING(of_double, of_single) (of_double)
+#endif
+
+#ifdef CARDAN_FLOAT
+/* -DCARDAN_FLOAT alone makes no floats: export the model with precision="single" */
+typedef char cardan_numbers_are_float[sizeof(real) == sizeof(float) ? 1 : -1];
 #endif
 
 /* status codes, may be or-ed together */
@@ -138,6 +152,17 @@ CARDAN_INLINE double cardan_pow(double x, double y) { return pow(x, y); }
 CARDAN_INLINE double cardan_floor(double x) { return floor(x); }
 CARDAN_INLINE double cardan_abs(double x) { return fabs(x); }
 
+#ifdef CARDAN_FLOAT
+/* sines and cosines of n angles, of the library for single precision */
+#define CARDAN_PADDED(n) (n)
+CARDAN_INLINE void cardan_sincos(int n, const double *x, double *sine, double *cosine)
+{
+    for (int i = 0; i < n; ++i) {
+        sine[i] = sin(x[i]);
+        cosine[i] = cos(x[i]);
+    }
+}
+#else
 /* one number as its bits, the first of which is the sign */
 #define CARDAN_SIGN ((uint64_t)1 << 63)
 CARDAN_INLINE uint64_t cardan_bits(double x)
@@ -258,6 +283,8 @@ CARDAN_INLINE void cardan_sincos(int n, const double *x, double *sine, double *c
 #endif
 }
 
+#endif
+
 /* comparisons and logic: 1.0 is true, 0.0 is false, any other number counts as true */
 #if CARDAN_PACK > 1
 /* By bits, as lanes do it: around a branch compilers would fuse other products with sums than they
@@ -293,7 +320,7 @@ CARDAN_INLINE double cardan_max(double a, double b) { return cardan_choice(a < b
 CARDAN_INLINE double cardan_factorial(int n)
 {
     double product = 1.0;
-    for (int j = 2; j <= n; ++j) product *= j;
+    for (int j = 2; j <= n; ++j) product *= (double)j;
     return product;
 }
 
@@ -302,7 +329,7 @@ CARDAN_INLINE double cardan_stumpff_series(int k, double x)
 {
     double term = 1.0 / cardan_factorial(k), total = term;
     for (int i = k; fabs(term) > 1e-17 * fabs(total); i += 2) {
-        term *= -x / ((i + 1.0) * (i + 2.0));
+        term *= -x / (((double)i + 1.0) * ((double)i + 2.0));
         total += term;
     }
     return total;
@@ -322,7 +349,7 @@ CARDAN_INLINE double cardan_stumpff_1(double x)
  */
 CARDAN_APART double cardan_stumpff(int k, double x)
 {
-    if (2.0 * fabs(x) < (k + 1.0) * (k + 2.0)) return cardan_stumpff_series(k, x);
+    if (2.0 * fabs(x) < ((double)k + 1.0) * ((double)k + 2.0)) return cardan_stumpff_series(k, x);
     if (k == 0) return x > 0.0 ? cos(sqrt(x)) : cosh(sqrt(-x));
     /* c_1, or c_2 by the half angle, which keeps the digits where 1 - cos vanishes */
     const double half = cardan_stumpff_1(k % 2 ? x : 0.25 * x);
@@ -355,7 +382,7 @@ CARDAN_APART double cardan_piecewise(int pieces, int order, const double *breaks
     double total = 0.0;
     for (int i = 0; i < order - derivative; ++i) {
         double factor = 1.0;
-        for (int j = 0; j < derivative; ++j) factor *= order - 1 - i - j;
+        for (int j = 0; j < derivative; ++j) factor *= (double)(order - 1 - i - j);
         total = total * h + factor * c[i];
     }
     return total;

@@ -23,8 +23,8 @@
  * here near a loss of rank: see constraint_rank.c.
  * Source: N. J. Higham, Accuracy and Stability of Numerical Algorithms, section 10.3.
  */
-#define CARDAN_DEPENDENT 1e-9
-#define CARDAN_VANISHED 1e-15
+#define CARDAN_DEPENDENT CARDAN_ROUNDING(1e-9, 1e-4)
+#define CARDAN_VANISHED CARDAN_ROUNDING(1e-15, 1e-6)
 #define CARDAN_LEAST 1e-3
 CARDAN_INLINE int cardan_solve_semidefinite(int n, int m, double *a, double *b, double *scratch)
 {
@@ -34,7 +34,7 @@ CARDAN_INLINE int cardan_solve_semidefinite(int n, int m, double *a, double *b, 
 
     /* original diagonal as reference; mirror the lower triangle */
     for (int i = 0; i < n; ++i) {
-        order[i] = i;
+        order[i] = (double)i;
         size[i] = a[i * n + i];
         if (!(size[i] - size[i] == 0.0)) return cardan_no_solution(n * m, b);
         for (int j = 0; j < i; ++j) a[j * n + i] = a[i * n + j];
@@ -106,7 +106,7 @@ CARDAN_INLINE int cardan_solve_basic(int n, int m, double *a, double *b, double 
     vanished *= sqrt(CARDAN_VANISHED);
     for (int i = 0; i < n; ++i) {
         double largest = vanished;
-        order[i] = i;
+        order[i] = (double)i;
         for (int j = 0; j < n; ++j) largest = (cardan_max)(largest, fabs(a[i * n + j]));
         if (largest == 0.0) continue;
         for (int j = 0; j < n; ++j) a[i * n + j] /= largest;

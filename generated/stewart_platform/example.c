@@ -17,7 +17,7 @@
 static void show(const char *name, const double *x, ptrdiff_t count)
 {
     for (ptrdiff_t k = 0; k < count; k++)
-        printf("%s[%d] = %.17g\n", name, (int)k, x[k]);
+        printf("%s[%d] = %.17Lg\n", name, (int)k, (long double)x[k]);
 }
 
 /* The first function of the model, where the scene starts. */
@@ -48,7 +48,7 @@ static int show_function(const cardan_export *model)
 static void report_event(void *context, double t, const char *event)
 {
     (void)context;
-    printf("event at %.17g: %s\n", t, event);
+    printf("event at %.17Lg: %s\n", (long double)t, event);
 }
 
 /* One second of motion from where the scene starts, printed at its end. */

@@ -4,28 +4,31 @@
  */
 #include "export.h"
 
+/* Numbers that elements take: they come before the w of functions that do not read elements. */
+static size_t numbers_of_elements(const cardan_export *model)
+{
+    return model->elements ? (model->calls->size(model->elements) + sizeof(wreal) - 1) / sizeof(wreal) : 0;
+}
+
 size_t cardan_prepared_size(const cardan_export *model)
 {
-    ptrdiff_t numbers = 1;
+    size_t numbers = 1 + numbers_of_elements(model);
 
-    if (model->elements)
-        return model->calls->size(model->elements);
     for (ptrdiff_t k = 0; k < model->function_count; k++)
-        numbers += model->functions[k].w;
-    return (size_t)numbers * sizeof(wreal);
+        numbers += (size_t)model->functions[k].w;
+    return numbers * sizeof(wreal);
 }
 
 int cardan_prepare(const cardan_export *model, const wreal *p, void *prepared)
 {
-    wreal *w = prepared;
+    wreal *w = (wreal *)prepared + numbers_of_elements(model);
 
-    if (model->elements)
-        return model->calls->prepare(model->elements, (const double *)p, prepared);
     for (ptrdiff_t k = 0; k < model->function_count; k++) {
-        model->functions[k].prepare(p, w);
+        if (model->functions[k].prepare)
+            model->functions[k].prepare(p, w);
         w += model->functions[k].w;
     }
-    return CARDAN_OK;
+    return model->elements ? model->calls->prepare(model->elements, (const double *)p, prepared) : CARDAN_OK;
 }
 
 const wreal *cardan_prepared_w(const cardan_export *model, const void *prepared, ptrdiff_t k)
@@ -33,7 +36,10 @@ const wreal *cardan_prepared_w(const cardan_export *model, const void *prepared,
     const wreal *w = prepared;
 
     /* NULL while memory is measured: nothing lies behind it */
-    for (ptrdiff_t i = 0; i < k && w && !model->elements; i++)
+    if (!w || !model->functions[k].prepare)
+        return w;
+    w += numbers_of_elements(model);
+    for (ptrdiff_t i = 0; i < k; i++)
         w += model->functions[i].w;
     return w;
 }

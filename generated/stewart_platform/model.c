@@ -6,28 +6,28 @@
 
 /* generalized coordinates */
 const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
-    0.206331741335, /* hooke0.angle1 [rad] */
-    -0.334264276593, /* hooke0.angle2 [rad] */
-    0.434661032179, /* slide0 [m] */
-    0.994479975048, /* ball0.qw */
-    -0.054967631498, /* ball0.qx */
-    0.084469921793, /* ball0.qy */
-    0.029205667731, /* ball0.qz */
-    -0.236734052741, /* hooke1.angle1 [rad] */
-    -0.331678827413, /* hooke1.angle2 [rad] */
-    0.496999331298, /* slide1 [m] */
-    0.187488218251, /* hooke2.angle1 [rad] */
-    0.364949005934, /* hooke2.angle2 [rad] */
-    0.482933740218, /* slide2 [m] */
-    0.449776243074, /* hooke3.angle1 [rad] */
-    0.019586743487, /* hooke3.angle2 [rad] */
-    0.374123645894, /* slide3 [m] */
-    -0.477308193236, /* hooke4.angle1 [rad] */
-    0.024290617772, /* hooke4.angle2 [rad] */
-    0.373012129214, /* slide4 [m] */
-    -0.243021153402, /* hooke5.angle1 [rad] */
-    0.407669807543, /* hooke5.angle2 [rad] */
-    0.440572630026, /* slide5 [m] */
+    0.206331740908, /* hooke0.angle1 [rad] */
+    -0.334264276128, /* hooke0.angle2 [rad] */
+    0.434661033144, /* slide0 [m] */
+    0.994479975015, /* ball0.qw */
+    -0.054967631682, /* ball0.qx */
+    0.084469922035, /* ball0.qy */
+    0.029205667805, /* ball0.qz */
+    -0.236734052785, /* hooke1.angle1 [rad] */
+    -0.331678827194, /* hooke1.angle2 [rad] */
+    0.496999331908, /* slide1 [m] */
+    0.187488217949, /* hooke2.angle1 [rad] */
+    0.364949005684, /* hooke2.angle2 [rad] */
+    0.482933740805, /* slide2 [m] */
+    0.449776242427, /* hooke3.angle1 [rad] */
+    0.019586743392, /* hooke3.angle2 [rad] */
+    0.374123647188, /* slide3 [m] */
+    -0.477308192371, /* hooke4.angle1 [rad] */
+    0.024290617692, /* hooke4.angle2 [rad] */
+    0.373012130536, /* slide4 [m] */
+    -0.243021153166, /* hooke5.angle1 [rad] */
+    0.407669807094, /* hooke5.angle2 [rad] */
+    0.44057263122, /* slide5 [m] */
 };
 
 /* generalized speeds */

@@ -78,7 +78,7 @@ CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, double *a, double *b
 
     /* the largest entry of each row of B separates rounding from inconsistency */
     for (int i = 0; i < n; ++i) {
-        order[i] = i;
+        order[i] = (double)i;
         scale[i] = 0.0;
         for (int k = 0; k < m; ++k) scale[i] = (cardan_max)(scale[i], fabs(b[i * m + k]));
     }
@@ -93,7 +93,7 @@ CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, double *a, double *b
                 }
         const double pivot = a[row * n + column];
         if (!(pivot - pivot == 0.0)) return cardan_no_solution(n * m, b);
-        if (rank == 0) tolerance = n * DBL_EPSILON * fabs(pivot);
+        if (rank == 0) tolerance = (double)n * DBL_EPSILON * fabs(pivot);
         if (fabs(pivot) <= tolerance) break;
         cardan_swap_rows(n, a, row, rank);
         cardan_swap_rows(m, b, row, rank);
@@ -114,7 +114,7 @@ CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, double *a, double *b
     /* rows without a pivot must have a zero right-hand side, up to rounding */
     for (int i = rank; i < n; ++i)
         for (int k = 0; k < m; ++k) {
-            if (!(fabs(b[i * m + k]) <= 64 * n * DBL_EPSILON * scale[i]))
+            if (!(fabs(b[i * m + k]) <= 64 * (double)n * DBL_EPSILON * scale[i]))
                 return cardan_no_solution(n * m, b);
             b[i * m + k] = 0.0;
         }
@@ -200,7 +200,7 @@ CARDAN_INLINE int cardan_solve_symmetric_indefinite(int n, int m, double *a, dou
 
     /* mirror the lower triangle, so that rows and columns can be exchanged in full */
     for (int i = 0; i < n; ++i) {
-        order[i] = i;
+        order[i] = (double)i;
         block[i] = 0.0;
         for (int j = 0; j <= i; ++j) {
             a[j * n + i] = a[i * n + j];
@@ -211,7 +211,7 @@ CARDAN_INLINE int cardan_solve_symmetric_indefinite(int n, int m, double *a, dou
     /* factor, forward substitution along with it; block[k] is the size of a block, 0 inside */
     for (int k = 0; k < n;) {
         int at[2];
-        const int size = cardan_find_pivot(n, a, k, n * DBL_EPSILON * largest, at, at + 1);
+        const int size = cardan_find_pivot(n, a, k, (double)n * DBL_EPSILON * largest, at, at + 1);
         if (size == 0) return cardan_no_solution(n * m, b);
         for (int i = 0; i < size; ++i) {
             cardan_swap_rows(n, a, at[i], k + i);
@@ -220,7 +220,7 @@ CARDAN_INLINE int cardan_solve_symmetric_indefinite(int n, int m, double *a, dou
             cardan_swap(order, at[i], k + i);
         }
         cardan_eliminate(n, m, a, b, k, size);
-        block[k] = size;
+        block[k] = (double)size;
         k += size;
     }
 
