@@ -26,6 +26,7 @@ def without_compiler(model: cd.CompiledModel, monkeypatch: pytest.MonkeyPatch) -
     model._kernels()
     content = pickle.dumps(model)
     monkeypatch.setattr(cache, "compiled_separately", no_compiler)
+    monkeypatch.setattr("cardan.runtime.calls.webassembly.available", lambda: False)
     interpreted.announce.cache_clear()
     other = pickle.loads(content)
     with pytest.warns(cd.BuildWarning, match=r"no C compiler.*cardan\[compiler\]"):

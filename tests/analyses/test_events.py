@@ -251,6 +251,7 @@ def test_the_same_without_a_compiler(
     monkeypatch.setenv("PATH", "/nonexistent")
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setattr(toolchain, "ziglang", lambda: [])
+    monkeypatch.setattr("cardan.runtime.calls.webassembly.available", lambda: False)
     for (_, given), text, fast in zip(runs, models, compiled, strict=True):
         bare = pickle.loads(text)
         with warnings.catch_warnings():

@@ -69,6 +69,7 @@ def test_no_compiler(capsys, monkeypatch):
     monkeypatch.setenv("PATH", "/nonexistent")
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setattr(toolchain, "ziglang", lambda: [])
+    monkeypatch.setattr("cardan.runtime.calls.webassembly.available", lambda: False)
     status, rows = told(capsys)
     assert status == 1
     assert "no C compiler" in rows["compiler"]["says"]

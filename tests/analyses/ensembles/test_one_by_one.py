@@ -81,6 +81,7 @@ def test_without_a_compiler(double: cd.CompiledModel, monkeypatch: pytest.Monkey
     monkeypatch.setenv("PATH", "/nonexistent")
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setattr(toolchain, "ziglang", list)
+    monkeypatch.setattr("cardan.runtime.calls.webassembly.available", lambda: False)
     interpreted.announce.cache_clear()
     bare = pickle.loads(pickle.dumps(double))
     with pytest.warns(cd.BuildWarning, match="no C compiler"):

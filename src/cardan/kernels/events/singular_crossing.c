@@ -12,7 +12,6 @@
  * Source: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed.,
  * section II.7 (collocation, Gauss formulas).
  */
-#include "control.h"
 #include "dependent.h"
 #include "explicit.h"
 #include "gauss.h"
@@ -309,7 +308,7 @@ static real nearer(real error)
 {
     const real power = -1.0 / (real)MOST_POINTS;
 
-    return error < INFINITY ? fmin(0.5, fmax(0.1, 1 - 0.9 * CARDAN_COARSE(pow(error, power)))) : 0.5;
+    return error < INFINITY ? fmin(0.5, fmax(0.1, 1 - 0.9 * pow(error, power))) : 0.5;
 }
 
 /* One step of the method, or one over a place where branches meet. */

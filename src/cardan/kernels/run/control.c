@@ -8,6 +8,13 @@
 #include "run.h"
 #include <math.h>
 
+/* x^(1 / order); of order 8 by square roots, which every processor rounds alike, so that runs by DOP853
+ * have the same bits with every mathematical library */
+static real root(int order, real x)
+{
+    return order == 8 ? sqrt(sqrt(sqrt(x))) : pow(x, 1.0 / (double)order);
+}
+
 /* The smallest tolerance of a speed, relative to the fastest. */
 real cardan_finest(const cardan_run *run)
 {
@@ -107,7 +114,7 @@ int cardan_first_step(cardan_run *run, int order)
     /* where the probe fails, the first trial step is the probe's; it may shrink from there */
     if (status == 0 && isfinite(d2))
         h0 = fmin(100 * h0, fmax(d1, d2) <= 1e-15 ? fmax(1e-6, h0 * 1e-3)
-                                                  : CARDAN_COARSE(pow(0.01 / fmax(d1, d2), 1.0 / (double)order)));
+                                                  : root(order, 0.01 / fmax(d1, d2)));
     run->h = sign * fmax(fmin(h0, h), 10 * least(run));
     return 0;
 }

@@ -55,16 +55,6 @@ CARDAN_INLINE void cardan_next_trial(const real *t, const real *until, const rea
     *t_new = CARDAN_WHERE(last, *until, there);
 }
 
-/* A number without its last 28 bits: mathematical libraries differ in the very last of a power, and
- * the size of a step is to be the same with all of them. */
-#ifdef CARDAN_FLOAT
-#define CARDAN_COARSE(x) (x)
-#elif CARDAN_LANES > 1
-#define CARDAN_COARSE(x) ((real)((cardan_mask)(x) & ~(((uint64_t)1 << 28) - 1)))
-#else
-#define CARDAN_COARSE(x) cardan_of_bits(cardan_bits(x) & ~(((uint64_t)1 << 28) - 1))
-#endif
-
 /* What a step may grow by after this error of a method of this order, before bounds. */
 CARDAN_INLINE void cardan_growth(int order, const real *error, real *growth)
 {
@@ -72,7 +62,7 @@ CARDAN_INLINE void cardan_growth(int order, const real *error, real *growth)
         const real fourth = cardan_sqrt(cardan_sqrt(*error));
         *growth = CARDAN_SAFETY / cardan_sqrt(fourth);
     } else {
-        *growth = CARDAN_SAFETY * CARDAN_COARSE(cardan_pow(*error, CARDAN_REAL(-1.0 / (double)order)));
+        *growth = CARDAN_SAFETY * cardan_pow(*error, CARDAN_REAL(-1.0 / (double)order));
     }
 }
 
