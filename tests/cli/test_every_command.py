@@ -40,6 +40,7 @@ WORKING = {
     "export": (ARM, "-o", "arm_c", "--functions", "bias"),
     "parts": (),
     "convert": (ARM, "-o", "arm.yaml"),
+    "page": (ARM, "-o", "arm.html"),
     "doctor": (),
 }
 READING = [name for name in WORKING if name not in ("parts", "doctor")]

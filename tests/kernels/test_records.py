@@ -38,6 +38,7 @@ STRUCTURES: dict[str, type[ctypes.Structure]] = {
     "cardan_target": records.TargetRecord,
     "cardan_position": records.PositionRecord,
     "cardan_solid": records.SolidRecord,
+    "cardan_wasm_function": records.WasmFunction,
 }
 
 

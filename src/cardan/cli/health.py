@@ -110,12 +110,10 @@ def _compiler() -> Finding:
             if probe(21.0) != 42.0:
                 raise BuildError(f"{chosen.command[0]} compiles wrong code: 2 x 21 is not 42")
     except BuildError as error:
-        if webassembly.available():
+        if isinstance(error, CompilerMissing) and webassembly.available():
             says = f"{error}; functions run as WebAssembly in {webassembly.version()}"
             return Finding("compiler", True, says, f"{PIP} 'cardan[compiler]' is a little faster")
-        cure = (
-            f"{PIP} 'cardan[wasm]' or 'cardan[compiler]'; until then functions run in NumPy, slower"
-        )
+        cure = f"{PIP} 'cardan[compiler]' or 'cardan[wasm]'; until then functions run in NumPy"
         return Finding("compiler", False, str(error), cure)
     except OSError as error:
         cure = "make room, or set TMPDIR to another folder"

@@ -16,6 +16,7 @@ examples:
 from __future__ import annotations
 
 import argparse
+import json
 from pathlib import Path
 
 from .options import run as run_options
@@ -46,6 +47,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     what.add_argument("--rtol", metavar="TOL", type=float, default=1e-6,
                       help="relative tolerance (default 1e-6)")  # fmt: skip
     what.add_argument("--title", metavar="TEXT", help="headline (default: name of the scene)")
+    parser.add_argument("--json", action="store_true", help="print JSON for another program")
 
 
 def _slider(text: str) -> tuple[str, tuple[float, float] | None]:
@@ -84,5 +86,8 @@ def run(options: argparse.Namespace) -> int:
             title=options.title,
         )
     size = Path(written).stat().st_size
+    if options.json:
+        print(json.dumps({"file": str(options.output), "bytes": size}, indent=1))
+        return 0
     console().print(f"wrote {options.output}: {size / 1e3:.0f} KB, open it in a browser")
     return 0
