@@ -45,6 +45,7 @@ class Objects:
         threads: Of large batches; None for the default.
         batches: What goes through many states, by C name.
         lanes: Functions that are compiled for several states side by side alone, by C name.
+        available: Names of the functions that it may have; None: all that the manifest lists.
     """
 
     def __init__(
@@ -70,7 +71,7 @@ class Objects:
         )
         self._provide, self._translate = provide, translate
         # others compile the same scene in the same folder, with other functions
-        self._available = available
+        self.available = available
         self.lock = threading.RLock()
         self._loaded: dict[str, Code] = {}
         self._machine: webassembly.Machine | None = None
@@ -103,9 +104,9 @@ class Objects:
             ) from None
         except OSError as error:
             raise ModelError(f"{path} cannot be read: {error.strerror or error}") from error
-        if self._available is None:
+        if self.available is None:
             return manifest
-        return manifest.replaced(available=list(self._available))
+        return manifest.replaced(available=list(self.available))
 
     def saved(self) -> dict[str, Any]:
         """The saved Functions of ``functions.json`` as plain data, by C name."""

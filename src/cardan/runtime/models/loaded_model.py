@@ -188,7 +188,8 @@ class LoadedModel(Description):
         rows = self.manifest.functions.items()
         keys = [(name.split("__")[0], entry.of) for name, entry in rows]
         # other models of the same equations write there too
-        return [key for key in keys if key[0] in STANDARD and key[0] in self.manifest.available]
+        chosen = self._objects.available
+        return [k for k in keys if k[0] in STANDARD and (chosen is None or k[0] in chosen)]
 
     @property
     def saved(self) -> tuple[str, ...]:
