@@ -23,13 +23,16 @@ sys.path[:0] = [str(HERE), str(ROOT / "tests")]
 GUIDE: dict[str, tuple[str, ...]] = {
     "Scenes": (
         *("scene_files", "robot_files", "forces", "space", "flexible", "superelements"),
-        *("sympy", "cassie"),
+        *("parts", "sympy", "cassie"),
     ),
     "Equations": (
         *("conventions", "reading_equations", "formalisms", "closed_loops", "coordinates"),
         *("linear_models", "derivatives"),
     ),
-    "Models and runs": ("functions", "integrators", "events", "ensembles", "pictures"),
+    "Models and runs": (
+        *("functions", "integrators", "events", "ensembles", "pictures", "live"),
+        *("exchange", "exports", "fmu"),
+    ),
     "Analyses": ("statics_and_modes", "branches", "cycles", "identification"),
     "Trust": ("verification", "hard_cases", "what_goes_with_what", "security"),
     "Books": ("companions/index",),

@@ -187,3 +187,7 @@ print(lap.state, lap.q, lap.u)
 
 # CycleRecord.motion
 print(lap.motion)
+
+# load_linear
+model.linearize(q={"foot": 0.0}).save("column.npz")
+again = cd.load_linear("column.npz")
