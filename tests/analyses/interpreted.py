@@ -17,7 +17,7 @@ from cardan.errors import CompilerMissing
 from cardan.ir import straight_line
 from cardan.ir.function import Function
 from cardan.runtime.build import cache
-from cardan.runtime.calls import interpreted
+from cardan.runtime.calls import interpreted, webassembly
 
 
 def without_compiler(model: cd.CompiledModel, monkeypatch: pytest.MonkeyPatch) -> cd.CompiledModel:
@@ -125,6 +125,7 @@ def interrupted(work: Callable[[cd.CompiledModel], Any], calls: int, place: str,
 
     straight_line.straight_line = counted
     cache.compiled_separately = no_compiler
+    webassembly.available = lambda: False
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         found = work(cd.load_model(place))

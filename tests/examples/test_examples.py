@@ -48,6 +48,7 @@ LEAVES = {
     "36_rotor_limit_cycle": ("whirl.png", "whirl.html"),
     "37_files_others_open": ("arm.csv", "arm.mat", "arm.glb", "arm.urdf", "arm_linear.npz"),
     "43_live_pages": ("pendulum.html", "four_bar.html", "ball.html"),
+    "38_v_twin": ("v_twin.html",),
     "40_fmu": ("arm.fmu", "door.fmu"),
     "41_swing_up": ("casadi.c", "swing_up.png", "swing_up.html"),
     "42_fit_through_a_rollout": ("jax.c", "fit.png"),

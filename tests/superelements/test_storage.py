@@ -134,5 +134,5 @@ def test_a_damaged_component_is_refused(tmp_path: Path) -> None:
             cd.superelement.load(file)
     with pytest.raises(cd.ModelError, match="there is no such file"):
         cd.superelement.load(tmp_path / "none.npz")
-    with pytest.raises(cd.ModelError, match=r"ending is \.npz"):
-        beam(modes=1).save(tmp_path / "beam.mat")
+    with pytest.raises(cd.ModelError, match=r"end in one of \.npz"):
+        beam(modes=1).save(tmp_path / "beam.txt")
