@@ -18,6 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 import cardan as cd
 from cardan.view.packing import text_of
+from mechanisms import robots
 from view.test_live import LOAD, NODE
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "performance" / "live.md"
@@ -49,11 +50,9 @@ console.log(JSON.stringify({{ status, x, ...best }}));
 
 def panda() -> cd.Scene:
     """The Franka Emika Panda with its meshes."""
-    import example_robot_data
-
-    place = Path(example_robot_data.getModelPath("panda_description"))
-    file = next(place.rglob("panda_description/urdf/panda.urdf"))
-    return cd.load(file, packages=[place, file.parents[2]])
+    folder = robots.folder()
+    file = folder / "panda_description" / "urdf" / "panda.urdf"
+    return cd.load(file, packages=folder.parent)
 
 
 SCENES = {
