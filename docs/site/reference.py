@@ -46,7 +46,15 @@ PAGES: dict[str, tuple[str, tuple[str, ...]]] = {
     "model": ("Compiled models", ("compile", "load_model", "CompiledModel")),
     "motion": (
         "Motions",
-        ("Trajectory", "page", "load_motion", "GeneralizedAlpha", "stability", "Stepper"),
+        (
+            "Trajectory",
+            "page",
+            "load_motion",
+            "GeneralizedAlpha",
+            "CFunction",
+            "stability",
+            "Stepper",
+        ),
     ),
     "ensembles": ("Ensembles", ("Ensemble", "load_ensemble", "sample")),
     "identification": ("Identification and conversion", ("excitation", "identify", "convert")),

@@ -40,6 +40,7 @@ _PUBLIC: dict[str, str] = {
     "derive": "pipeline",
     "compile": "pipeline",
     "page": "live",
+    "CFunction": "analyses.simulation.input_functions",
     "GeneralizedAlpha": "analyses.simulation.alpha_methods",
     "constraints": "equations.constraints.treatments",
     "stability": "analyses.simulation.precision.method_stability",

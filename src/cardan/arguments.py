@@ -31,6 +31,7 @@ Times = Any  # a time or a row of times [s]
 Complexes = Any  # a complex number or an array of them
 # what is held at which values; its functions tell the names that there are
 LockedValues = Mapping[str, Any]
+Inputs = Mapping[Any, object]  # by the name of an input, or the names of several
 LARGEST = 10**9  # of a count, far more than fits into memory
 FARTHEST = 2**62
 
@@ -253,15 +254,13 @@ KINDS: dict[str, Kind] = {
     "Number": Kind(_integer(-FARTHEST, FARTHEST), "a whole number, such as 0"),
     "Seed": Kind(_integer(0, FARTHEST), "a whole number that is not negative, such as 0"),
     "float": Kind(_real, "a number"),
-    "Path": _PATH,
-    "ArrayLike": _ARRAY,
+    "Path": _PATH, "ArrayLike": _ARRAY,
     "Times": Kind(_times, "a time, or a row of finite times [s]"),
     "Complexes": Kind(_complexes, "a complex number or an array of them"),
     "Values": _ARRAYS,
     "State": Kind(lambda v: v if _array(v) is not UNFIT else _arrays_by_name(v),
                   "an array, or numbers by name, such as {'elbow': 0.3}"),
-    "Sequence[str]": _NAMES,
-    "Iterable[str]": _NAMES,
+    "Sequence[str]": _NAMES, "Iterable[str]": _NAMES,
     "Sequence[str | Path]": _PATHS,
     "tuple[float, float]": _RANGE,
     "Sequence[float]": Kind(_row, "a row of numbers, such as (0, 0, 1)"),
@@ -270,6 +269,7 @@ KINDS: dict[str, Kind] = {
     "Choice": Kind(_choice, "independent increments and speeds, as another linear model has them"),
     "complex": Kind(_complex, "a number"),
     "Mapping[str, object]": _BY_NAME, "Mapping[str, str]": _BY_NAME,
+    "Inputs": Kind(lambda v: v if isinstance(v, Mapping) else UNFIT, _BY_NAME.description),
     "Mapping[str, Value]": _BY_NAME, "Mapping[str, float]": _NUMBERS,
     "Mapping[str, Place | str]": Kind(_by_name, "frames or bodies by name, such as {'root': hub}"),
     "Mapping[str, ArrayLike]": _ARRAYS,

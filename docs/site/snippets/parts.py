@@ -1,5 +1,7 @@
 """Inertias, shapes, sections, lines, orbits; how constraints are treated; samples; methods."""
 
+from pathlib import Path
+
 import numpy as np
 
 import cardan as cd
@@ -162,6 +164,17 @@ print(isinstance(cd.sample.distribution("m", masses), cd.sample.Distribution))
 
 # sample.drawn, sample.checked_seed
 print(cd.sample.drawn("m", masses, 5, cd.sample.checked_seed(1)).shape)
+
+# CFunction
+Path("push.c").write_text("""
+int push(double t, const double *x, const double *reads, double *gives)
+{
+    gives[0] = 1.0 - t;
+    return 0;
+}
+""")
+law = cd.CFunction("push.c")  # simulate(inputs={"thrust": law}); it runs with your permissions
+print(law.name, law.reads)
 
 # GeneralizedAlpha
 method = cd.GeneralizedAlpha(rho_inf=0.8)

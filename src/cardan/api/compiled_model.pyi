@@ -24,7 +24,7 @@ from ..analyses.simulation.precision.runs import Show
 from ..analyses.simulation.precision.stiffness import Stiffness
 from ..analyses.simulation.settings import Values
 from ..analyses.simulation.stepper import Stepper
-from ..arguments import Count, LockedValues, Seed, Times
+from ..arguments import Count, Inputs, LockedValues, Seed, Times
 from ..arrays import Array
 from ..runtime.calls.evaluation import State
 from ..runtime.calls.objects import Key
@@ -87,7 +87,7 @@ class CompiledModel(LoadedModel):
         atol: float | None = None,
         step: float | None = None,
         max_step: float | None = None,
-        inputs: Mapping[str, object] | None = None,
+        inputs: Inputs | None = None,
         parameters: Values | None = None,
         sample: float | None = None,
         checkpoint: str | Path | None = None,
@@ -118,7 +118,8 @@ class CompiledModel(LoadedModel):
             step: Step of fixed methods and of generalized-alpha, first one of others [s].
             max_step: Largest step of an adaptive method [s]; with input functions 1/1000 of the span.
             inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
-                jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``.
+                jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``. Names of
+                several -> a :class:`cardan.CFunction` that gives them.
             parameters: Values of parameters by name, as ``model.with_parameters`` takes them.
             sample: Time between calls of ``f(t, x)`` [s], held in between; else called at every stage.
             checkpoint: A file that keeps what is computed, ``every`` so many seconds; the same call
@@ -217,7 +218,7 @@ class CompiledModel(LoadedModel):
         u: Any = None,
         z: Any = None,
         parameters: Mapping[str, object] | None = None,
-        inputs: Mapping[str, object] | None = None,
+        inputs: Inputs | None = None,
         sample: float | None = None,
         events: Mapping[str, object] | None = None,
         runs: Count | None = None,
@@ -306,7 +307,7 @@ class CompiledModel(LoadedModel):
         q: Any = None,
         u: Any = None,
         z: Any = None,
-        inputs: Mapping[str, object] | None = None,
+        inputs: Inputs | None = None,
         events: Mapping[str, object] | None = None,
     ) -> Report:
         """Measure every function: operations, time, error against 40 digits; prints a table.

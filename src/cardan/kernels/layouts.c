@@ -34,6 +34,7 @@ const size_t cardan_lane_method_layout[4] = {
 };
 #else
 #include "run.h"
+#include "input_functions.h"
 #include "ensemble.h"
 #include "mesh.h"
 #include "sparse.h"
@@ -41,8 +42,8 @@ const size_t cardan_lane_method_layout[4] = {
 #include "solids.h"
 #include "wasm_calls.h"
 
-extern const size_t cardan_run_layout[141];
-const size_t cardan_run_layout[141] = {
+extern const size_t cardan_run_layout[142];
+const size_t cardan_run_layout[142] = {
     sizeof(cardan_run), offsetof(cardan_run, init), offsetof(cardan_run, step), offsetof(cardan_run,
     dense), offsetof(cardan_run, length), offsetof(cardan_run, rhs.function), offsetof(cardan_run,
     rhs.w), offsetof(cardan_run, power.function), offsetof(cardan_run, power.w),
@@ -53,18 +54,18 @@ const size_t cardan_run_layout[141] = {
     internal_rates.function), offsetof(cardan_run, internal_rates.w), offsetof(cardan_run,
     move.function), offsetof(cardan_run, move.w), offsetof(cardan_run, qdot.function),
     offsetof(cardan_run, qdot.w), offsetof(cardan_run, mesh), offsetof(cardan_run, options),
-    offsetof(cardan_run, inputs), offsetof(cardan_run, signals), offsetof(cardan_run, quaternions),
-    offsetof(cardan_run, nq), offsetof(cardan_run, nu), offsetof(cardan_run, nz),
-    offsetof(cardan_run, nx), offsetof(cardan_run, n), offsetof(cardan_run, nr),
-    offsetof(cardan_run, ns), offsetof(cardan_run, signal_count), offsetof(cardan_run,
-    quaternion_count), offsetof(cardan_run, bounded), offsetof(cardan_run, bounded_count),
-    offsetof(cardan_run, sampled), offsetof(cardan_run, charted), offsetof(cardan_run,
-    close_position.function), offsetof(cardan_run, close_position.w), offsetof(cardan_run,
-    close_velocity.function), offsetof(cardan_run, close_velocity.w), offsetof(cardan_run,
-    constraint_jacobian.function), offsetof(cardan_run, constraint_jacobian.w), offsetof(cardan_run,
-    columns), offsetof(cardan_run, positions), offsetof(cardan_run, rates), offsetof(cardan_run,
-    size), offsetof(cardan_run, events.function), offsetof(cardan_run, events.w),
-    offsetof(cardan_run, transition.function), offsetof(cardan_run, transition.w),
+    offsetof(cardan_run, inputs), offsetof(cardan_run, input_context), offsetof(cardan_run,
+    signals), offsetof(cardan_run, quaternions), offsetof(cardan_run, nq), offsetof(cardan_run, nu),
+    offsetof(cardan_run, nz), offsetof(cardan_run, nx), offsetof(cardan_run, n),
+    offsetof(cardan_run, nr), offsetof(cardan_run, ns), offsetof(cardan_run, signal_count),
+    offsetof(cardan_run, quaternion_count), offsetof(cardan_run, bounded), offsetof(cardan_run,
+    bounded_count), offsetof(cardan_run, sampled), offsetof(cardan_run, charted),
+    offsetof(cardan_run, close_position.function), offsetof(cardan_run, close_position.w),
+    offsetof(cardan_run, close_velocity.function), offsetof(cardan_run, close_velocity.w),
+    offsetof(cardan_run, constraint_jacobian.function), offsetof(cardan_run, constraint_jacobian.w),
+    offsetof(cardan_run, columns), offsetof(cardan_run, positions), offsetof(cardan_run, rates),
+    offsetof(cardan_run, size), offsetof(cardan_run, events.function), offsetof(cardan_run,
+    events.w), offsetof(cardan_run, transition.function), offsetof(cardan_run, transition.w),
     offsetof(cardan_run, watch), offsetof(cardan_run, kinds), offsetof(cardan_run, ticks),
     offsetof(cardan_run, ne), offsetof(cardan_run, watched), offsetof(cardan_run, tick_count),
     offsetof(cardan_run, y), offsetof(cardan_run, y_old), offsetof(cardan_run, trial),
@@ -115,6 +116,24 @@ extern const size_t cardan_tick_layout[6];
 const size_t cardan_tick_layout[6] = {
     sizeof(cardan_tick), offsetof(cardan_tick, event), offsetof(cardan_tick, period),
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
+};
+
+extern const size_t cardan_input_function_layout[6];
+const size_t cardan_input_function_layout[6] = {
+    sizeof(cardan_input_function), offsetof(cardan_input_function, function),
+    offsetof(cardan_input_function, reads), offsetof(cardan_input_function, gives),
+    offsetof(cardan_input_function, read_count), offsetof(cardan_input_function, give_count)
+};
+
+extern const size_t cardan_input_functions_layout[13];
+const size_t cardan_input_functions_layout[13] = {
+    sizeof(cardan_input_functions), offsetof(cardan_input_functions, run),
+    offsetof(cardan_input_functions, outputs.function), offsetof(cardan_input_functions, outputs.w),
+    offsetof(cardan_input_functions, python), offsetof(cardan_input_functions, functions),
+    offsetof(cardan_input_functions, count), offsetof(cardan_input_functions, values),
+    offsetof(cardan_input_functions, work), offsetof(cardan_input_functions, reads),
+    offsetof(cardan_input_functions, gives), offsetof(cardan_input_functions, failed),
+    offsetof(cardan_input_functions, status)
 };
 
 extern const size_t cardan_run_pointer_layout[4];

@@ -32,6 +32,8 @@ RECORDS = {
     "cardan_method": "run.h",
     "cardan_signal": "run.h",
     "cardan_tick": "run.h",
+    "cardan_input_function": "input_functions.h",
+    "cardan_input_functions": "input_functions.h",
     "cardan_run_pointer": "ensemble.h",
     "cardan_lane": "ensemble.h",
     "cardan_ensemble": "ensemble.h",
@@ -195,6 +197,20 @@ class Tick(ctypes.Structure):
 
     __slots__ = ()
     _fields_ = fields("cardan_tick")
+
+
+class InputFunction(ctypes.Structure):
+    """``cardan_input_function``: a function in C of the user."""
+
+    __slots__ = ()
+    _fields_ = fields("cardan_input_function")
+
+
+class InputFunctions(ctypes.Structure):
+    """``cardan_input_functions``: everything that a run asks for its inputs."""
+
+    __slots__ = ()
+    _fields_ = fields("cardan_input_functions")
 
 
 class SimdSteps(ctypes.Structure):

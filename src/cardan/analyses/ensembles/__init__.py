@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...arguments import Count, Seed, checked
+from ...arguments import Count, Inputs, Seed, checked
 from ...errors import CardanError, ModelError, SolveWarning, brief, collected_warnings, warn
 from ...runtime.calls.batch import threads as threads_of
 from ...runtime.models.loaded_model import LoadedModel
@@ -64,7 +64,7 @@ def ensemble(
     u: Any = None,
     z: Any = None,
     parameters: Mapping[str, object] | None = None,
-    inputs: Mapping[str, object] | None = None,
+    inputs: Inputs | None = None,
     sample: float | None = None,
     events: Mapping[str, object] | None = None,
     runs: Count | None = None,

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, named, near
 from ...runtime.calls.calling import numbers
@@ -15,7 +16,7 @@ from ...runtime.models.initial import initial_state, missing
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.models.named_rotations import check_units, component, refuse_components
 from ..simulation.settings import refuse_second
-from ..simulation.signals import Signals, signals
+from ..simulation.signals import Signals, one_by_one, signals
 from . import sampling
 
 SUCH = "such as vary={'mass': [1, 2, 5]}, or a plan, vary=cd.sample.grid(mass=(1, 2, 100))"
@@ -202,7 +203,7 @@ def varied(
     u: object,
     z: object,
     parameters: Mapping[str, object] | None,
-    inputs: Mapping[str, object] | None,
+    inputs: Inputs | None,
     sample_time: float | None,
     vary: sampling.Plan | Mapping[str, object] | None,
     runs: int | None,
@@ -280,10 +281,10 @@ def _parameter(reader: Reader, name: str, where: str, value: object) -> None:
     reader.add("p", name, where, slice(k, k + 1), value)
 
 
-def _inputs(reader: Reader, inputs: Mapping[str, object] | None) -> dict[str, Any]:
+def _inputs(reader: Reader, inputs: Inputs | None) -> dict[str, Any]:
     """Inputs that all runs share; those with a value per run become columns."""
     shared = {}
-    for name, value in named("inputs", inputs, "'force': values").items():
+    for name, value in named("inputs", one_by_one(inputs), "'force': values").items():
         per_run = (isinstance(value, np.ndarray) and value.ndim > 0) or _is_row(value)
         input_names = reader.model.inputs
         if per_run or isinstance(value, sampling.Distribution):

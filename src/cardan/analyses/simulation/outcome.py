@@ -65,6 +65,8 @@ def explain(runner: Runner, answer: int, over: Span) -> tuple[str, str]:
         return "not_closed", f"stopped {at}: {_open(runner)}"
     if answer == abi.NOT_FINITE:
         return "not_finite", f"stopped {at}: {_not_finite(runner, who)}"
+    if answer == abi.INPUT and runner.in_c is not None:
+        return "function_failed", f"stopped {at}: {runner.in_c.failure()}"
     if answer == abi.SIZE:
         return "too_large", (
             f"not begun: {runner.n} numbers and their output rows are more than memory can address"

@@ -25,7 +25,8 @@ from ...schema.records import Run, Signal, Tick
 from . import run_record as abi
 from .discontinuities import FEW, jumps, stops_of
 from .events import NOTHING, EventTable
-from .run_record import INPUTS
+from .input_functions import CEntry, InputFunctions
+from .run_record import INPUTS, WATCH, Numbers
 from .settings import Settings
 from .signals import Signals
 
@@ -97,6 +98,7 @@ class Runner:
         self.n = model.nx + len(self.sources)
         self.error: BaseException | None = None
         called = [*self.functions, *self.closers, *self.needed]
+        self.in_c: InputFunctions | None = None
         self.interpreted = any(function.interpreted for function in called)
         self._references: list[Any] = []
         self.method = abi.method(self.library, settings.method.kernel)
@@ -185,10 +187,20 @@ class Runner:
         self._references.append(table)
         run.signals, run.signal_count = ctypes.addressof(table), len(tabulated)
         if self.signals.functions:
-            call = INPUTS(self._ask)
-            self._references.append(call)
-            run.inputs = ctypes.cast(call, ctypes.c_void_p).value
-            run.sampled = self.signals.sample is not None
+            self._connect_functions()
+
+    def _connect_functions(self) -> None:
+        """Inputs that functions compute: those in Python are asked before those in C."""
+        run, functions = self.record, self.signals.functions
+        self.in_python = {k: f for k, f in functions.items() if not isinstance(f, CEntry)}
+        call = INPUTS(self._ask)
+        self._references.append(call)
+        python = ctypes.cast(call, ctypes.c_void_p).value if self.in_python else None
+        run.inputs, run.sampled = python, self.signals.sample is not None
+        if len(self.in_python) < len(functions):
+            self.in_c = InputFunctions(self.model, functions, ctypes.addressof(run), python)
+            run.inputs = abi.address(self.library, "cardan_input_functions_at")
+            run.input_context = self.in_c.address
 
     def _connect_events(self) -> None:
         run, ticks = self.record, self.event_table.ticks
@@ -202,7 +214,7 @@ class Runner:
         self.log = np.empty((run.log_capacity, width))
         run.log = self.log.ctypes.data
         if self.event_table.watches:
-            call = INPUTS(self._look)
+            call = WATCH(self._look)
             self._references.append(call)
             run.watch = ctypes.cast(call, ctypes.c_void_p).value
 
@@ -211,11 +223,11 @@ class Runner:
         self._references.append(array)
         return array.ctypes.data
 
-    def _ask(self, t: float, x: Any, r: Any) -> int:
+    def _ask(self, context: object, t: float, x: Numbers, r: Numbers) -> int:
         """Evaluate the input functions; called from C."""
         try:
             state = np.ctypeslib.as_array(x, (self.model.nx,)).copy()
-            for k, function in self.signals.functions.items():
+            for k, function in self.in_python.items():
                 r[k] = float(function(t, state))
         except BaseException as error:
             # it must not cross the C frames: the drive raises it again
@@ -223,7 +235,7 @@ class Runner:
             return 1
         return 0
 
-    def _look(self, t: float, x: Any, values: Any) -> int:
+    def _look(self, t: float, x: Numbers, values: Numbers) -> int:
         """Evaluate what the caller watches; called from C."""
         try:
             state = np.ctypeslib.as_array(x, (self.model.nx,)).copy()

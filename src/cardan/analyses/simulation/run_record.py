@@ -4,8 +4,19 @@ from __future__ import annotations
 
 import ctypes
 from functools import lru_cache
+from typing import Any
 
-from ...schema.records import POINTER, REAL, Method, Run, Signal, Tick, check
+from ...schema.records import (
+    POINTER,
+    REAL,
+    InputFunction,
+    InputFunctions,
+    Method,
+    Run,
+    Signal,
+    Tick,
+    check,
+)
 
 # answers of the kernels, as in run.h
 DONE, MORE, FULL, STOPPED, EVENT = 0, 1, 2, 3, 4
@@ -34,9 +45,18 @@ MEMORY_BLOCKS = (
 )
 
 _SOUND = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(Run))
-INPUTS = ctypes.CFUNCTYPE(
-    ctypes.c_int, REAL, ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_double)
-)
+Numbers = Any  # a pointer to numbers, as ctypes hands it over
+_NUMBERS = ctypes.POINTER(ctypes.c_double)
+INPUTS = ctypes.CFUNCTYPE(ctypes.c_int, POINTER, REAL, _NUMBERS, _NUMBERS)
+WATCH = ctypes.CFUNCTYPE(ctypes.c_int, REAL, _NUMBERS, _NUMBERS)
+RECORDS = {
+    "run": Run,
+    "method": Method,
+    "signal": Signal,
+    "tick": Tick,
+    "input_function": InputFunction,
+    "input_functions": InputFunctions,
+}
 
 
 @lru_cache(maxsize=4)
@@ -46,7 +66,7 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     Raises:
         BuildError: its records differ from those here.
     """
-    for name, structure in (("run", Run), ("method", Method), ("signal", Signal), ("tick", Tick)):
+    for name, structure in RECORDS.items():
         check(library, f"cardan_{name}", structure)
     record = ctypes.POINTER(Run)
     for name in ("cardan_run_start", "cardan_run_drive", "cardan_refresh", "cardan_segment"):

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from inspect import signature
 from typing import Any
 
 import numpy as np
 
+from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import ArgumentError, FunctionError, ModelError, SolveError, brief, named, near
 from ...runtime.calls.calling import numbers
 from ...runtime.trajectory.input_history import PiecewiseInput, Recorded
 from ...schema.entries import Entry
+from .input_functions import CEntry, CFunction
 
 InputFunction = Callable[[float, Array], float]
 
@@ -60,14 +62,14 @@ class Signals:
     Attributes:
         constants: r (nr,) with defaults and constants in place.
         tabulated: Inputs by values at times.
-        functions: Index in r -> f(t, x).
+        functions: Index in r -> f(t, x), or its place in what a C function gives.
         sample: Time between two calls of the functions, None to call them at every stage [s].
         defaulted: Names of the inputs that were not given.
     """
 
     constants: Array
     tabulated: tuple[PiecewiseInput, ...]
-    functions: dict[int, InputFunction]
+    functions: dict[int, InputFunction | CEntry]
     sample: float | None
     defaulted: tuple[str, ...]
 
@@ -96,16 +98,14 @@ class Signals:
 
 
 def signals(
-    rows: Sequence[Entry],
-    values: Mapping[str, object] | None,
-    sample: float | None,
-    span: tuple[float, float],
+    rows: Sequence[Entry], values: Inputs | None, sample: float | None, span: tuple[float, float]
 ) -> Signals:
     """Inputs as they are given to ``simulate``.
 
     Args:
         rows: ``manifest.inputs``: name, unit, default.
-        values: Name -> constant, ``(times, values)`` or ``f(t, x)``.
+        values: Name -> constant, ``(times, values)`` or ``f(t, x)``; of a function in C the names
+            of all inputs that it gives.
         sample: Sampling time of the functions [s].
         span: Start and end of the run [s].
 
@@ -118,14 +118,18 @@ def signals(
     settable = [n for n in names if not _derived(n, names)]
     constants = np.array([row.default or 0.0 for row in rows], dtype=np.float64)
     tabulated: list[PiecewiseInput] = []
-    functions: dict[int, InputFunction] = {}
+    functions: dict[int, InputFunction | CEntry] = {}
+    values = one_by_one(values)
     for name, value in named(
         "inputs", values, f"'{settable[0] if settable else 'force'}': 1.0"
     ).items():
         if name not in names:
             raise ModelError(f"inputs: there is no input '{name}'.{near(name, settable)}")
         k = names.index(name)
-        if callable(value):
+        if isinstance(value, CEntry):
+            _refuse_motion(name, names)
+            functions[k] = value
+        elif callable(value):
             _refuse_motion(name, names)
             functions[k] = checked(f"inputs: the function of '{name}'", value)
         elif isinstance(value, tuple | list):
@@ -138,6 +142,36 @@ def signals(
         raise ModelError(f"sample={sample:g}: the time between two calls must be positive")
     left = tuple(n for n in settable if n not in (values or {}))
     return Signals(constants, tuple(tabulated), functions, sample, left)
+
+
+def one_by_one(values: Inputs | None) -> Inputs | None:
+    """Values by the name of one input each, also those that a function in C gives together.
+
+    Raises:
+        ModelError: one input twice, a C function that stands for inputs at two places, several
+            names of something else.
+    """
+    if values is None:
+        return values
+    single: dict[object, object] = {}
+    for key, value in values.items():
+        several = isinstance(key, tuple) and key and all(isinstance(name, str) for name in key)
+        if several and not isinstance(value, CFunction):
+            raise ModelError(
+                f"inputs: {', '.join(key)}: several names go with a cd.CFunction, which gives all"
+            )
+        keys = key if several else (key,)
+        if isinstance(value, CFunction):
+            if any(isinstance(one, CEntry) and one.function == value for one in single.values()):
+                raise ModelError(f"inputs: {value} twice: name all that it gives in one tuple")
+            entries: list[object] = [CEntry(value, place) for place in range(len(keys))]
+        else:
+            entries = [value]
+        for name, entry in zip(keys, entries, strict=True):
+            if name in single:
+                raise ModelError(f"inputs: '{name}' is given twice")
+            single[name] = entry
+    return single
 
 
 def _derived(name: str, names: Sequence[str]) -> bool:

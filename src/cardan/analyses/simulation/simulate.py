@@ -9,7 +9,7 @@ from pathlib import Path
 
 from numpy.typing import ArrayLike
 
-from ...arguments import checked
+from ...arguments import Inputs, checked
 from ...errors import FunctionError, ModelError, SolveError, SolveWarning, warn
 from ...runtime.calls.interpreted import CURE
 from ...runtime.models.constraint_projection import Closing
@@ -57,7 +57,7 @@ def simulate(
     atol: float | None = None,
     step: float | None = None,
     max_step: float | None = None,
-    inputs: Mapping[str, object] | None = None,
+    inputs: Inputs | None = None,
     parameters: Values | None = None,
     sample: float | None = None,
     checkpoint: str | Path | None = None,
@@ -89,7 +89,8 @@ def simulate(
         step: Step of fixed methods and of generalized-alpha, first one of others [s].
         max_step: Largest step of an adaptive method [s]; with input functions 1/1000 of the span.
         inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
-            jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``.
+            jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``. Names of
+            several -> a :class:`cardan.CFunction` that gives them.
         parameters: Values of parameters by name, as ``model.with_parameters`` takes them.
         sample: Time between calls of ``f(t, x)`` [s], held in between; else called at every stage.
         checkpoint: A file that keeps what is computed, ``every`` so many seconds; the same call

@@ -47,7 +47,7 @@ static int add_functions(cardan_run *run, real t, const real *x, real h, const r
     for (ptrdiff_t i = 0; i < nx; i++)
         moved[i] = x[i];
     for (int j = 1; j < 3; j++) {
-        if (run->inputs(t + j * step, x, run->r) != 0)
+        if (run->inputs(run->input_context, t + j * step, x, run->r) != 0)
             return CARDAN_INPUT;
         for (ptrdiff_t k = 0; k < nr; k++)
             add_column(run, by_r, k, WEIGHT[j] * (run->r[k] - before[k]) / step, by_t, 1);
@@ -56,7 +56,7 @@ static int add_functions(cardan_run *run, real t, const real *x, real h, const r
         real by = sqrt(DBL_EPSILON) * fmax(fabs(x[j]), fabs(h * run->f[j]));
         moved[j] = x[j] + (by > 0 ? by : sqrt(DBL_EPSILON));
         by = moved[j] - x[j];
-        if (run->inputs(t, moved, run->r) != 0)
+        if (run->inputs(run->input_context, t, moved, run->r) != 0)
             return CARDAN_INPUT;
         for (ptrdiff_t k = 0; k < nr; k++)
             if (run->r[k] != before[k])

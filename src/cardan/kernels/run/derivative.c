@@ -25,7 +25,7 @@ void cardan_signals_at(cardan_run *run, real t)
 static int inputs_at(cardan_run *run, real t, const real *x, int asked)
 {
     cardan_signals_at(run, t);
-    if (run->inputs && asked && run->inputs(t, x, run->r) != 0)
+    if (run->inputs && asked && run->inputs(run->input_context, t, x, run->r) != 0)
         return CARDAN_INPUT;
     return 0;
 }

@@ -98,7 +98,8 @@ struct cardan_run {
     cardan_call qdot;
     const struct cardan_mesh *mesh; /* elements in tables, NULL: functions know the whole model */
     const real *options; /* numbers that the method was made with, by its record in Python */
-    int (*inputs)(real t, const real *x, real *r); /* NULL if no input is a function */
+    int (*inputs)(void *context, real t, const real *x, real *r); /* NULL if no input is a function */
+    void *input_context; /* what `inputs` works on */
     cardan_signal *signals;
     const ptrdiff_t *quaternions; /* first entry of each in q */
     ptrdiff_t nq, nu, nz, nx, n, nr, ns; /* nx = nq + nu + nz */

@@ -79,6 +79,7 @@ static void choose(const cardan_exported_method *method, const cardan_simulation
     run->rtol = step > 0 ? 0 : settings->rtol > 0 ? settings->rtol : method->rtol;
     run->atol = step > 0 ? 1 : settings->atol > 0 ? settings->atol : method->atol;
     run->max_step = INFINITY, run->budget = BUDGET, run->culprit = -1;
+    run->inputs = settings->inputs, run->input_context = settings->context;
     run->t = settings->start;
 }
 

@@ -25,6 +25,8 @@ typedef struct cardan_simulation {
     ptrdiff_t budget;              /* most steps of the run, after which it ends with CARDAN_MORE; 0: no limit */
     double *rows;                  /* (time_count, 1 + nx + nr + ns): t, x, r, s */
     void (*on_event)(void *context, double t, const char *event); /* told of every event */
+    /* writes entries of r, such as forces of your own, at every evaluation; not 0 ends the run */
+    int (*inputs)(void *context, real t, const real *x, real *r);
     void *context;
 
     /* what came of it; x and s lie in the memory of the run */

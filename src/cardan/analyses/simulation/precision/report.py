@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
-from ....arguments import checked
+from ....arguments import Inputs, checked
 from ....errors import CompilerMissing, counted
 from ....runtime.build import cache
 from ....runtime.calls import abi, function_costs, webassembly
@@ -82,7 +82,7 @@ def report(
     q: Any = None,
     u: Any = None,
     z: Any = None,
-    inputs: Mapping[str, object] | None = None,
+    inputs: Inputs | None = None,
     events: Mapping[str, object] | None = None,
 ) -> Report:
     """Measure every function: operations, time, error against 40 digits; prints a table.

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ....arguments import checked
+from ....arguments import Inputs, checked
 from ....arrays import Array
 from ....errors import CodegenError, DerivationError, ModelError, SolveWarning, near
 from ....runtime.models.loaded_model import LoadedModel
@@ -48,7 +48,7 @@ def precision(
     q: Any = None,
     u: Any = None,
     z: Any = None,
-    inputs: Mapping[str, object] | None = None,
+    inputs: Inputs | None = None,
     events: Mapping[str, object] | None = None,
 ) -> PrecisionRecord:
     """Run every integrator that applies at tolerances from rough to fine.

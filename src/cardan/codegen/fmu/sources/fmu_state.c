@@ -35,7 +35,8 @@ static void take_pointers(cardan_run *to, const cardan_run *from)
     to->rhs_jacobian = from->rhs_jacobian, to->balance = from->balance;
     to->balance_tangent = from->balance_tangent, to->internal_rates = from->internal_rates;
     to->move = from->move, to->qdot = from->qdot, to->mesh = from->mesh, to->options = from->options;
-    to->inputs = from->inputs, to->signals = from->signals, to->quaternions = from->quaternions;
+    to->inputs = from->inputs, to->input_context = from->input_context, to->signals = from->signals;
+    to->quaternions = from->quaternions;
     to->bounded = from->bounded, to->close_position = from->close_position;
     to->close_velocity = from->close_velocity, to->constraint_jacobian = from->constraint_jacobian;
     to->columns = from->columns, to->events = from->events, to->transition = from->transition;
