@@ -13,7 +13,6 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from scipy.linalg import block_diag
 
 from ...ir.arithmetic import Scalar, cos, sin
 from ...ir.function import Block, Function, Output
@@ -196,6 +195,8 @@ class Flat:
     @cached_property
     def to_space(self) -> Any:
         """The same as numbers."""
+        from scipy.linalg import block_diag
+
         parts = zip(self.kind.blocks, self.blocks, strict=True)
         return block_diag(
             *(

@@ -10,8 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
-from scipy.linalg import block_diag
-from scipy.spatial.transform import Rotation
 
 from ...errors import DerivationError
 from ...ir.interpreter import evaluate
@@ -64,6 +62,8 @@ def _reference(scene: Scene) -> Sequence[float]:
 
 def _plane_of(name: str, normal: int, poses: Numbers) -> Plane:
     """The plane of nodes at such poses (n, 7)."""
+    from scipy.spatial.transform import Rotation
+
     rotations = Rotation.from_quat(poses[:, [1, 2, 3, 0]]).as_matrix()
     plane = upright(normal, rotations[0], ROUNDING)
     size = 1 + np.abs(poses[:, 4:]).max()
@@ -108,6 +108,8 @@ def check(scene: Scene, groups: Sequence[Group], space: Mapping[str, Kind], norm
 
 def _leaving(group: Group, kind: Kind, p: Numbers, random: np.random.Generator) -> Iterator[str]:
     """Members that push out of the plane at a random motion in it."""
+    from scipy.linalg import block_diag
+
     n, blocks, function = len(group), group.kind.blocks, kind.functions["balance"]
     inputs = _motion(kind, blocks, n, random)
     rows = list(Flat(kind, blocks).rows)

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-import scipy.sparse
 from numpy.typing import NDArray
 
 from ....arrays import Array
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_matrix
 
 Integers = NDArray[np.intp]
 
@@ -49,10 +52,13 @@ class AssemblyPattern:
         starts = np.searchsorted(unique, np.arange(shape[0] + 1, dtype=np.int64) * width)
         return cls(shape, starts.astype(np.int32), (unique % width).astype(np.int32), entry)
 
-    def matrix(self, values: Sequence[Array]) -> scipy.sparse.csr_matrix:
+    def matrix(self, values: Sequence[Array]) -> csr_matrix:
         """The matrix with the numbers (n, k l) of every group."""
         numbers = np.concatenate([v.reshape(-1) for v in values]) if values else np.zeros(0)
         data = np.bincount(self.entry, numbers, len(self.columns))
-        matrix = scipy.sparse.csr_matrix(self.shape)
+        # models without elements never load SciPy
+        from scipy.sparse import csr_matrix
+
+        matrix = csr_matrix(self.shape)
         matrix.data, matrix.indices, matrix.indptr = data, self.columns, self.starts
         return matrix

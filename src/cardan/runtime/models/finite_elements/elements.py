@@ -6,13 +6,16 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 import numpy as np
-import scipy.sparse
 
 from ....arrays import Array
 from ....schema.records import PARTS
 from .tables import Table, Tables
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_matrix
 
 # unknowns of its own that an element of mixed form has: its stress
 INNER = 6
@@ -155,9 +158,7 @@ class Elements(ABC):
             np.add.at(force, self.tables.columns(group), change)
         return force, gaps, rates
 
-    def mixed_tangent(
-        self, at: State, parts: Sequence[str] = PARTS
-    ) -> dict[str, scipy.sparse.csr_matrix]:
+    def mixed_tangent(self, at: State, parts: Sequence[str] = PARTS) -> dict[str, csr_matrix]:
         """Same as :meth:`tangent`, likewise."""
         groups = self.tables.groups
         numbers = [k for k, g in enumerate(groups) if "mixed" in g.kind.functions]
@@ -173,7 +174,7 @@ class Elements(ABC):
         parts: Sequence[str] = PARTS,
         of: Callable[[Table], bool] = _all,
         stiffness: Mapping[int, Array] = NO_STIFFNESS,
-    ) -> dict[str, scipy.sparse.csr_matrix]:
+    ) -> dict[str, csr_matrix]:
         """Matrices of all elements by name.
 
         K, C, M (nu, nu), R, G (m, nu): derivatives of the balance, rows of constraints; H (m, m):
