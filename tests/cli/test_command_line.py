@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import json
 import math
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -269,6 +270,19 @@ def test_the_command_that_compiles_an_export_stands_on_one_line(
     subprocess.run(command, shell=True, cwd="arm_c", check=True)
     done = subprocess.run(["./example"], cwd="arm_c", capture_output=True, text=True, check=True)
     assert "[0] = " in done.stdout
+
+
+def test_an_export_as_webassembly_says_how_to_try_it(capsys: pytest.CaptureFixture[str]) -> None:
+    options = ("export", str(ARM), "-o", "arm_wasm", "--language", "wasm")
+    assert status(*options, "--integrators", "dop853") == 1
+    assert "cardan page" in capsys.readouterr().err
+    assert status(*options) == 0
+    (line,) = (x for x in capsys.readouterr().out.splitlines() if x.startswith("try it there"))
+    command = line.partition(":")[2].split()
+    assert command == ["node", "example.mjs"]
+    if shutil.which("node"):
+        done = subprocess.run(command, cwd="arm_wasm", capture_output=True, text=True, check=True)
+        assert done.stdout.startswith("Float64Array(")
 
 
 def test_messages_quote_options_of_the_command(capsys: pytest.CaptureFixture[str]) -> None:

@@ -32,7 +32,7 @@ def program(body: tuple, scope: Scope, tables: tuple[Table, ...] = ()) -> CFile:
     )
     made = Program("looped", (("a test",),), ("cardan.h",), tables, routines, ("q",), {}, 6, 0)
     entry = {"inputs": ["q"], "output_size": 6, "work_size": 6, "prepared_size": 0}
-    return CFile("looped", c.write(made), entry)
+    return CFile("looped", c.write(made), entry, made)
 
 
 @pytest.mark.parametrize("compiler", sorted(compilers()))

@@ -121,6 +121,7 @@ equations.explain("arm.html")  # or .md, .tex: a page with all formulas and wher
 
 # Equations.export
 equations.export("arm_c", functions=["forward_dynamics", "mass_matrix"])
+equations.export("arm_wasm", ["rhs"], language="wasm")  # for node and pages
 
 # Equations.constraints, Equations.constraint_jacobian, Equations.constraint_bias
 loop = cd.derive(cd.examples["four_bar"])

@@ -83,9 +83,10 @@ class Equations(Explained, Linearizable):
                 default the dynamics and the energy, of a closed system also what closes it, of one
                 with events what happens.
             language: ``"cython"`` adds a package for NumPy (default), ``"casadi"`` and ``"jax"`` a
-                module whose functions have exact first derivatives there, ``"c"`` leaves it at C. A
-                derivative among ``functions`` that does not name p, such as ``("derivative",
-                "forward_dynamics: q u")``, leaves out derivatives by parameters there.
+                module whose functions have exact first derivatives there, ``"wasm"`` WebAssembly
+                and a module of JavaScript, ``"c"`` leaves it at C. With CasADi and JAX a derivative
+                among ``functions`` that does not name p, such as ``("derivative",
+                "forward_dynamics: q u")``, leaves out derivatives by parameters.
             integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C
                 comes along, and ``example.c`` simulates. An FMU takes the first one for
                 co-simulation, ``"dop853"`` where none is named.

@@ -1,8 +1,8 @@
 """``cardan export``: a scene as C that needs no cardan, or as an FMU.
 
 Write the functions of a scene as C99 that compiles alone, with headers, a manifest, an example, and
-a package for NumPy, CasADi or JAX. What is written needs no cardan. A name that ends with .fmu
-makes a Functional Mock-up Unit, which other simulation programs load.
+a package for NumPy, CasADi, JAX or JavaScript. What is written needs no cardan. A name that ends
+with .fmu makes a Functional Mock-up Unit, which other simulation programs load.
 
 examples:
   cardan export arm.urdf -o arm_c
@@ -13,6 +13,8 @@ examples:
         with an integrator: pendulum_c/example.c simulates one second
   cardan export arm.urdf -o arm_casadi --language casadi --functions forward_dynamics
         a module for CasADi, or for JAX, with exact first derivatives
+  cardan export arm.urdf -o arm_wasm --language wasm
+        WebAssembly and a module of JavaScript that calls it, for node and pages
   cardan export crane.yaml -o crane_c --integrators alpha
         a scene with beams: C of its elements, tables of them, sparse matrices, and a run
   cardan export arm.urdf -o arm.fmu --q elbow=0.5
@@ -51,7 +53,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                       help="such as forward_dynamics or pose:hand")  # fmt: skip
     what.add_argument("--language", choices=tuple(BINDINGS),
                       help="cython adds a package for NumPy (default, but for beams), casadi and "
-                           "jax modules for these")  # fmt: skip
+                           "jax modules for these, wasm one for node and pages")  # fmt: skip
     what.add_argument("--integrators", metavar="METHOD", nargs="+", default=[],
                       help="such as dop853, radau or alpha: C that simulates; of an FMU the method "
                            "of co-simulation")  # fmt: skip
@@ -126,9 +128,10 @@ def _report_folder(folder: Path, options: argparse.Namespace) -> int:
         return 0
     out = console()
     out.print(f"wrote {folder}: {', '.join(files)}", soft_wrap=True)
-    # the first line of the example is a comment that says how to compile it
-    first = (folder / "example.c").read_text("utf-8").splitlines()[0]
-    command = first.removeprefix("/* Try it:").removesuffix("*/").strip()
+    # the first line of an example is a comment that says how to run it; the last one is of C
+    example = next(folder / name for name in reversed(files) if name.startswith("example."))
+    first = example.read_text("utf-8").splitlines()[0]
+    command = first.strip("/* ").removeprefix("Try it:").strip()
     out.print(f"try it there:  {command}", soft_wrap=True)
     return 0
 

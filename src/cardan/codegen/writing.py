@@ -28,6 +28,7 @@ class CFile:
         name: C name of the function.
         text: The file.
         entry: What the manifest says about it.
+        program: What was written.
         includes: Headers of cardan it needs.
         prepare_operations: Number of operations of its parameter stage, by operator.
     """
@@ -35,6 +36,7 @@ class CFile:
     name: str
     text: str = field(repr=False)
     entry: FunctionRow = field(repr=False)
+    program: Program = field(repr=False)
     includes: tuple[str, ...] = ("cardan.h",)
     prepare_operations: dict[str, int] = field(default_factory=dict, repr=False)
 
@@ -94,7 +96,7 @@ def _file(function: Function | Recursion, program: Program, of: str | None) -> C
     file = function.name + language.SUFFIX
     entry = _entry(function, program, file, text, of)
     includes = (*program.includes, *program.late_includes)
-    return CFile(function.name, text, entry, includes, program.prepare_operations)
+    return CFile(function.name, text, entry, program, includes, program.prepare_operations)
 
 
 def _entry(

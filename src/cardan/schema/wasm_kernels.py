@@ -57,6 +57,6 @@ def content(name: str) -> bytes:
 @cache
 def places(name: str) -> dict[str, int]:
     """Addresses in the memory of a module of the kernels: of what it exports, and behind all it has
-    (``heap_base``); and the length of its table (``table``)."""
+    (``heap_base``); and the length of its table (``table``), where others may use that."""
     index = json.loads(INDEX.read_text("utf-8"))
     return {key: int(value) for key, value in index["places"][name].items()}

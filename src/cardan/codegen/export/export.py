@@ -18,6 +18,8 @@ from ...schema.manifest import Manifest
 from .. import flat_scene, header, layout, manifest
 from ..header import Exported
 from ..languages import BINDINGS
+from ..languages.binding import BoundModel
+from ..program.program import Program
 from ..sources import source
 from ..writing import generate
 from . import companions, lanes, model_file
@@ -53,6 +55,11 @@ class ExportRequest:
     prefix: str
     precision: str
 
+    @property
+    def flags(self) -> tuple[str, ...]:
+        """For the compiler."""
+        return (*FLAGS, f"-ffp-contract={'off' if self.reproducible else 'on'}")
+
     @classmethod
     def checked(
         cls,
@@ -71,10 +78,13 @@ class ExportRequest:
         target, methods = Path(directory).resolve(), tuple(name.lower() for name in integrators)
         if language not in BINDINGS:
             raise CodegenError(f"language '{language}' does not exist.{near(language, BINDINGS)}")
+        binding = BINDINGS[language]
         for name in methods:
             if name not in companions.INTEGRATORS:
                 hint = near(name, companions.INTEGRATORS)
                 raise CodegenError(f"integrators: '{name}' does not exist.{hint}")
+        if methods and binding and binding.without_runs:
+            raise CodegenError(f"integrators: language '{language}' {binding.without_runs}")
         prefixes.check(prefix, language)
         precisions.check(precision, language, methods)
         check(target)
@@ -94,7 +104,7 @@ def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
 
     def complete(folder: Path) -> None:
         content = fill(folder)
-        layout.add_files(folder, texts(layout.manifest_of(folder), request, content))
+        layout.add_files(folder, contents(layout.manifest_of(folder), request, content))
         if request.prefix:
             prefixes.add(folder, request.prefix)
         if request.precision == "single":
@@ -111,26 +121,30 @@ def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
     return request.target
 
 
-def texts(data: Manifest, request: ExportRequest, content: Content) -> dict[str, str]:
+def contents(data: Manifest, request: ExportRequest, content: Content) -> dict[str, str | bytes]:
     """Everything beside the functions, by file name."""
+    bound = BoundModel(data, content.programs, content.start, request.flags)
+    binding = BINDINGS[request.language]
+    return {**texts(data, request, content), **(binding.files(bound) if binding else {})}
+
+
+def texts(data: Manifest, request: ExportRequest, content: Content) -> dict[str, str]:
+    """What every export has beside the functions, by file name."""
     methods, functions, elements = request.integrators, content.functions, data.absolute
-    flags = (*FLAGS, f"-ffp-contract={'off' if request.reproducible else 'on'}")
-    line = f"cc {' '.join(flags)} -DCARDAN_EXAMPLE -o example *.c -lm && ./example"
+    line = f"cc {' '.join(request.flags)} -DCARDAN_EXAMPLE -o example *.c -lm && ./example"
     binding = BINDINGS[request.language]
     side_by_side = lanes.methods(data, methods) if request.precision == "double" else []
     top = "simulate_lanes.h" if side_by_side else "simulate.h" if methods else "export.h"
     headers = [top, *(["mesh_export.h"] if elements else [])]
-    files = companions.kernels(methods, elements) | (
-        lanes.files(side_by_side) if side_by_side else {}
-    )
-    files |= {
+    return {
+        **companions.kernels(methods, elements),
+        **(lanes.files(side_by_side) if side_by_side else {}),
         "functions.h": header.prototypes(data.name, functions, headers, content.declared),
         "model.c": model_file.text(data, content, methods),
         "example.c": f"/* Try it:  {line} */\n{source('example.c')}",
         "README.md": readme(data, functions, line, (bool(methods), bool(side_by_side)), binding),
         **content.files,
     }
-    return files | (binding.files(data, flags) if binding else {})
 
 
 def export(
@@ -195,11 +209,12 @@ def filler(
         requested = with_jacobians(equations, language, named, requested)
 
     def fill(folder: Path) -> Content:
-        _write(folder, equations, requested, loops)
+        programs = _write(folder, equations, requested, loops)
         if integrators:
             companions.add_time_jumps(folder, equations.system)
         entries = layout.manifest_of(folder).functions
-        return Content(_ordered(entries), _start(folder, equations, requested, start))
+        values = _start(folder, equations, requested, start)
+        return Content(_ordered(entries), values, programs=programs)
 
     return fill
 
@@ -209,7 +224,7 @@ def _write(
     equations: EquationRecord,
     requested: Sequence[tuple[str, str | None]],
     loops: bool | None = None,
-) -> None:
+) -> list[Program]:
     """Write a model with its functions into a folder."""
     layout.write_model(folder, manifest.base(equations, tuple(n for n, _ in requested)))
     texts = []
@@ -218,6 +233,7 @@ def _write(
         notes = equations.notes(name, of, function)
         texts.append((generate(function, equations.system.name, notes, of=of), function))
     layout.add_functions(folder, texts)
+    return [text.program for text, _ in texts]
 
 
 def _start(

@@ -137,7 +137,9 @@ def check(absolute: FiniteElementRecord, request: ExportRequest) -> None:
     if request.language != "c":
         raise CodegenError(
             f"language '{request.language}': model '{name}' is in absolute coordinates, whose "
-            "elements are exported as C: language='c'. In Python use cardan.compile()"
+            "elements are exported as C: language='c'. In Python use cardan.compile(). Scenes "
+            "without flexible parts go with it in joint coordinates: "
+            "derive(scene, coordinates='relative')"
         )
     if request.precision != "double":
         raise CodegenError(

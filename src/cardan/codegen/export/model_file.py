@@ -12,6 +12,7 @@ from ...schema.manifest import Manifest
 from ...schema.rows import column
 from ..header import VALUES, Exported, array
 from ..program.naming import comment
+from ..program.program import Program
 from .constants import Constants, Declarations, Name, Value
 
 # where none are asked for: tolerances of a run, and the step of methods that choose none [s]
@@ -31,6 +32,7 @@ class Content:
         tolerances: Tolerances other than the usual ones, by method.
         declared: More lines of ``functions.h``.
         files: More files, by name.
+        programs: Its functions, for bindings that are written from them.
     """
 
     functions: Mapping[str, Exported]
@@ -40,6 +42,7 @@ class Content:
     tolerances: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     declared: Sequence[str] = ()
     files: Mapping[str, str] = field(default_factory=dict)
+    programs: Sequence[Program] = ()
 
 
 def text(manifest: Manifest, content: Content, integrators: Sequence[str]) -> str:

@@ -44,7 +44,7 @@ def check(precision: str, language: str, methods: Sequence[str]) -> None:
         raise CodegenError(f"precision '{precision}' does not exist.{near(precision, PRECISIONS)}")
     if precision == "single" and language != "c":
         raise CodegenError(
-            f"precision='single': it goes with language='c'; what {language} calls is double"
+            f"precision='single': it goes with language='c'; numbers of '{language}' are double"
         )
     # Newton's method and tangents want more digits
     offered = [name for name, method in KERNELS.items() if not (method.needs or method.multipliers)]

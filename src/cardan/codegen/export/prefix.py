@@ -30,7 +30,7 @@ def check(prefix: str, language: str) -> None:
         )
     if prefix and language != "c":
         raise CodegenError(
-            f"prefix='{prefix}': it goes with language='c'; what Python loads does not collide"
+            f"prefix='{prefix}': it goes with language='c'; what {language} loads does not collide"
         )
 
 

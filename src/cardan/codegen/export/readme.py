@@ -85,6 +85,8 @@ def readme(
         more = len(rows) - len(names)
         listing = ", ".join(names) + (f" and {more} more in `model.h`" if more > 0 else "")
         lines += ["", f"**{block}** ({BLOCKS[block]}, {len(rows)}): {listing or 'none'}"]
+    guide = binding.guide(manifest) if binding else ""
+    lines += ["", guide] if guide else []
     return "\n".join([*lines, "", source("elements.md" if meshed else "relative.md")])
 
 

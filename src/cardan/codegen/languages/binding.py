@@ -1,8 +1,8 @@
-"""Bindings: calls of the exported C from other programs, their files and their use."""
+"""Bindings: calls of exported functions from other programs, their files and their use."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
 from pprint import pformat
@@ -13,25 +13,47 @@ from ...schema.c_functions import FunctionRow, ResultRow
 from ...schema.manifest import BLOCKS as BLOCK_KEYS
 from ...schema.manifest import Manifest
 from ...schema.request import Request, reads
+from ..program.program import Program
+
+
+@dataclass(frozen=True)
+class BoundModel:
+    """An exported model, as bindings are written from it.
+
+    Attributes:
+        manifest: What it is.
+        programs: Its functions, for what is written from them and not around their C.
+        start: Values to start from instead of those that the scene names, by block.
+        flags: For the compiler.
+    """
+
+    manifest: Manifest
+    programs: Sequence[Program]
+    start: Mapping[str, Sequence[float]]
+    flags: Sequence[str]
 
 
 @dataclass(frozen=True)
 class Binding:
-    """Calls of the exported C from another program.
+    """Calls of exported functions from another program.
 
     Attributes:
-        package: Name under which Python imports it.
-        files: Its files by name: (manifest, flags for the compiler) -> texts.
+        package: Name under which they are imported.
+        files: Its files by name.
         listed: Names of these files, for the README; ``{package}`` stands for the name.
         use: How it is built and imported, for the README.
         jacobians: Whether every function comes with its derivatives along all that it takes.
+        guide: More of the README.
+        without_runs: Why integrators do not go with it, and what does; "" where they do.
     """
 
     package: Callable[[Manifest], str]
-    files: Callable[[Manifest, Sequence[str]], dict[str, str]]
+    files: Callable[[BoundModel], dict[str, str | bytes]]
     listed: str
     use: str
     jacobians: bool = False
+    guide: Callable[[Manifest], str] = lambda manifest: ""
+    without_runs: str = ""
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from ...schema.manifest import Manifest
 from ..program.naming import Names, mangle
 from ..sources import source
 from . import binding
-from .binding import BoundFunction, Jacobian
+from .binding import BoundFunction, BoundModel, Jacobian
 
 SUFFIX = ".c"
 # where a value that nobody gave means that nothing acts
@@ -55,13 +55,14 @@ def package(manifest: Manifest) -> str:
     return f"{mangle(manifest.name).lower()}_casadi"
 
 
-def files(manifest: Manifest, flags: Sequence[str]) -> dict[str, str]:
+def files(model: BoundModel) -> dict[str, str | bytes]:
     """The C of the external functions and the module that loads them."""
+    manifest = model.manifest
     functions = binding.bound(manifest)
     return {
         "binding.h": source("binding.h"),
         "casadi.c": _c(manifest, functions),
-        f"{package(manifest)}.py": module(HEAD, manifest, package(manifest), flags)
+        f"{package(manifest)}.py": module(HEAD, manifest, package(manifest), model.flags)
         + source("library.txt")
         + source("casadi.txt"),
     }

@@ -5,14 +5,13 @@ from __future__ import annotations
 import json
 import keyword
 import sys
-from collections.abc import Sequence
 
 from ...schema.blocks import ARGUMENTS, ORDER
 from ...schema.c_functions import FunctionRow, ResultRow
 from ...schema.manifest import Manifest
 from ..program.naming import mangle
 from ..sources import source
-from .binding import Binding, arguments, literal, plain, summary
+from .binding import Binding, BoundModel, arguments, literal, plain, summary
 from .binding import names as listed_names
 from .binding import sizes as block_sizes
 
@@ -106,17 +105,12 @@ def package(manifest: Manifest) -> str:
     return f"{name}_model" if taken else name
 
 
-def files(manifest: Manifest, flags: Sequence[str]) -> dict[str, str]:
-    """The files of the package, by name.
-
-    Args:
-        manifest: Of the model, with the functions to export.
-        flags: For the compiler.
-    """
-    name = package(manifest)
+def files(model: BoundModel) -> dict[str, str | bytes]:
+    """The files of the package, by name."""
+    name = package(model.manifest)
     return {
-        f"{name}.pyx": write(manifest),
-        "setup.py": SETUP.format(name=name, flags=json.dumps(list(flags))),
+        f"{name}.pyx": write(model.manifest),
+        "setup.py": SETUP.format(name=name, flags=json.dumps(list(model.flags))),
         "pyproject.toml": PROJECT.format(name=name),
     }
 

@@ -11,7 +11,7 @@ from ...schema.rows import column
 from ..program.naming import mangle
 from ..sources import source
 from . import binding
-from .binding import BoundFunction
+from .binding import BoundFunction, BoundModel
 
 SUFFIX = ".c"
 SIZED = ("q", "u", "z", "s", "r", "p", "udot", "tau", "x")
@@ -60,14 +60,15 @@ def package(manifest: Manifest) -> str:
     return f"{mangle(manifest.name).lower()}_jax"
 
 
-def files(manifest: Manifest, flags: Sequence[str]) -> dict[str, str]:
+def files(model: BoundModel) -> dict[str, str | bytes]:
     """The C of the handlers and the module that registers them."""
+    manifest = model.manifest
     functions = binding.bound(manifest)
     lines = [source("jax.c")]
     for f in functions:
         lines += [f"/* {f.symbol} */", *binding.records(f, manifest, grouped=False)]
         lines += [*(f"DEFINE({symbol})" for symbol in (f.symbol, *f.derivatives)), ""]
-    head = _head(manifest, functions, package(manifest), flags)
+    head = _head(manifest, functions, package(manifest), model.flags)
     parts = [head, source("library.txt"), source("jax.txt")]
     return {
         "binding.h": source("binding.h"),

@@ -2,7 +2,8 @@
 
 The same operations in the same order as the C, nothing contracted, so that results have the bits of
 a reproducible build. Functions have the interface of the C: they take addresses in the memory of
-the kernels, of which they use the elementary functions and the solvers of linear systems.
+the kernels, of which they use the elementary functions and the solvers of linear systems. An export
+has them in one module, and one of JavaScript that calls them.
 
 Source: WebAssembly Core Specification 2.0, W3C, chapter 5 (binary format).
 """
@@ -14,6 +15,7 @@ from itertools import groupby
 from typing import Any
 
 from ...ir.graph import ZERO
+from ...schema import wasm_kernels
 from ..program.program import (
     Angles,
     Assign,
@@ -31,6 +33,7 @@ from ..program.program import (
     Statement,
     StridedLoop,
 )
+from ..wasm import javascript
 from ..wasm.expressions import Expressions, Shared
 from ..wasm.instructions import (
     ADD_I,
@@ -55,8 +58,10 @@ from ..wasm.instructions import (
     memory,
 )
 from ..wasm.module import I32, Code, Module, Signature, unsigned
+from .binding import Binding, BoundModel
 
 SUFFIX = ".wasm"
+KERNELS = "functions"  # all that functions in joint coordinates call
 # so many zeros of a linear system are written one by one
 FEW = 4
 
@@ -101,6 +106,32 @@ def add(target: Module, program: Program, exported: bool = False) -> None:
         gives = "" if routine.kind.startswith("prepare") else "i"
         public = exported and routine.kind in ("function", "prepare")
         target.add(routine.name, Signature("i" * len(kind), gives), code, public)
+
+
+def files(model: BoundModel) -> dict[str, str | bytes]:
+    """The functions as one module, the kernels that they call, and what loads both."""
+    name = javascript.package(model.manifest)
+    base = wasm_kernels.places(KERNELS)["heap_base"]
+    written = Module(base + -base % 16)
+    for program in model.programs:
+        add(written, program, exported=True)
+    return {
+        f"{name}.wasm": written.encoded(),
+        f"{KERNELS}.wasm": wasm_kernels.content(KERNELS),
+        f"{name}.mjs": javascript.text(model, KERNELS, written.end),
+        "example.mjs": javascript.example(model.manifest),
+    }
+
+
+BINDING = Binding(
+    javascript.package,
+    files,
+    "`{package}.mjs`, `*.wasm`, `example.mjs`",
+    "functions of JavaScript, in node and in pages: `node example.mjs`; no compiler, see below",
+    guide=javascript.guide,
+    without_runs="has functions and no runs: cd.page(scene), or cardan page, writes a page that "
+    "simulates; language='c' exports C that does",
+)
 
 
 class _Writer(Expressions):

@@ -95,11 +95,7 @@ def build(folder: Path) -> None:
     index = {
         "sources": digest(),
         "compiler": f"ziglang {version('ziglang')}",
-        "places": {
-            name: _places(folder / f"{name}.wasm")
-            for name, module in MODULES.items()
-            if module.integrators
-        },
+        "places": {name: _places(folder / f"{name}.wasm") for name in MODULES},
     }
     (folder / wasm_kernels.INDEX.name).write_text(json.dumps(index, indent=1) + "\n", "utf-8")
 
