@@ -35,7 +35,7 @@ GUIDE: dict[str, tuple[str, ...]] = {
     ),
     "Analyses": ("statics_and_modes", "branches", "cycles", "identification"),
     "Trust": ("verification", "hard_cases", "what_goes_with_what", "security"),
-    "Books": ("companions/index",),
+    "Books": ("companions/index", "problems/index"),
     "The project": ("building", "architecture", "contributing", "performance/index"),
 }
 FOLDER = "\n```{toctree}\n:hidden:\n:glob:\n\n*\n```\n"

@@ -27,12 +27,7 @@ PHOTO = "page.png"
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome", "chrome")
 SHOT = (
     *("--headless", "--no-sandbox", "--hide-scrollbars", "--use-angle=swiftshader"),
-    *(
-        "--enable-unsafe-swiftshader",
-        "--force-prefers-reduced-motion",
-        "--virtual-time-budget=500",
-        "--window-size=720,450",
-    ),
+    *("--enable-unsafe-swiftshader", "--force-prefers-reduced-motion", "--window-size=720,450"),
 )
 
 

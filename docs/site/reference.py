@@ -35,6 +35,7 @@ PAGES: dict[str, tuple[str, tuple[str, ...]]] = {
         "Inertias, shapes, sections, lines, orbits",
         ("inertia", "shape", "section", "material", "Material", "arc", "spline", "orbit"),
     ),
+    "subsystems": ("Ready parts", ("parts",)),
     "superelements": ("Superelements", ("superelement", "DeformedSuperelement")),
     "equations": (
         "Equations",
