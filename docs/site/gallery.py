@@ -102,6 +102,7 @@ def sources() -> str:
 
 def _run_here(script: str) -> None:
     """Run an example; a motion without a page gets one, and a drawing stands in for pictures."""
+    sys.argv = [script]  # some take a folder
     names = runpy.run_path(script, run_name="__main__")
     import cardan as cd
 

@@ -52,7 +52,7 @@ SEARCHES: dict[str, set[str]] = {
     "slider": {"live"},
     "share link": {"live"},
     "WebAssembly": {"live"},
-    "no compiler": {"live", "building"},
+    "no compiler": {"live"},
     "Jacobian": {"functions"},
     "PID": {"forces"},
     "contact": {"forces"},
