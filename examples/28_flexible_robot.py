@@ -29,10 +29,12 @@ def robot(sample: float | None = None) -> cd.Scene:
         place = link.end
         kp, ki, kd = GAINS[name]
         total, error = sp.Symbol(f"{name}_total"), TARGET[name] - scene.q(name)
-        torque = kp * error + ki * total - kd * scene.u(name)
+        torque = kp * error + ki * total
         change = error if sample is None else total + sample * error
         pid = cd.Controller(name, (total,), (change,), torque, sample=sample)
         scene.force(f"{name}_pid", pid)
+        # the motor damps by itself: held over a sample, this would shake the light hub
+        scene.force(f"{name}_motor", cd.JointDamper(name, kd))
     load = scene.body("load", mass=0.5, inertia=(2e-4, 2e-4, 2e-4))
     scene.joint("grip", cd.Fixed(), place, load)
     for axis, name in ((0, "x"), (2, "z")):

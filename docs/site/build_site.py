@@ -35,7 +35,7 @@ GUIDE: dict[str, tuple[str, ...]] = {
     ),
     "Analyses": ("statics_and_modes", "branches", "cycles", "identification"),
     "Trust": ("verification", "hard_cases", "what_goes_with_what", "security"),
-    "Books": ("companions/index",),
+    "Books": ("companions/index", "problems/index"),
     "The project": ("building", "architecture", "contributing", "performance/index"),
 }
 FOLDER = "\n```{toctree}\n:hidden:\n:glob:\n\n*\n```\n"
@@ -89,10 +89,12 @@ def collect(source: Path) -> None:
         target.parent.mkdir(parents=True, exist_ok=True)
         text = mended(path.read_text(encoding="utf-8"), path, place)
         # the first page of a folder leads to the others
-        text += FOLDER * place.endswith("/index")
+        if place.endswith("/index"):
+            below = "\n*/*" if any(path.parent.glob("*/*.md")) else ""
+            text += FOLDER.replace("*", f"*{below}")
         target.write_text(text, encoding="utf-8")
     for path in DOCS.rglob("*"):
-        if path.suffix in {".svg", ".png", ".json"} and HERE not in path.parents:
+        if path.suffix in {".svg", ".png", ".json", ".yaml"} and HERE not in path.parents:
             target = source / path.relative_to(DOCS)
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(path, target)

@@ -18,7 +18,7 @@ exclude_patterns: list[str] = []
 html_theme = "furo"
 html_title = "cardan"
 html_css_files = ["site.css"]
-html_copy_source = html_show_sourcelink = False
+html_copy_source = html_show_sourcelink = html_show_copyright = False
 html_math_renderer = "mathml"
 templates_path: list[str] = []
 

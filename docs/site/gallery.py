@@ -27,12 +27,7 @@ PHOTO = "page.png"
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome", "chrome")
 SHOT = (
     *("--headless", "--no-sandbox", "--hide-scrollbars", "--use-angle=swiftshader"),
-    *(
-        "--enable-unsafe-swiftshader",
-        "--force-prefers-reduced-motion",
-        "--virtual-time-budget=500",
-        "--window-size=720,450",
-    ),
+    *("--enable-unsafe-swiftshader", "--force-prefers-reduced-motion", "--window-size=720,450"),
 )
 
 
@@ -107,6 +102,7 @@ def sources() -> str:
 
 def _run_here(script: str) -> None:
     """Run an example; a motion without a page gets one, and a drawing stands in for pictures."""
+    sys.argv = [script]  # some take a folder
     names = runpy.run_path(script, run_name="__main__")
     import cardan as cd
 

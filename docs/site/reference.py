@@ -35,6 +35,7 @@ PAGES: dict[str, tuple[str, tuple[str, ...]]] = {
         "Inertias, shapes, sections, lines, orbits",
         ("inertia", "shape", "section", "material", "Material", "arc", "spline", "orbit"),
     ),
+    "subsystems": ("Ready parts", ("parts",)),
     "superelements": ("Superelements", ("superelement", "DeformedSuperelement")),
     "equations": (
         "Equations",
@@ -198,14 +199,15 @@ def write(folder: Path) -> None:
     programs = sorted(file.stem for file in SNIPPETS.glob("*.py"))
     for name in programs:
         text = (SNIPPETS / f"{name}.py").read_text(encoding="utf-8")
-        title = f"Program of the examples: {name}"
+        title = f"Examples: {name}"
         body = f"# {title}\n\n```python\n{text}```\n"
         (folder / "programs" / f"{name}.md").write_text(body, encoding="utf-8")
-    listing = "\n".join([*contents, *(f"programs/{name}" for name in programs)])
-    (folder / "index.md").write_text(
-        f"# Reference\n\n{LEAD}\n\n```{{toctree}}\n:maxdepth: 1\n\n{listing}\n```\n",
-        encoding="utf-8",
+    listed = {"": contents, "## Programs of the examples": [f"programs/{n}" for n in programs]}
+    text = "\n".join(
+        f"{heading}\n\n```{{toctree}}\n:maxdepth: 1\n\n" + "\n".join(names) + "\n```\n"
+        for heading, names in listed.items()
     )
+    (folder / "index.md").write_text(f"# Reference\n\n{LEAD}\n{text}", encoding="utf-8")
 
 
 LEAD = (

@@ -21,7 +21,7 @@ def add_entries(source: Path) -> None:
     """Give every page the entries of the words that it answers, below its title."""
     entries: dict[str, list[str]] = {}
     for words, page in table():
-        place = re.sub(r"^\.\./", "", page).replace("performance/README", "performance/index")
+        place = re.sub(r"\bREADME$", "index", re.sub(r"^\.\./", "", page))
         entries.setdefault(place, []).extend(words)
     for page, words in entries.items():
         path = source / f"{page}.md"

@@ -55,7 +55,8 @@ class Compiler:
         return "clang" if "clang" in self.identity.lower() else "gcc"
 
     @property
-    def _zig(self) -> bool:
+    def is_zig(self) -> bool:
+        """Whether it is the clang of ziglang, which compiles several files at once by itself."""
         return any("zig" in Path(word).name for word in self.command)
 
     @property
@@ -64,7 +65,7 @@ class Compiler:
 
         Measured on functions of one state at a time: up to a sixth less time; lanes lose 3 %.
         """
-        return ("-mtune=native",) if self.level in X86 and not self._zig else ()
+        return ("-mtune=native",) if self.level in X86 and not self.is_zig else ()
 
     def flags(self, reproducible: bool = False) -> tuple[str, ...]:
         """Flags of a scalar unit; contraction is always given.
@@ -73,7 +74,7 @@ class Compiler:
             reproducible: No contraction: every compiler of IEEE arithmetic gives equal bits.
         """
         # what zig writes for debuggers by itself is four times the code
-        level = (*self.level.zig, "-g0", "-s") if self._zig else self.level.flags
+        level = (*self.level.zig, "-g0", "-s") if self.is_zig else self.level.flags
         return (*self.options, *level, *self.contraction(reproducible), *SHARED_FLAGS)
 
     def for_models(self) -> Compiler:

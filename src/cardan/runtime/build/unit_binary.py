@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Protocol
 
 from ...errors import CompilerMissing
 from . import cache, cache_folder, toolchain
 from .cpu_levels import OTHER
+from .parallel_build import in_parallel
 from .toolchain import Compiler
 
-# other names than those of the interface stay inside, and what debuggers read is left out
-EXTRA = ("-fvisibility=hidden", "-s")
+# names other than those of the interface stay inside
+HIDDEN = ("-fvisibility=hidden",)
+# what debuggers read is left out
+LINKED = (*HIDDEN, "-s")
 
 
 class Target(Protocol):
@@ -50,11 +54,38 @@ def unit_binary(
         by = _cross(platform)
     folder = sources[0].parent
     with tempfile.TemporaryDirectory(prefix="cardan-unit-") as scratch:
-        output = Path(scratch) / "unit"
-        toolchain.compile_shared(
-            by, sources, [folder], output, reproducible, cache_folder.directory() / "zig", EXTRA
-        )
-        return output.read_bytes()
+        to = partial(_compiled, by, [folder], reproducible)
+        files = list(sources)
+        if not by.is_zig:
+            parts = [Part(Path(scratch) / f"{source.stem}.o") for source in sources]
+            named = zip(sources, parts, strict=True)
+            in_parallel([partial(to, [source], part, (*HIDDEN, "-c")) for source, part in named])
+            files = [part.path for part in parts]
+        return to(files, Part(Path(scratch) / "unit"), LINKED).path.read_bytes()
+
+
+@dataclass(frozen=True)
+class Part:
+    """An object in a folder that goes away as a whole."""
+
+    path: Path
+
+    def discard(self) -> None:
+        """Nothing to do."""
+
+
+def _compiled(
+    by: Compiler,
+    include: Sequence[Path],
+    reproducible: bool,
+    files: Sequence[Path],
+    part: Part,
+    extra: Sequence[str],
+) -> Part:
+    """Compile or link files into one."""
+    scratch = cache_folder.directory() / "zig"
+    toolchain.compile_shared(by, files, include, part.path, reproducible, scratch, extra)
+    return part
 
 
 def _cross(platform: Target) -> Compiler:
