@@ -78,7 +78,7 @@ class Page:
         # the page runs in a frame of its own, without access to the notebook
         return (
             f'<iframe srcdoc="{html.escape(self.html)}" sandbox="allow-scripts allow-downloads" '
-            f'title="motion" style="width:100%;height:{HEIGHT}px;border:0"></iframe>'
+            f'title="motion" loading="lazy" style="width:100%;height:{HEIGHT}px;border:0"></iframe>'
         )
 
 
