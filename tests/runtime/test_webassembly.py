@@ -76,8 +76,9 @@ def test_runs_are_those_of_compiled_c(name, bare):
     content = pickle.dumps(model)
     bare()
     motion = pickle.loads(content).simulate(0.5, q=SCENES[name])
-    scale = np.abs(expected.x).max()
-    assert np.abs(motion.x[-1] - expected.x[-1]).max() <= 1e-5 * scale + 1e-12
+    # rounding; iterations onto loops and of implicit steps end within their tolerances
+    bound = 1e-5 if name in ("four_bar", "flexible_arm") else 1e-12
+    assert np.abs(motion.x[-1] - expected.x[-1]).max() <= bound * np.abs(expected.x).max()
     assert [event.name for event in motion.events] == [event.name for event in expected.events]
 
 
