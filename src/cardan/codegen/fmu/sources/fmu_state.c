@@ -17,7 +17,7 @@ static const ptrdiff_t MOST = PTRDIFF_MAX / 2;
 static const double BEHIND = 1e6;
 
 /* Whole numbers of a run, with the least and the largest value: counts, flags, places. */
-#define WHOLE(F)                                                                                   \
+#define INTEGERS(F)                                                                                \
     F(in_segment, 0, MOST) F(rejected, 0, MOST) F(ranks, 0, MOST) F(at_once, 0, MOST)              \
     F(occurred, 0, MOST) F(steps, 0, MOST) F(rejections, 0, MOST) F(evaluations, 0, MOST)          \
     F(projections, 0, MOST) F(passed, 0, MOST) F(looked, 0, MOST) F(limited, 0, MOST)              \
@@ -32,10 +32,10 @@ static const double BEHIND = 1e6;
     F(t) F(t_old) F(t_start) F(segment) F(h) F(until) F(early) F(late) F(moment) F(correction)     \
     F(size) F(rank_margin) F(best_rank_margin) F(pass_start) F(pass_length)
 
-#define WHOLE_FIELD(name, least, most) ptrdiff_t name;
+#define INTEGER_FIELD(name, least, most) ptrdiff_t name;
 #define REAL_FIELD(name) real name;
 struct fmu_numbers {
-    WHOLE(WHOLE_FIELD)
+    INTEGERS(INTEGER_FIELD)
     REALS(REAL_FIELD)
 };
 
@@ -60,9 +60,9 @@ static uint64_t hash(const void *bytes, size_t count)
 /* Numbers of a run, as a state holds them. */
 static void take_numbers(struct fmu_numbers *to, const cardan_run *run)
 {
-#define TAKE_WHOLE(name, least, most) to->name = run->name;
+#define TAKE_INTEGER(name, least, most) to->name = run->name;
 #define TAKE_REAL(name) to->name = run->name;
-    WHOLE(TAKE_WHOLE)
+    INTEGERS(TAKE_INTEGER)
     REALS(TAKE_REAL)
 }
 
@@ -71,13 +71,13 @@ static int give_numbers(cardan_run *run, const struct fmu_numbers *from, ptrdiff
 {
     int right = 1;
 
-#define GIVE_WHOLE(name, least, most)                                                              \
+#define GIVE_INTEGER(name, least, most)                                                            \
     run->name = from->name;                                                                        \
     right = right && run->name >= (least) && run->name <= (most);
 #define GIVE_REAL(name)                                                                            \
     run->name = from->name;                                                                        \
     right = right && run->name == run->name;
-    WHOLE(GIVE_WHOLE)
+    INTEGERS(GIVE_INTEGER)
     REALS(GIVE_REAL)
     return right && fmu_finite(run->t) && fmu_finite(run->t_old) && fmu_finite(run->h);
 }
