@@ -19,6 +19,7 @@ from .errors import ArgumentError, ModelError, brief, near
 from .pipeline import compile as compiled
 from .pipeline import derive
 from .runtime.trajectory.trajectory import TrajectoryRecord
+from .schema.blocks import ORDER
 from .schema.manifest import Manifest
 from .view import live_page
 from .view import page as pages
@@ -86,15 +87,16 @@ def page(
         ArgumentError: an unknown parameter, input, history or frame; an empty range.
     """
     equations = _equations(scene)
-    if page not in ("auto", *pages.PAGES):
-        raise ArgumentError(f"page='{page}': there is no such page.{near(page, pages.PAGES)}")
+    kinds = ("auto", *pages.PAGES)
+    if page not in kinds:
+        raise ArgumentError(f"page='{page}': there is no such page.{near(page, kinds)}")
     model = compiled(equations)
     x = np.asarray(model.simulate((0.0, INSTANT), q=q, u=u, check=True).x[0])
     preview = _preview(model, x)
     options = pages.PageOptions(traces=(traces,) if isinstance(traces, str) else traces)
     for name in options.traces:
         if name not in model.frames:
-            raise ArgumentError(f"traces: '{name}' is no frame.{near(name, model.frames)}")
+            raise ArgumentError(f"traces: '{name}' is not a frame.{near(name, model.frames)}")
     drawing = pages.drawing_of([preview], options)
     spec, module = _specification(equations, preview, drawing, x)
     spec |= {"drag": drag, "rtol": rtol, "atol": 1e-3 * rtol}
@@ -144,6 +146,8 @@ def _specification(
         "table": live.table,
         "functions": live.functions,
         "records": live.records,
+        "settings": size("cardan_simulation"),
+        "slots": list(ORDER),
         "exported": {"size": size(exported), "function": places(exported)["function"][0]},
         "parameters": preview.model.parameters.vector.tolist(),
         "inputs": [float(entry.default) for entry in manifest.inputs],
@@ -197,7 +201,7 @@ def _sliders(
             unit, value = manifest.inputs[index].unit, float(manifest.inputs[index].default)
         else:
             hint = near(name, [*parameters, *inputs])
-            raise ArgumentError(f"sliders: '{name}' is no parameter and no input.{hint}")
+            raise ArgumentError(f"sliders: '{name}' is neither a parameter nor an input.{hint}")
         low, high = _span(name, span, value)
         key = f"p.{name}" if name in TAKEN else name
         rows.append(
@@ -222,8 +226,8 @@ def _span(name: str, span: Range, value: float) -> tuple[float, float]:
         low = high = np.nan
     if not (np.isfinite([low, high]).all() and low < high):
         raise ArgumentError(
-            f"sliders: '{name}': {brief(span)} is no range: give two numbers such as (0.1, 5), or "
-            "None"
+            f"sliders: '{name}': {brief(span)} is not a range: give two numbers such as (0.1, 5), "
+            "or None"
         )
     return low, high
 

@@ -161,8 +161,8 @@ def test_what_an_output_reads_may_be_given_by_others(models: Any, tmp_path: Path
     [
         ("none.c", "", r"there is no C file .*none\.c"),
         ("constants.h", "", r"there is no C file .*constants\.h"),
-        ("lugre.c", "system(1)", r"'system\(1\)' is no name in C"),
-        ("lugre.c", "a\nb", "is no name in C"),
+        ("lugre.c", "system(1)", r"'system\(1\)' is not a name in C"),
+        ("lugre.c", "a\nb", "is not a name in C"),
     ],
 )
 def test_what_is_no_function_is_refused(tmp_path: Path, file: str, name: str, words: str) -> None:

@@ -1,5 +1,6 @@
 """The C as a reader sees it: head, sections, names, lines; the same bytes every time."""
 
+import ast
 import math
 import os
 import re
@@ -224,3 +225,15 @@ def test_the_zoo_gives_no_warnings(name: str, compiler: str, tmp_path: Path) -> 
         check=False,
     )
     assert answer.returncode == 0, answer.stderr[:2000]
+
+
+@pytest.mark.parametrize("language", ["cython", "casadi", "jax"])
+def test_modules_have_the_name_of_the_scene(language: str, tmp_path: Path) -> None:
+    """Whatever characters it has: a name is text in a docstring and in a constant."""
+    name = "a\"b\\c'''"
+    scene = cd.Scene(name)
+    scene.joint("j", cd.Revolute("z"), scene.ground, scene.body("b", mass=1.0, inertia=(1, 1, 1)))
+    folder = cd.derive(scene).export(tmp_path / "x", ["rhs"], language=language)
+    texts = [path.read_text("utf-8") for path in folder.iterdir() if path.suffix in (".py", ".pyx")]
+    constants = re.findall(r"^NAME = (.*)$", "\n".join(texts), re.MULTILINE)
+    assert [ast.literal_eval(constant) for constant in constants] == [name]

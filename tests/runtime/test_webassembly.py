@@ -53,33 +53,36 @@ def test_every_function_gives_the_same_numbers(name, bare):
         other = pickle.loads(content)
         for n, expected in known.items():
             for key, value in calls(other, n).items():
-                scale = np.abs(known[5][key]).max() or 1.0
+                # a reaction is a sum with h, whose terms may cancel
+                terms = (key, "h") if key == "reaction" else (key,)
+                scale = max(np.abs(known[5][term]).max() for term in terms) or 1.0
                 bound = 1e-12 * scale * (condition if key in ("rhs", "udot", "reaction") else 1)
                 assert np.abs(value - expected[key]).max() <= bound, key
     assert runs_in_wasmtime(other, "rhs")
 
 
-SCENES = {
-    "double_pendulum": {"shoulder": 1.0},
-    "cart_pole": {"pole": 0.4},
-    **dict.fromkeys(("four_bar", "bouncing_ball", "flexible_arm", "bicycle")),
-}
+MOVING = ("cart_pole", "four_bar", "bouncing_ball", "flexible_arm", "bicycle")
 
 
 @pytest.mark.filterwarnings("ignore::cardan.errors.SolveWarning")
-@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("name", MOVING)
 def test_runs_are_those_of_compiled_c(name, bare):
-    model = cd.compile(cd.load(cd.examples.path(name)))
-    expected = model.simulate(0.5, q=SCENES[name])
+    scene = cd.load(cd.examples.path(name))
+    model = cd.compile(scene)
+    start = {block: scene.settings[block] for block in "qu" if block in scene.settings}
+    expected = model.simulate(0.5, **start)
     content = pickle.dumps(model)
     bare()
-    motion = pickle.loads(content).simulate(0.5, q=SCENES[name])
-    scale = np.abs(expected.x).max()
-    assert np.abs(motion.x[-1] - expected.x[-1]).max() <= 1e-5 * scale + 1e-12
+    motion = pickle.loads(content).simulate(0.5, **start)
+    size = np.ptp(expected.x, axis=0).max()
+    assert size > 0.1
+    # rounding; iterations onto loops and of implicit steps end within their tolerances
+    bound = 1e-5 if name in ("four_bar", "flexible_arm") else 1e-11
+    assert np.abs(motion.x[-1] - expected.x[-1]).max() <= bound * size
     assert [event.name for event in motion.events] == [event.name for event in expected.events]
 
 
-def test_threads_and_batches_share_one_store(bare):
+def test_threads_and_batches_share_a_function(bare):
     model = cd.compile(ZOO["crane"].build())
     content = pickle.dumps(model)
     x = model.random_state(3, (200,))
@@ -95,6 +98,54 @@ def test_threads_and_batches_share_one_store(bare):
     assert len(found) == 4
     for rows in found:
         np.testing.assert_allclose(rows, expected, rtol=1e-9, atol=1e-9)
+
+
+def test_functions_are_compiled_while_others_run(bare):
+    """Threads stay inside one function while others are used for the first time."""
+    model = cd.compile(ZOO["double_pendulum"].build())
+    content = pickle.dumps(model)
+    x = model.random_state(3, (500,))
+    bare()
+    other = pickle.loads(content)
+    expected = other.rhs(0.0, x)
+    objects, done = other._objects, threading.Event()
+    wrong: list[int] = []
+
+    def run() -> None:
+        while not done.is_set():
+            wrong.append(int((other.rhs(0.0, x) != expected).sum()))
+
+    threads = [threading.Thread(target=run) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    try:
+        function = objects.function("rhs")
+        for _ in range(100):
+            objects._evaluated("rhs", function)
+    finally:
+        done.set()
+        for thread in threads:
+            thread.join()
+    assert len(wrong) > 10
+    assert not any(wrong)
+
+
+def test_memories_do_not_change_once_they_are_called(bare, monkeypatch):
+    """A store serves one thread at a time, and a memory that grows may move: each grows once."""
+    content = pickle.dumps(cd.compile(ZOO["double_pendulum"].build()))
+    bare()
+    grow, stores = wasmtime.Memory.grow, []
+
+    def noted(memory, store, pages):
+        stores.append(store)
+        return grow(memory, store, pages)
+
+    monkeypatch.setattr(wasmtime.Memory, "grow", noted)
+    model = pickle.loads(content)
+    for name in ("rhs", "energy", "momentum", "mass_matrix", "bias", "gravity"):
+        model.prepare(name)
+    assert len(stores) >= 6
+    assert len({id(store) for store in stores}) == len(stores)
 
 
 def test_places_are_given_back(bare):

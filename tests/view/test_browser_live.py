@@ -88,6 +88,10 @@ def test_sliders_and_the_link_that_holds_them(page: Any) -> None:
     page.reload()
     page.wait_for_selector("body[data-live]", timeout=60000)
     assert page.evaluate("() => window.cardan.live.p[0]") == 2.5
+    # what says no number leaves the slider where it is
+    page.evaluate("() => { location.hash = '#m='; }")
+    page.wait_for_function("() => window.cardan.live.t < 0.5", timeout=20000)
+    assert page.evaluate("() => window.cardan.live.p[0]") == 2.5
 
 
 def test_a_hand_pulls_a_body(page: Any) -> None:

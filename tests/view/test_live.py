@@ -197,13 +197,13 @@ def test_inputs_are_sliders_too() -> None:
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        ({"sliders": ["masss"]}, "'masss' is no parameter and no input"),
-        ({"sliders": {"m": (2.0, 1.0)}}, "'m': (2.0, 1.0) is no range"),
-        ({"sliders": {"m": (0.0, float("nan"))}}, "is no range"),
-        ({"sliders": {"m": "wide"}}, "is no range"),
+        ({"sliders": ["masss"]}, "'masss' is neither a parameter nor an input"),
+        ({"sliders": {"m": (2.0, 1.0)}}, "'m': (2.0, 1.0) is not a range"),
+        ({"sliders": {"m": (0.0, float("nan"))}}, "is not a range"),
+        ({"sliders": {"m": "wide"}}, "is not a range"),
         ({"plots": "elbou"}, "there is no history 'elbou'"),
-        ({"traces": "hand"}, "'hand' is no frame"),
-        ({"page": "4d"}, "page='4d'"),
+        ({"traces": "hand"}, "'hand' is not a frame"),
+        ({"page": "4d"}, "page='4d': there is no such page. Known: auto, 3d, plain"),
     ],
 )
 def test_what_cannot_be_is_refused_by_name(options: dict[str, Any], said: str) -> None:

@@ -175,7 +175,8 @@ def test_trimesh_reads_solids_in_place(motion: cd.Trajectory, tmp_path: Path) ->
     # a box of 0.1 x 0.1 x 1 beside round solids: closed, and seen from outside
     volumes = [scene.geometry[name].volume for _, name in shapes]
     expected = 0.01 + np.pi * (0.05**2 * 0.3 + 0.02**2 * 0.2 + 4 / 3 * (0.1**3 + 0.02**3))
-    assert sum(volumes) == pytest.approx(expected, rel=0.03)
+    # facets lie inside of what is round
+    assert 0.97 * expected < sum(volumes) < expected
     assert all(scene.geometry[name].is_winding_consistent for _, name in shapes)
 
 

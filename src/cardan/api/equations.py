@@ -97,13 +97,13 @@ class Equations(Explained, Linearizable):
         from ..analyses.simulation.export_plan import started
         from ..codegen.export.export import export
         from ..codegen.fmu.export import of_joints
-        from ..codegen.fmu.request import UnitOptions, request_of
+        from ..codegen.fmu.request import FmuOptions, request_of
         from ..runtime.build.unit_binary import unit_binary
 
         foreign = {"functions": functions, "language": language, "loops": loops, "prefix": prefix}
         foreign["precision"] = precision
-        unit, name = UnitOptions(fmi, kinds, platforms, q, u), self.system.name
-        fmu = request_of(directory, name, False, unit, foreign, integrators, reproducible)
+        options, name = FmuOptions(fmi, kinds, platforms, q, u), self.system.name
+        fmu = request_of(directory, name, False, options, foreign, integrators, reproducible)
         start = partial(started, CompiledModel, q=q, u=u)
         if fmu is not None:
             return of_joints(self, fmu, start, unit_binary)
@@ -163,13 +163,13 @@ class FiniteElementEquations(FiniteElementRecord):
         from ..analyses.simulation.export_plan import planned
         from ..codegen.export.finite_elements import export
         from ..codegen.fmu.export import of_elements
-        from ..codegen.fmu.request import UnitOptions, request_of
+        from ..codegen.fmu.request import FmuOptions, request_of
         from ..runtime.build.unit_binary import unit_binary
 
         foreign = {"functions": functions, "language": language, "prefix": prefix}
         foreign["precision"] = precision
-        unit, name = UnitOptions(fmi, kinds, platforms, q, u), self.system.name
-        fmu = request_of(directory, name, True, unit, foreign, integrators, reproducible)
+        options, name = FmuOptions(fmi, kinds, platforms, q, u), self.system.name
+        fmu = request_of(directory, name, True, options, foreign, integrators, reproducible)
         plan = partial(planned, CompiledModel, q=q, u=u)
         if fmu is not None:
             return of_elements(self, fmu, plan, unit_binary)

@@ -18,9 +18,6 @@ from ..scene.body import Body
 from .building import BLUE, DARK, ORANGE, PLANE, declared
 
 if TYPE_CHECKING:
-    pass
-
-if TYPE_CHECKING:
     import sympy
 
 EDGES = 90  # of the cam, as it is drawn

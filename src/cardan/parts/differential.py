@@ -52,7 +52,8 @@ def differential(
         The scene, a tree with two degrees of freedom: joints ``carrier`` and ``spider`` lead,
         ``opposite``, ``left``, ``right`` and ``pinion`` follow.
 
-    Source: any textbook of machine elements; Roberson and Schwertassek, 1988, 14.2.2 (subsystems).
+    Source: R. Willis, Principles of Mechanism, 1841 (epicyclic trains, of which this is one with
+        equal wheels).
     """
     scene = Scene("differential")
     p = declared(scene, UNITS, locals())

@@ -80,8 +80,8 @@ def gyroscope(
     )
     rotor.at(*center, name="rotor_center")
 
-    ratios = rotor_mass, rotor_radius, rotor_thickness, arm, inner_mass, inner_radius
-    scene.joint("outer", Revolute("z"), scene.ground, rings["outer"], u0=_precession(*ratios, spin))
+    sizes = rotor_mass, rotor_radius, rotor_thickness, arm, inner_mass, inner_radius
+    scene.joint("outer", Revolute("z"), scene.ground, rings["outer"], u0=_precession(*sizes, spin))
     scene.joint("inner", Revolute("y"), rings["outer"], rings["inner"], q0=TILT)
     scene.joint("rotor", Revolute("z"), rings["inner"], rotor, u0=spin)
     for name in ("outer", "inner", "rotor"):

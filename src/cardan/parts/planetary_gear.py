@@ -61,10 +61,10 @@ def planetary_gear(
     Raises:
         ModelError: an unknown wheel to fix.
 
-    Source: M. H. Willis, Principles of Mechanism, 1841; any textbook of machine elements.
+    Source: R. Willis, Principles of Mechanism, 1841 (epicyclic trains).
     """
     if fixed not in FIXED:
-        raise ModelError(f"planetary_gear: fixed='{fixed}' is no wheel.{near(fixed, FIXED)}")
+        raise ModelError(f"planetary_gear: fixed='{fixed}' is not a wheel.{near(fixed, FIXED)}")
     scene = Scene("planetary_gear")
     p = declared(scene, UNITS, locals())
     ring_teeth = p["sun_teeth"] + 2 * p["planet_teeth"]
@@ -97,10 +97,10 @@ def planetary_gear(
         inertia=inertia.tube(p["ring_mass"], outer, ring_radius, THICK),
         shape=_ring(gear_module * (sun_teeth + 2 * planet_teeth) / 2 + 2 * gear_module),
     )
-    centre = carrier.at(0, 0, THICK)
+    center = carrier.at(0, 0, THICK)
     for wheel in (sun, ring):
         turns = planet * ratios[wheel.name]
-        scene.joint(wheel.name, Revolute("z"), centre, wheel, couple=(leads, turns))
+        scene.joint(wheel.name, Revolute("z"), center, wheel, couple=(leads, turns))
     for body, height in ((sun, 2 * THICK), (ring, 2 * THICK), (carrier, -2 * THICK)):
         _flange(scene, body, height)
     scene.settings.update(t=1.0, u={leads: 10.0})

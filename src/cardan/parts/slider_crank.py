@@ -46,7 +46,7 @@ def slider_crank(
     Raises:
         ModelError: lengths that do not close.
 
-    Source: any textbook of machine dynamics; Nikravesh, Planar Multibody Dynamics, 2007.
+    Source: P. E. Nikravesh, Planar Multibody Dynamics, 2007.
     """
     height = crank_length * math.sin(START) - offset
     if not abs(height) < rod_length:

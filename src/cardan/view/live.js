@@ -22,8 +22,8 @@ class LiveModel {
       r: this.doubles(sizes.nr), u: this.doubles(sizes.nu), t: this.doubles(1),
       out: this.doubles(Math.max(...Object.values(spec.functions).map(([, n]) => n))),
       work: this.doubles(core.cardan_work_length(spec.scene)),
-      in: this.reserve(64),
-      settings: this.reserve(256),
+      in: this.reserve(4 * spec.slots.length),
+      settings: this.reserve(spec.settings),
     };
     this.prepared = this.reserve(core.cardan_prepared_size(spec.scene));
     // what a run takes hangs on the model alone
@@ -65,7 +65,7 @@ class LiveModel {
   // from t to t + dt; returns an answer of run.h, 0 where all is well
   advance(dt) {
     const { settings } = this.at, fields = this.spec.records.cardan_simulation, view = new DataView(this.memory.buffer);
-    for (let k = 0; k < 256; k += 4) view.setInt32(settings + k, 0, true);
+    for (let k = 0; k < this.spec.settings; k += 4) view.setInt32(settings + k, 0, true);
     for (const name of ["p", "x", "s", "r"]) view.setInt32(settings + fields[name], this.at[name], true);
     const numbers = { start: this.t, end: this.t + dt, rtol: this.spec.rtol, atol: this.spec.atol };
     for (const [name, value] of Object.entries(numbers)) view.setFloat64(settings + fields[name], value, true);
@@ -85,13 +85,15 @@ class LiveModel {
     const [k, count] = this.spec.functions[name], view = new DataView(this.memory.buffer), { at, sizes } = this;
     this.array(at.t, 1)[0] = this.t;
     const blocks = {
-      0: at.t, 1: at.x, 2: u ?? at.x + 8 * sizes.nq, 3: at.x + 8 * (sizes.nq + sizes.nu), 4: at.s, 5: at.r,
-      7: this.core.cardan_prepared_w(this.spec.scene, this.prepared, k),
+      t: at.t, q: at.x, u: u ?? at.x + 8 * sizes.nq, z: at.x + 8 * (sizes.nq + sizes.nu), s: at.s, r: at.r,
+      w: this.core.cardan_prepared_w(this.spec.scene, this.prepared, k),
     };
-    for (const [slot, address] of Object.entries(blocks)) view.setInt32(at.in + 4 * slot, address, true);
+    for (const [name, address] of Object.entries(blocks)) view.setInt32(at.in + 4 * this.spec.slots.indexOf(name), address, true);
     const rows = this.int(this.spec.scene + this.spec.records.cardan_export.functions);
-    this.table.get(this.int(rows + this.spec.exported.size * k + this.spec.exported.function))(at.in, at.out, at.work);
-    return this.array(at.out, count);
+    const status = this.table.get(this.int(rows + this.spec.exported.size * k + this.spec.exported.function))(at.in, at.out, at.work);
+    const results = this.array(at.out, count);
+    // a function that fails, such as at a singular place, has no numbers
+    return status === 0 ? results : results.fill(NaN);
   }
 
   // where frames are and how they move: 18 numbers each

@@ -275,7 +275,7 @@ class LivePanel {
     const asked = new URLSearchParams(location.hash.slice(1));
     for (const row of this.rows) {
       const text = asked.get(row.key), value = Number(text);
-      if (text === null || !Number.isFinite(value)) continue;
+      if (!text || !Number.isFinite(value)) continue;
       row.shown = Math.min(row.high, Math.max(row.low, value));
       row.range.value = row.shown;
       this.show(row);

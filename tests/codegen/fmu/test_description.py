@@ -12,6 +12,7 @@ import pytest
 
 import cardan as cd
 from cardan.codegen.fmu import platforms
+from cardan.codegen.fmu.variables import per_second
 from cardan.scene.units import unit as unit_of
 from codegen.fmu.importing import Instance, description, model_of, problems, unit
 from codegen.fmu.scenes import CASES
@@ -210,3 +211,13 @@ def test_this_platform_has_a_name() -> None:
     this = platforms.here()
     assert this is not None
     assert platforms.PLATFORMS[this.name] is this
+
+
+@pytest.mark.parametrize(
+    ("unit_of_state", "expected"),
+    [("", "1/s"), ("rad", "rad/s"), ("m/s", "m/s^2"), ("m/s^2", "m/s^3"), ("N*m", "N*m/s")],
+)
+def test_units_of_rates(unit_of_state: str, expected: str) -> None:
+    assert per_second(unit_of_state) == expected
+    rate, state = unit_of(expected).dimension, unit_of(unit_of_state or "1").dimension
+    assert np.array_equal(np.subtract(rate, state), [0, 0, -1, 0, 0])

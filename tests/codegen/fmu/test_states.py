@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from collections.abc import Callable
@@ -159,11 +160,56 @@ def test_states_of_another_unit_are_refused() -> None:
         assert "another FMU" in other.messages[-1]
 
 
-def test_every_pointer_of_a_run_is_moved() -> None:
-    """What restores a state knows all pointers that ``run.h`` declares."""
+# what the model and the settings say of a run, and what no FMU uses: rows, a log that is kept
+CONSTANT = frozenset(
+    {
+        *("nq", "nu", "nz", "nx", "n", "nr", "ns", "ne", "watched", "tick_count", "nlam"),
+        *("quaternion_count", "bounded_count", "sampled", "charted", "positions", "rates"),
+        *("stages", "dense_rows", "rtol", "atol", "max_step", "on_grid", "budget", "stop"),
+        *("time_count", "next_time", "capacity", "count", "log_capacity", "log_count"),
+    }
+)
+
+
+def test_every_number_that_a_run_changes_is_in_its_state() -> None:
     from cardan.codegen.fmu.export import SOURCES
     from cardan.schema.records import POINTER, fields
 
     text = (SOURCES / "fmu_state.c").read_text("utf-8")
-    pointers = {name.removesuffix("_w") for name, kind in fields("cardan_run") if kind is POINTER}
-    assert {name for name in pointers if f"to->{name} = from->{name}" not in text} == set()
+    numbers = {name for name, kind in fields("cardan_run") if kind is not POINTER}
+    assert numbers > CONSTANT
+    stated = set(re.findall(r"F\((\w+)[,)]", text))
+    assert stated == numbers - CONSTANT
+
+
+def hashed(content: bytearray) -> bytes:
+    """Bytes with the hash that belongs to them, which anybody can compute: FNV-1a."""
+    total = 14695981039346656037
+    for byte in content[24:]:
+        total = (total ^ byte) * 1099511628211 % 2**64
+    content[16:24] = total.to_bytes(8, "little")
+    return bytes(content)
+
+
+def test_states_with_impossible_numbers_are_refused() -> None:
+    """Every whole number of a state is made huge and negative, one after the other."""
+    with begun("sticking", "3.0") as one:
+        played(one, "sticking", 0, 3)
+        content = one.bytes_of(one.save())
+        expected = played(one, "sticking", 3, 4)
+        assert hashed(bytearray(content)) == content
+        # the head: flags, times, counts, numbers of the run
+        refused = 0
+        for place in range(24, 24 + 8 * 60, 8):
+            for number in (-(2**62), 2**62):
+                forged = bytearray(content)
+                forged[place : place + 8] = number.to_bytes(8, "little", signed=True)
+                try:
+                    state = one.state_of(hashed(forged))
+                    one.restore(state)
+                    one.free(state)
+                except Exception as error:
+                    refused += "failed with status 3" in str(error)
+        assert refused > 50
+        one.restore(one.state_of(content))
+        assert np.array_equal(played(one, "sticking", 3, 4), expected)

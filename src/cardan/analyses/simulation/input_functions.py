@@ -56,7 +56,7 @@ class CFunction:
         path, reads = Path(self.file).resolve(), self.reads
         symbol = self.name or path.stem
         if not NAME.fullmatch(symbol):
-            raise ModelError(f"CFunction: {brief(symbol)} is no name in C: give name='...'")
+            raise ModelError(f"CFunction: {brief(symbol)} is not a name in C: give name='...'")
         if path.suffix != ".c" or not path.is_file():
             raise ModelError(f"CFunction: there is no C file '{path}'; name one, such as tire.c")
         reads = (reads,) if isinstance(reads, str) else reads

@@ -22,7 +22,7 @@ KINDS = {"me": "ModelExchange", "cs": "CoSimulation"}
 
 
 @dataclass(frozen=True)
-class UnitContent:
+class FmuContent:
     """Contents of the description of a model.
 
     Attributes:
@@ -48,7 +48,7 @@ class UnitContent:
     tolerance: float
 
 
-def model_description(d: UnitContent, version: Version) -> str:
+def model_description(d: FmuContent, version: Version) -> str:
     """The text of ``modelDescription.xml``."""
     indicators = len(of_kind(d.variables, "indicator"))
     root: dict[str, str | None] = {
@@ -84,7 +84,7 @@ def model_description(d: UnitContent, version: Version) -> str:
     )
 
 
-def _interfaces(d: UnitContent, version: Version) -> list[Element]:
+def _interfaces(d: FmuContent, version: Version) -> list[Element]:
     """Abilities, one element per kind of FMU."""
     files = [Element("File", {"name": name}) for name in d.sources]
     listing = [Element("SourceFiles", {}, files)] if version.listing else []
@@ -105,7 +105,7 @@ def _interfaces(d: UnitContent, version: Version) -> list[Element]:
     ]
 
 
-def structure(d: UnitContent) -> Structure:
+def structure(d: FmuContent) -> Structure:
     """Unknowns, with what they depend on."""
     exchange = "me" in d.kinds
 
@@ -125,12 +125,12 @@ def structure(d: UnitContent) -> Structure:
     )
 
 
-def build_description(d: UnitContent) -> str:
-    """The text of ``buildDescription.xml`` of FMI 3.0: how to compile the sources."""
+def build_description(d: FmuContent, version: Version) -> str:
+    """The text of ``buildDescription.xml``: how to compile the sources."""
     files = [Element("SourceFile", {"name": name}) for name in d.sources]
     sets = Element("SourceFileSet", {"language": "C99"}, files)
     libraries = [Element("Library", {"name": "m", "external": "true"})]
     configuration = Element(
         "BuildConfiguration", {"modelIdentifier": d.identifier}, [sets, *libraries]
     )
-    return document(Element("fmiBuildDescription", {"fmiVersion": "3.0"}, [configuration]))
+    return document(Element("fmiBuildDescription", {"fmiVersion": version.name}, [configuration]))

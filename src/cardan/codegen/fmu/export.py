@@ -20,7 +20,7 @@ from ..export.export import ExportRequest
 from ..export.model_file import Content, starts
 from ..finite_elements import functions_header
 from . import archive, description, model_table, platforms, readme, slopes
-from .description import UnitContent
+from .description import FmuContent
 from .platforms import Platform
 from .request import FmuRequest, identifier
 from .slopes import Slopes
@@ -128,12 +128,12 @@ def _written(
             )
             for name, text in files.items():
                 (folder / name).write_text(text, "utf-8")
-            unit = _content(manifest, request, variables, extra, token, files)
-            paths = [folder / name for name in unit.sources]
-            binaries = _binaries(request, unit, paths, build)
+            about = _content(manifest, request, variables, extra, token, files)
+            paths = [folder / name for name in about.sources]
+            binaries = _binaries(request, about, paths, build)
             return archive.write(
                 request.target,
-                archive.packed({**_texts(manifest, request, unit, files), **binaries}),
+                archive.packed({**_texts(manifest, request, about, files), **binaries}),
             )
     except OSError as error:
         why = error.strerror or error
@@ -174,8 +174,8 @@ def _content(
     extra: Slopes,
     token: str,
     files: Mapping[str, str],
-) -> UnitContent:
-    return UnitContent(
+) -> FmuContent:
+    return FmuContent(
         manifest.name,
         identifier(manifest.name),
         token,
@@ -189,12 +189,12 @@ def _content(
 
 
 def _binaries(
-    request: FmuRequest, unit: UnitContent, paths: Sequence[Path], build: Build
+    request: FmuRequest, about: FmuContent, paths: Sequence[Path], build: Build
 ) -> dict[str, bytes]:
     """Shared objects by their paths in the archive."""
     this = platforms.here()
     return {
-        f"binaries/{request.version.platforms[one.name]}/{unit.identifier}{one.suffix}": build(
+        f"binaries/{request.version.platforms[one.name]}/{about.identifier}{one.suffix}": build(
             paths, one, one == this, request.reproducible
         )
         for one in request.platforms
@@ -202,16 +202,18 @@ def _binaries(
 
 
 def _texts(
-    manifest: Manifest, request: FmuRequest, unit: UnitContent, files: Mapping[str, str]
+    manifest: Manifest, request: FmuRequest, about: FmuContent, files: Mapping[str, str]
 ) -> dict[str, str]:
     """Everything but the binaries, by path."""
     texts = {f"sources/{name}": text for name, text in files.items()}
     if not request.version.listing:
-        texts["sources/buildDescription.xml"] = description.build_description(unit)
-    page = readme.page(manifest, request, unit, _checked(request))
+        texts["sources/buildDescription.xml"] = description.build_description(
+            about, request.version
+        )
+    page = readme.page(manifest, request, about, _checked(request))
     return {
         **texts,
-        "modelDescription.xml": description.model_description(unit, request.version),
+        "modelDescription.xml": description.model_description(about, request.version),
         "documentation/index.html": page,
         "documentation/licenses/FMI_headers.txt": LICENSE.read_text("utf-8"),
     }

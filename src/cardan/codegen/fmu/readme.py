@@ -7,7 +7,7 @@ from html import escape
 
 from ...schema.integrators import KERNELS
 from ...schema.manifest import Manifest
-from .description import UnitContent
+from .description import FmuContent
 from .request import KINDS, FmuRequest
 from .variables import KINDS as TABLE
 from .variables import of_kind
@@ -39,7 +39,7 @@ INPUTS = (
 )
 
 
-def page(manifest: Manifest, request: FmuRequest, d: UnitContent, checked: str) -> str:
+def page(manifest: Manifest, request: FmuRequest, d: FmuContent, checked: str) -> str:
     """The page.
 
     Args:

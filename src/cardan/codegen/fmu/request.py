@@ -44,7 +44,7 @@ class FmuRequest:
 
 
 @dataclass(frozen=True)
-class UnitOptions:
+class FmuOptions:
     """Options that FMUs alone have, as ``equations.export`` takes them; None where not named."""
 
     fmi: str | None
@@ -58,7 +58,7 @@ def request_of(
     path: str | Path,
     name: str,
     elements: bool,
-    options: UnitOptions,
+    options: FmuOptions,
     foreign: Mapping[str, object],
     integrators: Sequence[str],
     reproducible: bool,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
@@ -190,8 +191,7 @@ def _parameters(kind: Kind, manifest: Manifest) -> Iterator[Variable]:
 def per_second(unit: str) -> str:
     """The unit of a derivative: that of a speed for ``rad``, of an acceleration for ``m/s``."""
     above, _, below = unit.partition("/")
-    if not unit:
-        return "1/s"
-    if below == "s":
-        return f"{above}/s^2"
-    return f"{unit}/s"
+    seconds = re.fullmatch(r"s(?:\^(\d+))?", below)
+    if seconds is not None:
+        return f"{above}/s^{int(seconds[1] or 1) + 1}"
+    return f"{unit or 1}/s"

@@ -31,7 +31,7 @@ import pathlib
 
 import casadi
 
-NAME = {title!r}
+NAME = {name!r}
 COORDINATES = {coordinates}
 SPEEDS = {speeds}
 INPUTS = {inputs}
@@ -80,6 +80,7 @@ def module(head: str, manifest: Manifest, name: str, flags: Sequence[str]) -> st
     listed = {key: binding.literal(value) for key, value in binding.names(manifest).items()}
     return head.format(
         title=binding.plain(manifest.name),
+        name=manifest.name,
         about=binding.summary(manifest),
         package=name,
         example=functions[0].symbol if functions else "",

@@ -38,7 +38,7 @@ import pathlib
 import jax
 import jax.numpy as jnp
 
-NAME = {title!r}
+NAME = {name!r}
 COORDINATES = {coordinates}
 SPEEDS = {speeds}
 INPUTS = {inputs}
@@ -86,6 +86,7 @@ def _head(
     listed = {key: binding.literal(value) for key, value in binding.names(manifest).items()}
     return HEAD.format(
         title=binding.plain(manifest.name),
+        name=manifest.name,
         about=binding.summary(manifest),
         count=size["p"],
         package=name,

@@ -34,7 +34,7 @@ from ..program.program import (
     StridedLoop,
 )
 from ..wasm import javascript
-from ..wasm.expressions import Expressions, Shared
+from ..wasm.expressions import Context, Expressions
 from ..wasm.instructions import (
     ADD_I,
     DROP,
@@ -99,7 +99,7 @@ def add(target: Module, program: Program, exported: bool = False) -> None:
         table.name: (target.integers if table.integer else target.doubles)(table.values)
         for table in program.tables
     }
-    context = Shared(program, target, tables)
+    context = Context(program, target, tables)
     for routine in program.routines:
         code = _Writer(routine, routine.scope, context).code()
         kind = PARAMETERS[routine.kind]
@@ -140,14 +140,14 @@ class _Writer(Expressions):
     Args:
         routine: The function.
         scope: What its expressions mean.
-        program: Context of the functions of its program.
+        context: Of the functions of its program.
         outer: The writer of the statements around a loop, which has the same locals.
     """
 
     def __init__(
-        self, routine: Routine, scope: Scope, program: Shared, outer: _Writer | None = None
+        self, routine: Routine, scope: Scope, context: Context, outer: _Writer | None = None
     ) -> None:
-        super().__init__(PARAMETERS[routine.kind], scope, program, outer)
+        super().__init__(PARAMETERS[routine.kind], scope, context, outer)
         self.routine = routine
 
     def code(self) -> Code:
@@ -180,7 +180,7 @@ class _Writer(Expressions):
         """Angles into memory, and the call that puts sines and cosines beside them."""
         count = len(s.angles)
         # an even number: the kernels take two at once
-        places = [self.program.scratch(part, 8 * (count + count % 2)) for part in ("x", "s", "c")]
+        places = [self.context.scratch(part, 8 * (count + count % 2)) for part in ("x", "s", "c")]
         self.angles |= dict(zip(s.names, places, strict=True))
         code: Code = []
         for k, i in enumerate(s.angles):
@@ -196,7 +196,7 @@ class _Writer(Expressions):
 
     def _run(self, routine: str) -> Code:
         """A function of the program is called with what its caller has."""
-        kind = self.program.kinds[routine]
+        kind = self.context.kinds[routine]
         code: Code = [*self._arguments(kind), routine]
         return code if kind.startswith("prepare") else self._noted(code)
 
@@ -212,7 +212,7 @@ class _Writer(Expressions):
     def _kernel_call(self, s: KernelCall) -> Code:
         signature = Signature("i" * (len(s.sizes) + 4), "i")
         code: Code = [part for n in s.sizes for part in integer(n)]
-        code += integer(self.program.tables[s.constants])
+        code += integer(self.context.tables[s.constants])
         code += self._arguments("function")
         return self._noted([*code, self.kernel(s.name, signature)])
 
@@ -239,7 +239,7 @@ class _Writer(Expressions):
 
     def _loop(self, s: Loop) -> Code:
         i = self.local(f".{s.counter}", I32)
-        inner = _Writer(self.routine, s.scope, self.program, self)
+        inner = _Writer(self.routine, s.scope, self.context, self)
         return self._repeated(i, s.times, inner.all(s.body))
 
     def _repeated(self, i: int, times: int, body: Code) -> Code:
@@ -264,8 +264,8 @@ class _Writer(Expressions):
 
     def _strided(self, s: StridedLoop) -> Code:
         """Rows move on in memory of their own."""
-        size, table = len(s.steps) * s.width, self.program.tables[s.table]
-        row = self.program.scratch("row", 4 * size)
+        size, table = len(s.steps) * s.width, self.context.tables[s.table]
+        row = self.context.scratch("row", 4 * size)
         at, i = self.local(".at", I32), self.local(".i", I32)
         code: Code = []
         for k in range(size):

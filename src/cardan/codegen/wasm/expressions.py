@@ -36,17 +36,16 @@ from .instructions import (
 from .module import F64, I32, Code, Module, Signature, unsigned
 
 
-class Shared:
-    """Context of the functions of a program.
+class Context:
+    """What the functions of a program have in common.
 
     Attributes:
-        program, module: What is written, and into what.
+        module: What they are written into.
         tables: Addresses of the constant arrays.
         kinds: Kind of every routine.
     """
 
     def __init__(self, program: Program, module: Module, tables: Mapping[str, int]) -> None:
-        self.program = program
         self.module = module
         self.tables = tables
         self.kinds = {routine.name: routine.kind for routine in program.routines}
@@ -65,7 +64,7 @@ class Expressions:
     Args:
         parameters: Names of what the function takes.
         scope: What its expressions mean.
-        program: Context of the functions of its program.
+        context: Of the functions of its program.
         outer: The statements around a loop, which have the same locals.
     """
 
@@ -73,10 +72,10 @@ class Expressions:
         self,
         parameters: tuple[str, ...],
         scope: Scope,
-        program: Shared,
+        context: Context,
         outer: Expressions | None = None,
     ) -> None:
-        self.program = program
+        self.context = context
         self.scope = scope
         self.nodes = scope.graph.nodes
         self.parameters = parameters
@@ -107,8 +106,8 @@ class Expressions:
         """Address where an array begins: a parameter, an input block, a table."""
         if f".{array}" in self.locals:
             return self.get(self.locals[f".{array}"])
-        if array in self.program.tables:
-            return integer(self.program.tables[array])
+        if array in self.context.tables:
+            return integer(self.context.tables[array])
         # an input block: its pointer is read once
         number = self.local(f".{array}", I32)
         self.head += [*self.get(self.locals[".in"]), LOAD_I + memory(2, 4 * SLOT[array])]
@@ -176,7 +175,7 @@ class Expressions:
 
     def kernel(self, name: str, signature: Signature) -> str:
         """A call of a function of the kernels."""
-        self.program.module.imported(name, signature)
+        self.context.module.imported(name, signature)
         return name
 
     def _nonzero(self, i: int) -> Code:
@@ -225,7 +224,7 @@ class Expressions:
         k, derivative = int(self.nodes[node[1]][1]), int(self.nodes[node[2]][1])
         table, name = self.scope.graph.tables[k], self.scope.table(k)
         sizes = len(table.coefficients), len(table.coefficients[0])
-        addresses = (self.program.tables[f"{name}_{part}"] for part in ("breaks", "coefficients"))
+        addresses = (self.context.tables[f"{name}_{part}"] for part in ("breaks", "coefficients"))
         code: Code = [part for n in (*sizes, *addresses, derivative) for part in integer(n)]
         return [*code, *self.read(node[3]), self.kernel(*PIECEWISE)]
 

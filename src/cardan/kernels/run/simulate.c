@@ -115,8 +115,8 @@ size_t cardan_lay_run(const cardan_export *model, const cardan_simulation *setti
     connect(model, at->prepared, run);
     run->log = reserve(memory, &used, (size_t)(run->log_capacity * width) * sizeof(real));
     at->jumps_work = reserve(memory, &used, cardan_jumps_work_length(model) * sizeof(real));
-    at->state_offset = used;
     at->options = reserve(memory, &used, OPTIONS * sizeof(real));
+    at->state_offset = used;
     run->ticks = reserve(memory, &used, (size_t)run->tick_count * sizeof(cardan_tick));
     at->stops = reserve(memory, &used, (cardan_jumps_capacity(model) + 1) * sizeof(real));
     at->memory = reserve(memory, &used, cardan_run_length(run, tail, work) * sizeof(real));

@@ -74,7 +74,6 @@ class Objects:
         self.available = available
         self.lock = threading.RLock()
         self._loaded: dict[str, Code] = {}
-        self._machine: webassembly.Machine | None = None
         self._saved: dict[str, Any] = {}
         self._saved_mark = (0, 0)
         self._parsed: dict[str, tuple[Any, Any]] = {}
@@ -252,10 +251,9 @@ class Objects:
         """A function where there is no compiler: as WebAssembly, or as its expressions."""
         entry = self.manifest.functions[symbol]
         if self._translate is not None and webassembly.available():
-            self._machine = self._machine or webassembly.Machine()
             read = {*entry.inputs, "p"}
             blocks = {block.name: len(block) for block in function.inputs if block.name in read}
-            one = self._machine.function(self._translate, function, entry, blocks)
+            one = webassembly.compiled(self._translate, function, entry, blocks)
             # written from what is saved, which passes may have left in another order
             entry = entry.replaced(work_size=one.work_size, prepared_size=one.prepared_size)
             return Code(symbol, entry, True, one.address, one.prepare, wasm=one, blocks=blocks)

@@ -1,7 +1,7 @@
 """Functions of a model as WebAssembly, compiled by wasmtime where there is no C compiler.
 
 They are written from the saved expressions in the moment they are needed, and called as compiled C
-is, by an address, so that kernels run them in loops of C.
+is, by an address, so that kernels run them in loops of C. Each has a memory of its own.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from collections.abc import Callable, Mapping
 from functools import lru_cache
 from importlib import import_module, metadata
 from importlib.util import find_spec
+from math import ceil
 from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 from ...errors import BuildError
@@ -77,91 +78,60 @@ def _compiled(name: str) -> wasmtime.Module:
     return _lasting(Module(_engine(), wasm_kernels.content(name)))
 
 
-class _Kernels:
-    """A memory with the functions of the kernels."""
+def compiled(
+    translate: Translate, function: Function, entry: FunctionRow, blocks: Mapping[str, int]
+) -> Compiled:
+    """Compile a function, in a store and a memory of its own.
 
-    def __init__(self, store: wasmtime.Store, name: str) -> None:
-        from wasmtime import Func, Instance, Linker, Memory
+    Nothing of them changes afterward: other threads may be inside functions that were compiled
+    before, and addresses in the memory stay where they are.
 
-        exports = Instance(store, _compiled(name), []).exports(store)
-        self.store, self.linker = store, _lasting(Linker(_engine()))
-        for one in exports:
-            self.linker.define(store, "kernels", one, exports[one])
-        initialize, memory = exports["_initialize"], exports["memory"]
-        assert isinstance(initialize, Func)
-        assert isinstance(memory, Memory)
-        initialize(store)
-        self.memory = memory
+    Args:
+        translate: Writes it.
+        function: As it is saved.
+        entry: What the manifest says of it.
+        blocks: Numbers of each input block.
 
-    @property
-    def end(self) -> int:
-        """First address behind the memory."""
-        return self.memory.size(self.store) * PAGE
+    Raises:
+        BuildError: all places are taken.
+    """
+    from wasmtime import Func, Instance, Linker, Memory, Module, Store
 
-    def load(self, content: bytes, size: int) -> Mapping[str, object]:
-        """Exports of a module, for which so many bytes are added to the memory."""
-        from wasmtime import Module
+    written = translate(function)
+    store = _lasting(Store(_engine()))
+    kernel_exports = Instance(store, _compiled(written.kernels), []).exports(store)
+    linker = _lasting(Linker(_engine()))
+    for name in kernel_exports:
+        linker.define(store, "kernels", name, kernel_exports[name])
+    initialize, memory = kernel_exports["_initialize"], kernel_exports["memory"]
+    assert isinstance(initialize, Func)
+    assert isinstance(memory, Memory)
+    initialize(store)
 
-        self.memory.grow(self.store, -(-size // PAGE))
-        module = _lasting(Module(_engine(), content))
-        exports: Mapping[str, object] = self.linker.instantiate(self.store, module).exports(
-            self.store
-        )
-        return exports
+    # behind the memory of the kernels come the constants, then everything else at even numbers, and
+    # the record of the blocks
+    base = memory.size(store) * PAGE
+    content, at = written.module(base)
+    counts = {one: blocks.get(one, 0) if one in entry.inputs else 0 for one in ORDER}
+    counts |= {"w": written.prepared_size, "p": blocks.get("p", 0)}
+    addresses: dict[str, int] = {}
+    for one, count in {**counts, "out": entry.output_size, "work": written.work_size}.items():
+        addresses[one] = at
+        at += NUMBER * (count + count % 2)
+    end = at + POINTER * len(ORDER)
+    memory.grow(store, ceil((end - base) / PAGE))
+    module = _lasting(Module(_engine(), content))
+    exports = linker.instantiate(store, module).exports(store)
+    pointers = b"".join(addresses[one].to_bytes(POINTER, "little") for one in ORDER)
+    memory.write(store, pointers, at)
 
-
-class Machine:
-    """A store of wasmtime: its functions run one at a time."""
-
-    def __init__(self) -> None:
-        from wasmtime import Store
-
-        self.store = _lasting(Store(_engine()))
-        self.lock = ctypes.create_string_buffer(1)
-        self._kernels: dict[str, _Kernels] = {}
-
-    def function(
-        self,
-        translate: Translate,
-        function: Function,
-        entry: FunctionRow,
-        blocks: Mapping[str, int],
-    ) -> Compiled:
-        """Compile a function.
-
-        Args:
-            translate: Writes it.
-            function: As it is saved.
-            entry: What the manifest says of it.
-            blocks: Numbers of each input block.
-
-        Raises:
-            BuildError: all places are taken.
-        """
-        written = translate(function)
-        name = written.kernels
-        if name not in self._kernels:
-            self._kernels[name] = _Kernels(self.store, name)
-        memory = self._kernels[name]
-        content, end = written.module(base := memory.end)
-        counts = {one: blocks.get(one, 0) if one in entry.inputs else 0 for one in ORDER}
-        counts |= {"w": written.prepared_size, "p": blocks.get("p", 0)}
-        rooms = {**counts, "out": entry.output_size, "work": written.work_size}
-        # everything lies behind the constants, at even numbers; then the record of the blocks
-        at, addresses = end, dict[str, int]()
-        for one, count in rooms.items():
-            addresses[one] = at
-            at += NUMBER * (count + count % 2)
-        exports = memory.load(content, at + POINTER * len(ORDER) - base)
-        pointers = b"".join(addresses[one].to_bytes(POINTER, "little") for one in ORDER)
-        memory.memory.write(self.store, pointers, at)
-        fields = {f"at_{one}": addresses[one] for one in ("p", "w", "out", "work")}
-        sizes = {"np": counts["p"], "nw": counts["w"], "size": entry.output_size}
-        # parameters are read by what prepares alone
-        places = [addresses[one] for one in ORDER], [counts[one] * (one != "p") for one in ORDER]
-        functions = exports[entry.symbol], exports[f"prepare_{entry.symbol}"]
-        start = memory.memory.data_ptr(self.store)
-        return Compiled(self, functions, places, {**fields, **sizes, "at_in": at}, start)
+    fields = {f"at_{one}": addresses[one] for one in ("p", "w", "out", "work")}
+    sizes = {"np": counts["p"], "nw": counts["w"], "size": entry.output_size}
+    # parameters are read by what prepares alone
+    places = [addresses[one] for one in ORDER], [counts[one] * (one != "p") for one in ORDER]
+    functions = exports[entry.symbol], exports[f"prepare_{entry.symbol}"]
+    start = memory.data_ptr(store)
+    return Compiled(store, functions, places, {**fields, **sizes, "at_in": at}, start)
 
 
 class Compiled:
@@ -174,7 +144,7 @@ class Compiled:
 
     def __init__(
         self,
-        machine: Machine,
+        store: wasmtime.Store,
         functions: tuple[object, object],
         places: tuple[list[int], list[int]],
         fields: Mapping[str, int],
@@ -183,15 +153,16 @@ class Compiled:
         from wasmtime import Func
 
         run, prepare = functions
+        lock = ctypes.create_string_buffer(1)
         assert isinstance(run, Func)
         assert isinstance(prepare, Func)
         at, sizes = (Counts(*numbers) for numbers in places)
         record = Record(
             **fields,
             **_library(),
-            store=ctypes.cast(machine.store._context(), ctypes.c_void_p).value,
+            store=ctypes.cast(store._context(), ctypes.c_void_p).value,
             memory=ctypes.cast(memory, ctypes.c_void_p).value,
-            lock=ctypes.addressof(machine.lock),
+            lock=ctypes.addressof(lock),
             run=ctypes.addressof(run._func),
             prepare=ctypes.addressof(prepare._func),
             at=ctypes.addressof(at),
@@ -208,7 +179,7 @@ class Compiled:
             )
         self.work_size, self.prepared_size = 0, fields["nw"]
         self.address, self.prepare = (address.value or 0 for address in addresses)
-        needs = machine, run, prepare, at, sizes, record
+        needs = store, lock, run, prepare, at, sizes, record
         weakref.finalize(self, _give_back, library, place, needs).atexit = False
 
 

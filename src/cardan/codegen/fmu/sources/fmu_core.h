@@ -73,6 +73,9 @@ extern const fmu_model cardan_fmu;
 
 typedef struct fmu_instance fmu_instance;
 
+/* numbers of the polynomial of an input: where it begins and ends, four coefficients */
+enum { FMU_POLYNOMIAL = 6 };
+
 /* Where messages go: a version's own callback behind `sink`. */
 typedef struct fmu_logger {
     void (*sink)(const fmu_instance *m, fmu_status status, const char *category, const char *text);
@@ -105,7 +108,7 @@ struct fmu_instance {
     } is;
     double *p, *r, *start;
     double *armed_at; /* (events) when an indicator was first clear of zero; before that it is not */
-    double *polynomials; /* (nr, 2 + 4): where an input is a polynomial of time, and its coefficients */
+    double *polynomials; /* (nr, FMU_POLYNOMIAL) of inputs that are polynomials of time */
     cardan_signal *signals; /* the same for the run */
 
     int computed[FMU_KINDS], differentiated[FMU_KINDS]; /* 1: values and slopes are those of now */
@@ -124,6 +127,7 @@ fmu_status fmu_setup(fmu_instance *m, int tolerance_defined, double tolerance, d
 fmu_status fmu_enter_initialization(fmu_instance *m);
 fmu_status fmu_exit_initialization(fmu_instance *m);
 fmu_status fmu_settle(fmu_instance *m);
+void fmu_lay_run(fmu_instance *m);
 void fmu_forget(fmu_instance *m);
 int fmu_find_jumps(fmu_instance *m, double from, double to);
 void fmu_set_stops(fmu_instance *m, double end);
@@ -186,6 +190,12 @@ static inline ptrdiff_t fmu_nx(const fmu_instance *m)
 static inline ptrdiff_t fmu_count(const fmu_instance *m, int kind)
 {
     return (ptrdiff_t)m->model->blocks[kind].count;
+}
+
+/* Length of a quaternion. */
+static inline double fmu_length(const double *q)
+{
+    return sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
 }
 
 /* Whether a number is finite. */

@@ -8,8 +8,6 @@
 static const double RATIO = 1e-3, LARGEST_ATOL = 1e-9, TIGHTEST = 2.5e-14;
 /* windows in which jumps are looked for, in the duration of an experiment */
 static const double WINDOWS = 10;
-/* two times and four coefficients of an input */
-enum { POLYNOMIAL = 6 };
 /* how far behind a stop a start may lie */
 static const double LIMIT_TOLERANCE = 1e-9;
 
@@ -33,7 +31,7 @@ static size_t lay_arrays(fmu_instance *m, real *block)
     m->r = cardan_reserve(block, &used, scene->nr);
     m->start = cardan_reserve(block, &used, nx);
     m->armed_at = cardan_reserve(block, &used, scene->event_count);
-    m->polynomials = cardan_reserve(block, &used, POLYNOMIAL * scene->nr);
+    m->polynomials = cardan_reserve(block, &used, FMU_POLYNOMIAL * scene->nr);
     m->jumps = cardan_reserve(block, &used, (ptrdiff_t)cardan_jumps_capacity(scene));
     m->view = cardan_reserve(block, &used, nx);
     m->moved = cardan_reserve(block, &used, nx);
@@ -99,13 +97,13 @@ fmu_instance *fmu_create(const fmu_model *model, int exchange, const char *name,
 }
 
 /* Where the run lies: behind the arrays. */
-static void lay_run(fmu_instance *m)
+void fmu_lay_run(fmu_instance *m)
 {
     const cardan_simulation settings = settings_of(m);
 
     (void)cardan_lay_run(fmu_scene(m), &settings, (char *)m->memory + lay_arrays(m, m->memory), &m->at);
     for (ptrdiff_t i = 0; i < m->at.run.nr; i++) {
-        const double *polynomial = m->polynomials + POLYNOMIAL * i;
+        const double *polynomial = m->polynomials + FMU_POLYNOMIAL * i;
         m->signals[i] = (cardan_signal){i, 1, 0, polynomial, polynomial + 2};
     }
     m->at.run.signals = m->signals;
@@ -126,12 +124,12 @@ fmu_status fmu_reset(fmu_instance *m)
 
     m->is = (struct fmu_record){.phase = FMU_INSTANTIATED, .tolerance = m->model->tolerance,
                                 .stale_parameters = 1};
-    lay_run(m);
+    fmu_lay_run(m);
     for (ptrdiff_t i = 0; i < fmu_count(m, FMU_PARAMETER); i++)
         m->p[i] = scene->p[i];
     for (ptrdiff_t i = 0; i < scene->nr; i++)
         m->r[i] = scene->r[i];
-    memset(m->polynomials, 0, (size_t)(POLYNOMIAL * scene->nr) * sizeof(double));
+    memset(m->polynomials, 0, (size_t)(FMU_POLYNOMIAL * scene->nr) * sizeof(double));
     fmu_forget(m);
     return FMU_OK;
 }
@@ -226,7 +224,7 @@ static fmu_status begin(fmu_instance *m)
     if (m->is.stale_parameters && prepare(m) != FMU_OK)
         return FMU_ERROR;
     /* nothing of an earlier start is left */
-    lay_run(m);
+    fmu_lay_run(m);
     memcpy(run->r, m->r, (size_t)run->nr * sizeof(real));
     memcpy(run->s, scene->s, (size_t)run->ns * sizeof(real));
     if (!m->is.start_is_set)

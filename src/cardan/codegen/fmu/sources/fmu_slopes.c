@@ -60,8 +60,7 @@ static void scale_quaternions(const fmu_instance *m, double *q, int inverse)
     const cardan_run *run = &m->at.run;
 
     for (ptrdiff_t i = 0; i < run->quaternion_count; i++) {
-        const double *y = run->y + run->quaternions[i];
-        const double length = sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2] + y[3] * y[3]);
+        const double length = fmu_length(run->y + run->quaternions[i]);
         for (ptrdiff_t j = 0; j < 4; j++)
             q[run->quaternions[i] + j] *= inverse ? 1 / length : length;
     }
@@ -122,7 +121,7 @@ static double drift(const fmu_instance *m, ptrdiff_t row, double *increment, dou
 
     for (ptrdiff_t i = 0; i < run->quaternion_count; i++) {
         const ptrdiff_t at = run->quaternions[i];
-        const double *q = run->y + at, square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+        const double *q = run->y + at, square = fmu_length(q) * fmu_length(q);
         if (row < at || row >= at + 4)
             continue;
         for (ptrdiff_t j = 0; j < 4; j++) {
@@ -178,9 +177,8 @@ static double stretch(const fmu_instance *m, int kind, ptrdiff_t row)
     const cardan_run *run = &m->at.run;
 
     for (ptrdiff_t i = 0; i < run->quaternion_count && kind == FMU_RATE; i++) {
-        const double *y = run->y + run->quaternions[i];
         if (row >= run->quaternions[i] && row < run->quaternions[i] + 4)
-            return sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2] + y[3] * y[3]);
+            return fmu_length(run->y + run->quaternions[i]);
     }
     return 1;
 }

@@ -1,18 +1,48 @@
 /* States of an FMU: a copy of everything that decides how it goes on.
  *
  * Part of cardan. A state is one block of bytes without pointers, so that it may come from another
- * process: the record, the run, then numbers. What follows from parameters is prepared anew.
+ * process: the record, the numbers that a run changes, then arrays. Sizes, and all that follows from
+ * the model, are in no state: they are those of the instance. Places and counts are refused outside of
+ * their range, as in saved_record.py: bytes may come from anybody. What follows from parameters is
+ * prepared anew.
  */
 #include "fmu_core.h"
+#include "jumps.h"
 #include <stdlib.h>
 
 /* arrays of the instance, and the memory of the run */
-enum { PARTS = 7 };
+enum { PARTS = 7, POINTS = 10 /* MOST_POINTS of gauss.h */ };
+/* of what is counted; samples that an importer may be behind */
+static const ptrdiff_t MOST = PTRDIFF_MAX / 2;
+static const double BEHIND = 1e6;
+
+/* Whole numbers of a run, with the least and the largest value: counts, flags, places. */
+#define INTEGERS(F)                                                                                \
+    F(in_segment, 0, MOST) F(rejected, 0, MOST) F(ranks, 0, MOST) F(at_once, 0, MOST)              \
+    F(occurred, 0, MOST) F(steps, 0, MOST) F(rejections, 0, MOST) F(evaluations, 0, MOST)          \
+    F(projections, 0, MOST) F(passed, 0, MOST) F(looked, 0, MOST) F(limited, 0, MOST)              \
+    F(jacobians, 0, MOST) F(factorizations, 0, MOST) F(model_status, -MOST, MOST)                  \
+    F(fresh, 0, 1) F(is_dense, 0, 1) F(jumps, 0, 1) F(row_open, 0, 2)                              \
+    F(event_pending, 0, run->ne > 0) F(culprit, -1, run->n + run->ne - 1)                          \
+    F(open_row, -1, run->positions + run->rates - 1) F(constraint_rank, 0, run->rates)             \
+    F(signal_count, 0, run->nr) F(stop_count, 0, most_stops) F(next_stop, 0, run->stop_count)      \
+    F(pass_parts, 0, run->rates > 0 ? MOST : 0) F(pass_part, 0, run->pass_parts)                   \
+    F(pass_points, run->pass_parts > 0, POINTS)
+#define REALS(F)                                                                                   \
+    F(t) F(t_old) F(t_start) F(segment) F(h) F(until) F(early) F(late) F(moment) F(correction)     \
+    F(size) F(rank_margin) F(best_rank_margin) F(pass_start) F(pass_length)
+
+#define INTEGER_FIELD(name, least, most) ptrdiff_t name;
+#define REAL_FIELD(name) real name;
+struct fmu_numbers {
+    INTEGERS(INTEGER_FIELD)
+    REALS(REAL_FIELD)
+};
 
 struct fmu_saved {
     uint64_t model, length, sum; /* hash of the token, bytes, hash of what follows */
     struct fmu_record is;
-    cardan_run run; /* its pointers are NULL */
+    struct fmu_numbers of_run;
     double numbers[1];
 };
 
@@ -27,27 +57,53 @@ static uint64_t hash(const void *bytes, size_t count)
     return sum;
 }
 
-/* Give a run the pointers of another one. */
-static void take_pointers(cardan_run *to, const cardan_run *from)
+/* Numbers of a run, as a state holds them. */
+static void take_numbers(struct fmu_numbers *to, const cardan_run *run)
 {
-    to->init = from->init, to->step = from->step, to->dense = from->dense, to->length = from->length;
-    to->rhs = from->rhs, to->power = from->power, to->energy = from->energy;
-    to->rhs_jacobian = from->rhs_jacobian, to->balance = from->balance;
-    to->balance_tangent = from->balance_tangent, to->internal_rates = from->internal_rates;
-    to->move = from->move, to->qdot = from->qdot, to->mesh = from->mesh, to->options = from->options;
-    to->inputs = from->inputs, to->input_context = from->input_context, to->signals = from->signals;
-    to->quaternions = from->quaternions;
-    to->bounded = from->bounded, to->close_position = from->close_position;
-    to->close_velocity = from->close_velocity, to->constraint_jacobian = from->constraint_jacobian;
-    to->columns = from->columns, to->events = from->events, to->transition = from->transition;
-    to->watch = from->watch, to->kinds = from->kinds, to->ticks = from->ticks;
-    to->y = from->y, to->y_old = from->y_old, to->trial = from->trial, to->k = from->k, to->f = from->f;
-    to->r = from->r, to->s = from->s, to->interpolant = from->interpolant, to->zeros = from->zeros;
-    to->work = from->work, to->closing = from->closing, to->chart = from->chart;
-    to->rank_memory = from->rank_memory, to->crossing = from->crossing;
-    to->method_memory = from->method_memory, to->e = from->e, to->board = from->board;
-    to->ledger = from->ledger, to->stops = from->stops, to->rows = from->rows;
-    to->spreads = from->spreads, to->times = from->times, to->log = from->log;
+#define TAKE_INTEGER(name, least, most) to->name = run->name;
+#define TAKE_REAL(name) to->name = run->name;
+    INTEGERS(TAKE_INTEGER)
+    REALS(TAKE_REAL)
+}
+
+/* Give numbers to a run whose sizes are there; returns 0 where one lies outside of its range. */
+static int give_numbers(cardan_run *run, const struct fmu_numbers *from, ptrdiff_t most_stops)
+{
+    int right = 1;
+
+#define GIVE_INTEGER(name, least, most)                                                            \
+    run->name = from->name;                                                                        \
+    right = right && run->name >= (least) && run->name <= (most);
+#define GIVE_REAL(name)                                                                            \
+    run->name = from->name;                                                                        \
+    right = right && run->name == run->name;
+    INTEGERS(GIVE_INTEGER)
+    REALS(GIVE_REAL)
+    return right && fmu_finite(run->t) && fmu_finite(run->t_old) && fmu_finite(run->h);
+}
+
+/* Give samples what the model says of them; returns 0 where the next ones make no sense. */
+static int restore_ticks(const fmu_instance *m)
+{
+    const cardan_run *run = &m->at.run;
+    int right = 1;
+
+    for (ptrdiff_t i = 0; i < run->tick_count; i++) {
+        const cardan_exported_tick *row = fmu_scene(m)->ticks + i;
+        cardan_tick *tick = run->ticks + i;
+
+        tick->event = row->event, tick->period = row->period, tick->phase = row->phase;
+        right = right && fmu_finite(tick->next) && run->t - tick->next <= BEHIND * tick->period;
+    }
+    return right;
+}
+
+/* Whether places that the memory of the run holds, such as rows of a factored matrix, exist. */
+static int is_sound(const fmu_instance *m)
+{
+    const cardan_method *method = fmu_scene(m)->methods[0].method;
+
+    return cardan_rank_sound(&m->at.run) && (!method->sound || method->sound(&m->at.run));
 }
 
 /* The numbers of the run that are state, and how many bytes they are. */
@@ -64,8 +120,8 @@ static char *run_memory(const fmu_instance *m, size_t *size)
 static size_t parts_of(const fmu_instance *m, void *parts[PARTS], size_t sizes[PARTS])
 {
     const ptrdiff_t nr = fmu_scene(m)->nr;
-    const ptrdiff_t counts[] = {fmu_count(m, FMU_PARAMETER), nr, fmu_nx(m), fmu_scene(m)->event_count, 6 * nr,
-                                m->is.jump_count};
+    const ptrdiff_t counts[] = {fmu_count(m, FMU_PARAMETER), nr, fmu_nx(m), fmu_scene(m)->event_count,
+                                FMU_POLYNOMIAL * nr, m->is.jump_count};
     double *const arrays[] = {m->p, m->r, m->start, m->armed_at, m->polynomials, m->jumps};
     size_t total = 0;
 
@@ -84,7 +140,6 @@ static size_t head_size(void)
 
 fmu_status fmu_save(fmu_instance *m, fmu_saved **state)
 {
-    static const cardan_run nowhere = {0};
     void *parts[PARTS];
     size_t sizes[PARTS];
     const size_t length = head_size() + parts_of(m, parts, sizes);
@@ -98,8 +153,7 @@ fmu_status fmu_save(fmu_instance *m, fmu_saved **state)
     memset(saved, 0, head_size());
     saved->length = length, saved->model = hash(m->model->token, strlen(m->model->token));
     memcpy(&saved->is, &m->is, sizeof saved->is);
-    memcpy(&saved->run, &m->at.run, sizeof saved->run);
-    take_pointers(&saved->run, &nowhere);
+    take_numbers(&saved->of_run, &m->at.run);
     at = (char *)saved->numbers;
     for (int k = 0; k < PARTS; at += sizes[k], k++)
         memcpy(at, parts[k], sizes[k]);
@@ -107,39 +161,60 @@ fmu_status fmu_save(fmu_instance *m, fmu_saved **state)
     return FMU_OK;
 }
 
+/* Whether an instance can be in a state: one phase, a tolerance, no more jumps than there is room for. */
+static int is_possible(const struct fmu_record *is, ptrdiff_t most_jumps)
+{
+    const int phase = is->phase;
+
+    return phase > 0 && phase <= FMU_TERMINATED && (phase & (phase - 1)) == 0 && is->tolerance > 0
+           && fmu_finite(is->tolerance) && fmu_finite(is->start) && fmu_finite(is->horizon)
+           && is->jump_count >= 0 && is->jump_count <= most_jumps;
+}
+
+static fmu_status refuse(fmu_instance *m)
+{
+    return fmu_say(m, FMU_ERROR, "the FMU state is damaged or of another FMU.");
+}
+
 /* Refuse a state that is damaged or belongs to another FMU. */
 static fmu_status check(fmu_instance *m, const fmu_saved *state)
 {
     if (!state || state->length < head_size() || state->model != hash(m->model->token, strlen(m->model->token))
         || state->sum != hash(&state->is, (size_t)state->length - offsetof(struct fmu_saved, is)))
-        return fmu_say(m, FMU_ERROR, "the FMU state is damaged or of another FMU.");
+        return refuse(m);
     return FMU_OK;
 }
 
 fmu_status fmu_restore(fmu_instance *m, const fmu_saved *state)
 {
     const int stale = m->is.stale_parameters;
-    const cardan_run here = m->at.run;
+    const ptrdiff_t most_jumps = (ptrdiff_t)cardan_jumps_capacity(fmu_scene(m));
     void *parts[PARTS];
     size_t sizes[PARTS];
     const char *at;
 
     if (check(m, state) != FMU_OK)
         return FMU_ERROR;
+    if (!is_possible(&state->is, most_jumps))
+        return refuse(m);
     memcpy(&m->is, &state->is, sizeof m->is);
     if (head_size() + parts_of(m, parts, sizes) != state->length) {
         (void)fmu_reset(m);
-        return fmu_say(m, FMU_ERROR, "the FMU state is damaged or of another FMU.");
+        return refuse(m);
     }
     at = (const char *)state->numbers;
     /* what follows from other parameters is not there */
     if ((stale || memcmp(at, m->p, sizes[0]) != 0) && !m->is.stale_parameters
         && cardan_prepare(fmu_scene(m), (const double *)(const void *)at, m->at.prepared) != 0)
         return fmu_say(m, FMU_ERROR, "SetFMUState: the model has no numbers at the parameters of the state.");
+    /* sizes, tolerances and places of arrays are those of the instance */
+    fmu_lay_run(m);
     for (int k = 0; k < PARTS; at += sizes[k], k++)
         memcpy(parts[k], at, sizes[k]);
-    memcpy(&m->at.run, &state->run, sizeof here);
-    take_pointers(&m->at.run, &here);
+    if (!give_numbers(&m->at.run, &state->of_run, most_jumps + 1) || !restore_ticks(m) || !is_sound(m)) {
+        (void)fmu_reset(m);
+        return refuse(m);
+    }
     fmu_forget(m);
     return FMU_OK;
 }

@@ -18,7 +18,7 @@ fmu_status fmu_set_input_derivatives(fmu_instance *m, const unsigned *references
         if (orders[k] < 1 || orders[k] > 3 || !fmu_finite(values[k]))
             return fmu_say(m, FMU_ERROR, "input derivatives: '%s' of order %d = %g: orders are 1 to 3, values finite.",
                            m->model->names[references[k]], orders[k], values[k]);
-        m->polynomials[6 * place + 2 + orders[k]] = values[k] / factorials[orders[k]];
+        m->polynomials[FMU_POLYNOMIAL * place + 2 + orders[k]] = values[k] / factorials[orders[k]];
         m->is.polynomials = m->is.stale_inputs = 1;
     }
     return FMU_OK;
@@ -30,7 +30,7 @@ static void begin_polynomials(fmu_instance *m, double end)
     cardan_run *run = &m->at.run;
 
     for (ptrdiff_t i = 0; i < run->nr; i++) {
-        double *polynomial = m->polynomials + 6 * i;
+        double *polynomial = m->polynomials + FMU_POLYNOMIAL * i;
         polynomial[0] = run->t, polynomial[1] = end, polynomial[2] = m->r[i];
     }
     run->signal_count = run->nr;

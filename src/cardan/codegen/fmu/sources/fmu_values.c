@@ -41,11 +41,6 @@ int fmu_call(fmu_instance *m, const char *function, const double *y, double *out
     return CARDAN_MODEL;
 }
 
-static double length_of(const double *q)
-{
-    return sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-}
-
 /* dx/dt. A quaternion that has drifted turns as the one of unit length does, and stays as long as it is. */
 static int rates(fmu_instance *m, double *out)
 {
@@ -56,7 +51,7 @@ static int rates(fmu_instance *m, double *out)
     for (ptrdiff_t i = 0; i < run->quaternion_count && status == 0; i++) {
         const ptrdiff_t at = run->quaternions[i];
         for (ptrdiff_t j = at; j < at + 4; j++)
-            out[j] *= length_of(run->y + at);
+            out[j] *= fmu_length(run->y + at);
     }
     return status;
 }

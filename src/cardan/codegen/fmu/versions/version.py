@@ -48,6 +48,7 @@ class Version:
         variable: A variable as an element.
         structure: The elements of ``ModelStructure``.
         listing: Whether the description of an interface lists the sources.
+        root: Further attributes of the root, by the number of event indicators.
     """
 
     name: str
