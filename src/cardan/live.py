@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .analyses.simulation.settings import TIGHTEST
 from .api.compiled_model import CompiledModel
 from .api.equations import Equations
 from .api.scene import Scene
@@ -19,6 +20,7 @@ from .errors import ArgumentError, ModelError, brief, near
 from .pipeline import compile as compiled
 from .pipeline import derive
 from .runtime.trajectory.trajectory import TrajectoryRecord
+from .runtime.models.loaded_model import LoadedModel
 from .schema.manifest import Manifest
 from .view import live_page
 from .view import page as pages
@@ -88,6 +90,9 @@ def page(
     equations = _equations(scene)
     if page not in ("auto", *pages.PAGES):
         raise ArgumentError(f"page='{page}': there is no such page.{near(page, pages.PAGES)}")
+    if not rtol > 0:
+        raise ArgumentError(f"rtol={rtol:g}: give a positive number, such as 1e-6")
+    rtol = max(rtol, TIGHTEST)
     model = compiled(equations)
     x = np.asarray(model.simulate((0.0, INSTANT), q=q, u=u, check=True).x[0])
     preview = _preview(model, x)
@@ -149,7 +154,7 @@ def _specification(
         "inputs": [float(entry.default) for entry in manifest.inputs],
         "start": {"x": x.tolist(), "s": [float(entry.default) for entry in manifest.s]},
         "closed": bool(manifest.projected and manifest.multipliers),
-        "instant": INSTANT,
+        "ticks": [[float(tick.period), float(tick.phase)] for tick in manifest.ticks],
         "bodies": bodies,
         "traces": traces,
     }, live.module
@@ -199,12 +204,27 @@ def _sliders(
             hint = near(name, [*parameters, *inputs])
             raise ArgumentError(f"sliders: '{name}' is no parameter and no input.{hint}")
         low, high = _span(name, span, value)
+        if kind == "parameter":
+            _settable(preview.model, name, low, high)
         key = f"p.{name}" if name in TAKEN else name
         rows.append(
             {"name": name, "key": key, "kind": kind, "index": index, "unit": unit}
             | {"low": min(low, value), "high": max(high, value), "value": value}
         )
     return rows
+
+
+def _settable(model: LoadedModel, name: str, *ends: float) -> None:
+    """Ensure that a model takes the ends of a range.
+
+    Raises:
+        ArgumentError: it refuses one, such as a negative mass.
+    """
+    for end in ends:
+        try:
+            model.with_parameters({name: end})
+        except ModelError as problem:
+            raise ArgumentError(f"sliders: {problem}; give another range") from problem
 
 
 def _span(name: str, span: Range, value: float) -> tuple[float, float]:
@@ -217,7 +237,7 @@ def _span(name: str, span: Range, value: float) -> tuple[float, float]:
         low, high = sorted(part * value for part in SPAN) if value else AROUND_ZERO
         return low, high
     try:
-        low, high = (float(end) for end in span)
+        low, high = (float(end) for end in (() if isinstance(span, str) else span))
     except (TypeError, ValueError):
         low = high = np.nan
     if not (np.isfinite([low, high]).all() and low < high):
