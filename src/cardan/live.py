@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .analyses.simulation.settings import TIGHTEST
 from .api.compiled_model import CompiledModel
 from .api.equations import Equations
 from .api.scene import Scene
@@ -20,7 +19,6 @@ from .errors import ArgumentError, ModelError, brief, near
 from .pipeline import compile as compiled
 from .pipeline import derive
 from .runtime.trajectory.trajectory import TrajectoryRecord
-from .runtime.models.loaded_model import LoadedModel
 from .schema.manifest import Manifest
 from .view import live_page
 from .view import page as pages
@@ -35,6 +33,8 @@ PREVIEW = 5.0
 # time in which coordinates go onto the constraints: nothing moves [s]
 INSTANT = 1e-9
 ENERGIES = ("kinetic", "potential", "total")
+# below this rtol the error of a step drowns in rounding
+FINEST = 2.5e-14
 # words of addresses that mean something else
 TAKEN = frozenset({"t", "show", "theme", "bare", "view"})
 Range = tuple[float, float] | None
@@ -92,7 +92,7 @@ def page(
         raise ArgumentError(f"page='{page}': there is no such page.{near(page, pages.PAGES)}")
     if not rtol > 0:
         raise ArgumentError(f"rtol={rtol:g}: give a positive number, such as 1e-6")
-    rtol = max(rtol, TIGHTEST)
+    rtol = max(rtol, FINEST)
     model = compiled(equations)
     x = np.asarray(model.simulate((0.0, INSTANT), q=q, u=u, check=True).x[0])
     preview = _preview(model, x)
@@ -205,7 +205,7 @@ def _sliders(
             raise ArgumentError(f"sliders: '{name}' is no parameter and no input.{hint}")
         low, high = _span(name, span, value)
         if kind == "parameter":
-            _settable(preview.model, name, low, high)
+            _settable(preview, name, low, high)
         key = f"p.{name}" if name in TAKEN else name
         rows.append(
             {"name": name, "key": key, "kind": kind, "index": index, "unit": unit}
@@ -214,15 +214,16 @@ def _sliders(
     return rows
 
 
-def _settable(model: LoadedModel, name: str, *ends: float) -> None:
+def _settable(preview: TrajectoryRecord, name: str, *ends: float) -> None:
     """Ensure that a model takes the ends of a range.
 
     Raises:
         ArgumentError: it refuses one, such as a negative mass.
     """
+    assert preview.model is not None
     for end in ends:
         try:
-            model.with_parameters({name: end})
+            preview.model.with_parameters({name: end})
         except ModelError as problem:
             raise ArgumentError(f"sliders: {problem}; give another range") from problem
 

@@ -173,6 +173,7 @@ def _symbolic(points: Interpolation, derivative: int) -> Any:
     )
 
 
-def _applied(points: Interpolation, derivative: int, x: Any) -> Any:
+def _applied(points: Interpolation, derivative: int, x: object) -> object:
     """A table or one of its derivatives of an expression."""
-    return _symbolic(points, derivative)(x)
+    applied: object = _symbolic(points, derivative)(x)
+    return applied
