@@ -34,6 +34,8 @@ PREVIEW = 5.0
 # time in which coordinates go onto the constraints: nothing moves [s]
 INSTANT = 1e-9
 ENERGIES = ("kinetic", "potential", "total")
+# below this rtol the error of a step drowns in rounding
+FINEST = 2.5e-14
 # words of addresses that mean something else
 TAKEN = frozenset({"t", "show", "theme", "bare", "view"})
 Range = tuple[float, float] | None
@@ -90,6 +92,9 @@ def page(
     kinds = ("auto", *pages.PAGES)
     if page not in kinds:
         raise ArgumentError(f"page='{page}': there is no such page.{near(page, kinds)}")
+    if not rtol > 0:
+        raise ArgumentError(f"rtol={rtol:g}: give a positive number, such as 1e-6")
+    rtol = max(rtol, FINEST)
     model = compiled(equations)
     x = np.asarray(model.simulate((0.0, INSTANT), q=q, u=u, check=True).x[0])
     preview = _preview(model, x)
@@ -153,7 +158,7 @@ def _specification(
         "inputs": [float(entry.default) for entry in manifest.inputs],
         "start": {"x": x.tolist(), "s": [float(entry.default) for entry in manifest.s]},
         "closed": bool(manifest.projected and manifest.multipliers),
-        "instant": INSTANT,
+        "ticks": [[float(tick.period), float(tick.phase)] for tick in manifest.ticks],
         "bodies": bodies,
         "traces": traces,
     }, live.module
@@ -203,12 +208,28 @@ def _sliders(
             hint = near(name, [*parameters, *inputs])
             raise ArgumentError(f"sliders: '{name}' is neither a parameter nor an input.{hint}")
         low, high = _span(name, span, value)
+        if kind == "parameter":
+            _settable(preview, name, low, high)
         key = f"p.{name}" if name in TAKEN else name
         rows.append(
             {"name": name, "key": key, "kind": kind, "index": index, "unit": unit}
             | {"low": min(low, value), "high": max(high, value), "value": value}
         )
     return rows
+
+
+def _settable(preview: TrajectoryRecord, name: str, *ends: float) -> None:
+    """Ensure that a model takes the ends of a range.
+
+    Raises:
+        ArgumentError: it refuses one, such as a negative mass.
+    """
+    assert preview.model is not None
+    for end in ends:
+        try:
+            preview.model.with_parameters({name: end})
+        except ModelError as problem:
+            raise ArgumentError(f"sliders: {problem}; give another range") from problem
 
 
 def _span(name: str, span: Range, value: float) -> tuple[float, float]:
@@ -221,7 +242,7 @@ def _span(name: str, span: Range, value: float) -> tuple[float, float]:
         low, high = sorted(part * value for part in SPAN) if value else AROUND_ZERO
         return low, high
     try:
-        low, high = (float(end) for end in span)
+        low, high = (float(end) for end in (() if isinstance(span, str) else span))
     except (TypeError, ValueError):
         low = high = np.nan
     if not (np.isfinite([low, high]).all() and low < high):

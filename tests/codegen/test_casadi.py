@@ -168,3 +168,11 @@ def test_the_c_compiles_without_a_warning(compiler: str, folder: Path) -> None:
         check=False,
     )
     assert answer.returncode == 0, answer.stderr
+
+
+def test_a_model_without_coordinates(tmp_path: Path) -> None:
+    scene = cd.Scene("still")
+    scene.joint("weld", cd.Fixed(), scene.ground, scene.body("block", mass=1.0))
+    folder = cd.derive(scene).export(tmp_path / "still", ["rhs"], language="casadi")
+    rates = loaded(folder, "still_casadi").function("rhs")
+    assert [one.shape for one in rates.call([])] == [(0, 1)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import subprocess
 import sys
 from dataclasses import replace
@@ -147,3 +148,19 @@ def test_a_table_as_joint_torque_in_c() -> None:
     model = cd.compile(scene)
     found = model.forward_dynamics(AT[:, None], np.zeros((len(AT), 1)))
     np.testing.assert_allclose(found[:, 0], curve(AT), rtol=1e-14, atol=1e-15)
+
+
+def test_equations_with_tables_are_pickled() -> None:
+    scene = cd.Scene("cam")
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("mass", mass=1.0))
+    law = cd.table([0.0, 0.4, 1.0, 1.5], [0.0, 1.0, -1.0, 0.5])(scene.q("x"))
+    scene.force("law", cd.JointForce("x", law + law.diff(scene.q("x"))))
+    equations = cd.derive(scene)
+    # in another process, where nobody made such a table before
+    code = "import sys, pickle, cardan as cd; e = pickle.load(sys.stdin.buffer); "
+    code += "print(cd.compile(e).forward_dynamics([0.3], [0.0])[0].hex())"
+    told = subprocess.run(
+        [sys.executable, "-c", code], input=pickle.dumps(equations), capture_output=True, check=True
+    )
+    expected = cd.compile(equations).forward_dynamics([0.3], [0.0])[0]
+    assert told.stdout.decode().strip() == float(expected).hex()

@@ -186,3 +186,15 @@ def test_the_page_is_that_of_the_parts() -> None:
     assert page.PAGE.read_text("utf-8") == page.written(), "python tests/parts/page.py writes it"
     pictures = {path.stem for path in page.PAGE.parent.glob("parts_*.png")}
     assert pictures == {f"parts_{name}" for name in PARTS}
+
+
+@pytest.mark.parametrize("name", PARTS)
+def test_sizes_and_masses_that_cannot_be_are_refused(name: str) -> None:
+    """By the name of the argument; what may point to either side takes both signs."""
+    for argument in inspect.signature(PARTS[name]).parameters:
+        if re.search("(mass|teeth|module|radius|length|thickness)$", argument):
+            with pytest.raises(cd.ModelError, match=f"{argument}=-1: give a number"):
+                PARTS[name](**{argument: -1.0})
+    for argument in {"sun_teeth", "side_teeth"} & {*inspect.signature(PARTS[name]).parameters}:
+        with pytest.raises(cd.ModelError, match=f"{argument}=0: give a number above 0"):
+            PARTS[name](**{argument: 0.0})

@@ -158,6 +158,68 @@ def test_sliders_change_what_simulate_would_compute(tmp_path: Path) -> None:
     np.testing.assert_allclose(found["x"], motion.x[-1], atol=1e-8)
 
 
+def sampled(built: cd.Scene, joint: str) -> cd.Scene:
+    """A scene with a sampled controller that integrates."""
+    q, u = built.q(joint), built.u(joint)
+    law = cd.Controller.pid(joint, q, u, target=0.1, kp=0.2, ki=3, kd=0.02, sample=0.03125)
+    built.force("pid", law)
+    return built
+
+
+@needs_node
+@pytest.mark.parametrize("slices", [1, 16, 32, 500])
+def test_a_sample_happens_once_where_pictures_meet_it(slices: int, tmp_path: Path) -> None:
+    scene_of = sampled(scene("double_pendulum"), "elbow")
+    page = cd.page(scene_of, tmp_path / "a.html", q={"shoulder": 1.0}, rtol=1e-10)
+    found = told(
+        page,
+        f"let status = 0; const n = {slices};"
+        "for (let k = 0; k < n; k++) status ||= live.advance(0.5 / n);"
+        "status ||= live.advance(0.51 - live.t);"
+        "console.log(JSON.stringify({ status, t: live.t, x: [...live.x], s: [...live.s] }));",
+        tmp_path,
+    )
+    assert found["status"] == 0
+    motion = cd.compile(scene_of).simulate(found["t"], q={"shoulder": 1.0}, rtol=1e-11)
+    np.testing.assert_allclose(found["s"], motion.s[-1], atol=1e-8)
+    np.testing.assert_allclose(found["x"], motion.x[-1], atol=1e-8)
+
+
+@needs_node
+def test_a_slider_closes_loops_and_does_nothing_else(tmp_path: Path) -> None:
+    page = cd.page(sampled(scene("four_bar"), "A"), sliders=["crank.mass", "B.position.x"])
+    mass, length = (row["index"] for row in data_of(page.html)["live"]["sliders"])
+    found = told(
+        page,
+        "const status = live.advance(0.1), x = [...live.x], s = [...live.s];"
+        f"live.change({mass}, 0.2); const heavy = [...live.x]; live.change({length}, 0.09);"
+        "console.log(JSON.stringify({ status, x, s, heavy, after: [...live.s] }));",
+        tmp_path,
+    )
+    assert found["status"] == 0
+    assert found["after"] == found["s"] != [0.0] * len(found["s"])
+    np.testing.assert_allclose(found["heavy"], found["x"], atol=1e-12)
+
+
+def fixed() -> cd.Scene:
+    """A body that cannot move."""
+    made = cd.Scene("fixed")
+    made.joint("weld", cd.Fixed(), made.ground, made.body("block", mass=1.0))
+    return made
+
+
+@needs_node
+def test_a_scene_without_coordinates_has_a_page(tmp_path: Path) -> None:
+    found = told(
+        cd.page(fixed(), tmp_path / "a.html"),
+        "const status = live.advance(0.5), frames = [...live.frames()];"
+        "console.log(JSON.stringify({ status, t: live.t, frames }));",
+        tmp_path,
+    )
+    assert found["status"] == 0
+    assert found["t"] == 0.5
+
+
 def test_shapes_follow_their_sliders() -> None:
     page = cd.page(scene("double_pendulum"), q={"shoulder": 1.0}, sliders={"l": (0.25, 1.0)})
     live = data_of(page.html)["live"]
@@ -201,6 +263,9 @@ def test_inputs_are_sliders_too() -> None:
         ({"sliders": {"m": (2.0, 1.0)}}, "'m': (2.0, 1.0) is not a range"),
         ({"sliders": {"m": (0.0, float("nan"))}}, "is not a range"),
         ({"sliders": {"m": "wide"}}, "is not a range"),
+        ({"sliders": {"m": "12"}}, "is not a range"),
+        ({"rtol": 0.0}, "rtol=0: give a positive number"),
+        ({"rtol": -1e-6}, "rtol=-1e-06: give a positive number"),
         ({"plots": "elbou"}, "there is no history 'elbou'"),
         ({"traces": "hand"}, "'hand' is not a frame"),
         ({"page": "4d"}, "page='4d': there is no such page. Known: auto, 3d, plain"),
@@ -209,6 +274,11 @@ def test_inputs_are_sliders_too() -> None:
 def test_what_cannot_be_is_refused_by_name(options: dict[str, Any], said: str) -> None:
     with pytest.raises(cd.ArgumentError, match=re.escape(said)):
         cd.page(scene("double_pendulum"), **options)
+
+
+def test_a_range_holds_what_a_model_takes_alone() -> None:
+    with pytest.raises(cd.ArgumentError, match=r"'crank\.mass' is a mass .* give another range"):
+        cd.page(scene("four_bar"), sliders={"crank.mass": (-1.0, 1.0)})
 
 
 def test_beams_are_recorded_instead() -> None:

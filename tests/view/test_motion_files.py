@@ -232,6 +232,14 @@ def test_single_rows_stand_still(motion: cd.Trajectory, tmp_path: Path) -> None:
     assert "animations" not in file.json
 
 
+@pytest.mark.parametrize("ending", motion_files.FORMATS)
+def test_a_motion_in_which_nothing_moves(ending: Any, tmp_path: Path) -> None:
+    scene = cd.Scene("fixed")
+    scene.joint("weld", cd.Fixed(), scene.ground, scene.body("block", mass=1.0))
+    path = cd.compile(scene).simulate(1.0).save(tmp_path / f"still{ending.endings[0]}")
+    assert path.stat().st_size > 0
+
+
 def test_mcap_has_frames_and_histories(motion: cd.Trajectory, tmp_path: Path) -> None:
     reader = pytest.importorskip("mcap.reader")
     rows: dict[str, list[Any]] = {}

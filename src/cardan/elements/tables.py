@@ -167,5 +167,13 @@ def _symbolic(points: Interpolation, derivative: int) -> Any:
             "cardan_derivative": derivative,
             "eval": classmethod(at_number),
             "fdiff": slope,
+            # pickles name the points: there is no such class in another process
+            "__reduce_ex__": lambda self, _: (_applied, (points, derivative, *self.args)),
         },
     )
+
+
+def _applied(points: Interpolation, derivative: int, x: object) -> object:
+    """A table or one of its derivatives of an expression."""
+    applied: object = _symbolic(points, derivative)(x)
+    return applied

@@ -22,6 +22,8 @@ ORANGE = (0.9, 0.5, 0.15)
 GREEN = (0.3, 0.6, 0.35)
 DARK = (0.25, 0.25, 0.28)
 Color = tuple[float, float, float]
+# last words of parameters that are above 0, and that are not below it, as masses are
+ABOVE, NOT_BELOW = ("teeth", "module"), ("radius", "length", "thickness", "mass")
 
 
 def declared(
@@ -33,7 +35,15 @@ def declared(
         scene: Gets them.
         units: Unit -> names, with blanks between them.
         values: By name; others are ignored.
+
+    Raises:
+        ModelError: a mass or a size that cannot be.
     """
+    for name in " ".join(units.values()).split():
+        word, value = name.rpartition("_")[2], values[name]
+        if (word in NOT_BELOW and value < 0) or (word in ABOVE and value <= 0):
+            least = "above 0" if word in ABOVE else "that is not negative"
+            raise ModelError(f"{scene.name}: {name}={value:g}: give a number {least}")
     return {
         name: scene.parameter(name, values[name], unit)
         for unit, names in units.items()

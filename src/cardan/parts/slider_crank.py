@@ -48,14 +48,14 @@ def slider_crank(
 
     Source: P. E. Nikravesh, Planar Multibody Dynamics, 2007.
     """
+    scene = Scene("slider_crank")
+    p = declared(scene, UNITS, locals())
     height = crank_length * math.sin(START) - offset
     if not abs(height) < rod_length:
         raise ModelError(
             f"slider_crank: a rod of {rod_length:g} m does not reach from the crank pin to the "
             f"piston, {abs(height):g} m above or below; give other lengths"
         )
-    scene = Scene("slider_crank")
-    p = declared(scene, UNITS, locals())
     crank = link(scene, "crank", p["crank_mass"], p["crank_length"], ORANGE, 0.022)
     rod = link(scene, "rod", p["rod_mass"], p["rod_length"], BLUE, 0.014)
     drawn = shape.cylinder(p["bore"] / 2, p["bore"], axis="x", color=STEEL)

@@ -67,7 +67,7 @@ class LiveModel {
     const { settings } = this.at, fields = this.spec.records.cardan_simulation, view = new DataView(this.memory.buffer);
     for (let k = 0; k < this.spec.settings; k += 4) view.setInt32(settings + k, 0, true);
     for (const name of ["p", "x", "s", "r"]) view.setInt32(settings + fields[name], this.at[name], true);
-    const numbers = { start: this.t, end: this.t + dt, rtol: this.spec.rtol, atol: this.spec.atol };
+    const numbers = { start: this.t, end: dt ? this.free(this.t + dt) : this.t, rtol: this.spec.rtol, atol: this.spec.atol };
     for (const [name, value] of Object.entries(numbers)) view.setFloat64(settings + fields[name], value, true);
     const status = this.core.cardan_simulate(this.spec.scene, settings, this.run);
     if (status >= 0) {
@@ -76,6 +76,14 @@ class LiveModel {
       this.t = new DataView(this.memory.buffer).getFloat64(settings + fields.t, true);
     }
     return status;
+  }
+
+  // a time near t at which nothing is sampled: runs sample where they start and where they end
+  free(t) {
+    const { ticks } = this.spec, aside = 1e-3 * Math.min(...ticks.map(([period]) => period));
+    const near = ([period, phase]) => { const k = (t - phase) / period; return Math.abs(k - Math.round(k)) < 1e-5; };
+    while (ticks.some(near)) t += aside;
+    return t;
   }
 
   prepare() { this.core.cardan_prepare(this.spec.scene, this.at.p, this.prepared); }
@@ -102,6 +110,7 @@ class LiveModel {
   // parameters go to what is asked for in small steps, so that loops stay closed: from the start to the end
   change(k, value) {
     const before = this.p[k], x = this.x.slice(), steps = this.spec.closed ? 24 : 1;
+    if (value === before) return true;
     for (let i = 1; i <= steps; i++) {
       this.p[k] = i < steps ? before + (value - before) * (i / steps) : value;
       if (this.spec.closed && this.close() < 0) {
@@ -116,10 +125,10 @@ class LiveModel {
     return true;
   }
 
-  // coordinates and speeds onto the constraints: the start of a run does that
+  // coordinates and speeds onto the constraints: the start of a run does that, and what else it does is undone
   close() {
-    const t = this.t, status = this.advance(this.spec.instant);
-    this.t = t;
+    const s = this.s.slice(), status = this.advance(0);
+    this.s.set(s);
     return status;
   }
 

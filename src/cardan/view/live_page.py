@@ -138,7 +138,10 @@ def _reach(drawing: Drawing) -> tuple[list[float], list[float]]:
 
 def _box(drawing: Drawing, rows: slice) -> Array:
     """Corners (2, 3) of the box around what is drawn at some rows."""
-    lows, highs = [], []
+    lows, highs = list[Array](), list[Array]()
+    if not drawing.bodies:
+        # the ground alone
+        return np.zeros((2, 3))
     for body in drawing.bodies:
         poses = body.poses[rows]
         for solid in body.solids if all("a" in s for s in body.solids) else ():

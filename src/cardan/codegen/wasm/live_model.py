@@ -77,7 +77,7 @@ def build(
         sizes |= {f"{name}_{key}_size": count for key, count in counts.items()}
         rows[name] = Exported("", program.blocks, counts)
     memory = Memory(module, kernels, sizes)
-    memory.numbers("inputs", inputs(manifest))
+    memory.named("double inputs[]", inputs(manifest), ())
     model_file.declare(memory, manifest, Content(rows, start, fields(manifest)), (METHOD,))
     encoded = module.encoded()
     return LiveModel(

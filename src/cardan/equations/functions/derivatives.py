@@ -120,6 +120,8 @@ def forward_columns(
 ) -> list[list[int]]:
     """Changes of udot under tau, and of the multipliers."""
     g, nu = c.k.graph, c.k.system.nu
+    if not nu:
+        return [[] for _ in along]
     forces = directional(g, tau.nodes, [d.seeds for d in along])
     # udot is an argument of others, and tau none of inverse dynamics
     foreign = ("tau", "udot")
@@ -133,7 +135,7 @@ def forward_columns(
         start = None if d.block in foreign else next(needed)
         initial = [ZERO] * nu if start is None else flat[start : start + nu]
         columns.append([g.sub(a, b) for a, b in zip(force, initial, strict=True)])
-    if not columns or not nu:
+    if not columns:
         return columns
     right = Matrix(g, nu, len(columns), [column[i] for i in range(nu) for column in columns])
     if multipliers.rows:

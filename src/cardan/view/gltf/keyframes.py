@@ -95,9 +95,11 @@ def _refined(motion: TrajectoryRecord) -> tuple[TrajectoryRecord, Keys]:
         keys = _keys(motion, times)
         middle = (times[1:] + times[:-1]) / 2
         at_keys, at_middle = (_tracks(motion.resample(t)) for t in (times, middle))
-        size = float(np.ptp(at_keys[:, :, :3], axis=(0, 1)).max(initial=0.0)) or 1.0
+        places = at_keys[:, :, :3]
+        # there may be nothing that moves
+        size = float(np.ptp(places, axis=(0, 1)).max()) if places.size else 0.0
         splines = keys.midway(keys.spline(at_keys.reshape(len(times), -1)))
-        error = _distance(splines.reshape(at_middle.shape), at_middle, size)
+        error = _distance(splines.reshape(at_middle.shape), at_middle, size or 1.0)
         if not error > EXACT:
             return motion.resample(times), keys
         if 2 * len(times) > MOST:
