@@ -157,6 +157,40 @@ def test_massless_links() -> None:
     assert udot[model.speeds.index("a.u")] == pytest.approx(wanted, rel=1e-12)
 
 
+@pytest.mark.parametrize("treatment", ["multipliers", "elimination", "null_space"])
+@pytest.mark.parametrize("element", ["stop", "lock", "friction"])
+def test_massless_links_with_modes(treatment: str, element: str) -> None:
+    """A hoop without mass, bound to a rod that falls onto a stop of the hoop, or is held by it."""
+    scene = cd.Scene("hoop", gravity=(0, 0, -9.81))
+    rod = scene.body("rod", mass=1.0, com=(-0.15, 0, 0), inertia=(0.01, 0.01, 0.01))
+    scene.joint("h", cd.Revolute("y"), scene.ground, rod)
+    hoop = scene.body("hoop")
+    scene.joint("gap", cd.Prismatic("x"), scene.ground, hoop)
+    scene.constraint("rope", scene.q("gap") - 0.2 * scene.q("h"), unit="m")
+    elements = {
+        "stop": lambda: cd.Stop("gap", lower=0.0),
+        "lock": lambda: cd.Lock("gap", when=scene.q("gap")),
+        "friction": lambda: cd.Friction("gap", coulomb=8.0),
+    }
+    scene.force("hold", elements[element]())
+    start = 0.0 if element == "friction" else 0.05
+    model = cd.compile(scene, constraints=treatment)
+    motion = model.simulate(0.5, q={"h": start}, rtol=1e-9, max_step=0.01)
+    assert motion.success
+    assert motion["h"][-1] == pytest.approx(0.0, abs=1e-9)
+    # torque of the weight over the arm of the hoop; friction sticks below 8 N
+    force = abs(model.multipliers(*model.split(motion.x[-1])[:2], s=motion.s[-1])).max()
+    assert force == pytest.approx(9.81 * 0.15 / 0.2, rel=1e-9)
+    if start:
+        # until then the rod falls alone: J h'' = -m g c cos h
+        alone = cd.Scene("alone", gravity=(0, 0, -9.81))
+        body = alone.body("rod", mass=1.0, com=(-0.15, 0, 0), inertia=(0.01, 0.01, 0.01))
+        alone.joint("h", cd.Revolute("y"), alone.ground, body)
+        at = {"down": lambda t, x: x[0]}
+        free = cd.compile(alone).simulate(1.0, q={"h": start}, rtol=1e-11, events=at)
+        assert motion.events[0].t == pytest.approx(free.events[0].t, abs=1e-8)
+
+
 @pytest.mark.parametrize(
     ("treatment", "function"),
     some(product(("multipliers", "elimination"), ("forward_dynamics", "multipliers")), 3),

@@ -166,7 +166,9 @@ class Dynamics:
     def _regular(self, mass: Matrix, drive: Matrix) -> tuple[Matrix, Matrix]:
         """M and drive; where massless bodies leave zeros in M, with the constraints added to both.
 
-        w Gᵀ (G udot - gamma) vanishes for the accelerations that are looked for.
+        w Gᵀ (G udot - gamma) vanishes for the accelerations that are looked for. Rows that hold in
+        some modes only are left out: where they do not hold, others must bear what has no mass,
+        and the metric of positions is the same in all modes.
         """
         n = mass.rows
         if all(mass[i, i].node != ZERO for i in range(n)):
@@ -176,11 +178,14 @@ class Dynamics:
             weight = weight + Scalar(self.k.graph, self.k.resolve([body.mass])[0])
         if weight.node == ZERO:
             weight = Scalar(self.k.graph, ONE)
-        across = self.constraints.jacobian.T * weight
-        return (
-            (mass + across @ self.constraints.jacobian).mirrored,
-            drive + across @ self.constraints.gamma,
+        rows = [k for k, row in enumerate(self.constraints.rows) if not row.switched]
+        always = (self.constraints.jacobian, self.constraints.gamma)
+        jacobian, gamma = (
+            Matrix(self.k.graph, len(rows), x.columns, [n for k in rows for n in x.row(k)])
+            for x in always
         )
+        across = jacobian.T * weight
+        return (mass + across @ jacobian).mirrored, drive + across @ gamma
 
     def response(self, row: Matrix) -> Matrix:
         """Accelerations (nu, 1) under a force along a velocity (1, nu) alone."""
