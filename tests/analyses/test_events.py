@@ -202,7 +202,7 @@ MISTAKES: list[tuple[dict[str, Any], type[Exception], str]] = [
     ({"a": ("z", np.nan)}, cd.SolveError, "'z' cannot pass nan"),
     ({"a": (("z", 1.0), "mrk")}, cd.ModelError, "Did you mean 'mark'"),
     ({"a": (("z", 1.0), "mark", "left")}, cd.ModelError, "'left' is none of end, mark, down"),
-    ({"a": lambda t: t}, ValueError, r"the function of 'a' must take \(t, x\)"),
+    ({"a": lambda: 1.0}, ValueError, r"the function of 'a' must take \(t, x\)"),
     (
         {"a": lambda t, x: "soon"},
         ValueError,

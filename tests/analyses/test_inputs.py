@@ -130,5 +130,19 @@ def test_a_function_with_other_arguments_is_refused() -> None:
     scene.joint("track", cd.Prismatic("x"), scene.ground, block)
     scene.force("motor", cd.JointForce("track", push))
     model = cd.compile(scene)
-    with pytest.raises(ArgumentError, match=r"'push' must take \(t, x\)"):
-        model.simulate(1.0, inputs={"push": lambda t: t})
+    for wrong in (lambda: 1.0, lambda t, x, more: 1.0, lambda t, *, key: 1.0):
+        with pytest.raises(ArgumentError, match=r"'push' must take \(t, x\).* it takes \("):
+            model.simulate(1.0, inputs={"push": wrong})
+    # the state would take the place of what the user set
+    for trap in (lambda t, k=3.0: k, lambda t, k=3.0, more=1.0: k):
+        with pytest.raises(ArgumentError, match="would replace the default of 'k'"):
+            model.simulate(1.0, inputs={"push": trap})
+    alone = [
+        lambda t: 2 * t,
+        lambda t, *, k=2.0: k * t,
+        lambda t, x, k=2.0: k * t,
+        lambda *a: 2 * a[0],
+    ]
+    for function in alone:
+        motion = model.simulate(1.0, inputs={"push": function}, rtol=1e-9)
+        assert motion["track"][-1] == pytest.approx(1 / 3, abs=1e-9)

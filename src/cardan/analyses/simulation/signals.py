@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from inspect import signature
+from inspect import Signature, signature
 from typing import Any
 
 import numpy as np
@@ -27,11 +27,13 @@ class Checked:
 
     Attributes:
         who: What it is, for messages.
-        function: f(t, x).
+        function: f(t, x), or f(t).
+        of_state: Whether it takes x.
     """
 
     who: str
-    function: InputFunction
+    function: Callable[..., float]
+    of_state: bool = True
 
     def __call__(self, t: float, x: Array) -> float:
         """The result.
@@ -40,7 +42,7 @@ class Checked:
             FunctionError: it is not a number, or the function raised, which is the cause.
         """
         try:
-            value = self.function(t, x)
+            value = self.function(t, x) if self.of_state else self.function(t)
         except Exception as problem:
             what = f"{type(problem).__name__}: {problem}"
             raise FunctionError(f"{self.who} raised at t = {t:.9g} s: {what}") from problem
@@ -189,25 +191,42 @@ def _refuse_motion(name: str, names: Sequence[str]) -> None:
         )
 
 
-def checked(who: str, function: InputFunction) -> Checked:
-    """A function that can be called with (t, x), as far as it can be told beforehand.
+def checked(who: str, function: Callable[..., float]) -> Checked:
+    """A function that can be called with (t, x) or with t, as far as it can be told beforehand.
 
     Args:
         who: What it is, for messages.
-        function: f(t, x).
+        function: f(t, x), or f(t).
 
     Raises:
-        ArgumentError: it takes something else.
+        ArgumentError: it takes something else, or the state would replace a default.
     """
-    wrapper = Checked(who, function)
     try:
-        signature(function).bind(0.0, None)
-    except TypeError as problem:
-        raise ArgumentError(f"{who} must take (t, x), time and state: {problem}") from None
+        arguments = signature(function)
     except ValueError:
         # built-in functions do not tell
-        return wrapper
-    return wrapper
+        return Checked(who, function)
+    if _binds(arguments, 0.0, None):
+        second = [*arguments.parameters.values()][1:2]
+        for one in second:
+            if one.default is not one.empty:
+                raise ArgumentError(
+                    f"{who}: the state x would replace the default of '{one.name}': take (t, x, "
+                    f"{one.name}=...), or (t, *, {one.name}=...) where x is not needed"
+                )
+        return Checked(who, function)
+    if _binds(arguments, 0.0):
+        return Checked(who, function, of_state=False)
+    raise ArgumentError(f"{who} must take (t, x), time and state, or t alone; it takes {arguments}")
+
+
+def _binds(arguments: Signature, *values: object) -> bool:
+    """Whether a function takes such positional arguments."""
+    try:
+        arguments.bind(*values)
+    except TypeError:
+        return False
+    return True
 
 
 def _number(name: str, value: Any) -> float:
