@@ -135,6 +135,30 @@ def check_equal(a: sp.Matrix, b: sp.Matrix) -> None:
     np.testing.assert_allclose(first, second, rtol=1e-9, atol=1e-9)
 
 
+def test_functions_of_joints_and_frames() -> None:
+    """The pin of a pendulum at rest bears the weight; the same by shared intermediates."""
+    scene = cd.Scene("rest", gravity=(0, 0, -9.81))
+    bob = scene.body("bob", mass=2.0, com=(0, 0, -0.5))
+    scene.joint("pin", cd.Revolute("y"), scene.ground, bob)
+    equations = cd.derive(scene)
+    reaction = equations.written("reaction", of="pin")
+    replacements, shared = equations.symbolic("reaction", of="pin")
+    for symbol, expression in reversed(replacements):
+        shared = shared.subs(symbol, expression)
+    model = cd.compile(scene)
+    for q, u in ((0.0, 0.0), (0.7, 1.3)):
+        state = {"pin": q, "pin.u": u, **model.parameters}
+        at = {s: state.get(str(s), 0.0) for s in reaction.free_symbols | shared.free_symbols}
+        expected = model.reaction("pin", [q], [u])
+        for form in (reaction, shared):
+            assert np.array(form.subs(at), float).ravel() == pytest.approx(expected, abs=1e-12)
+    assert model.reaction("pin", [0.0], [0.0])[5] == pytest.approx(2 * 9.81)
+    with pytest.raises(cd.DerivationError, match="'reaction' needs a joint: name it with of="):
+        equations.written("reaction")
+    with pytest.raises(cd.DerivationError, match="'pine'"):
+        equations.written("reaction", of="pine")
+
+
 def test_intermediates_have_the_names_of_bodies() -> None:
     equations = cd.derive(CLASSICAL["arm"].scene())
     replacements, h = equations.symbolic("bias")

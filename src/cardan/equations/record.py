@@ -67,7 +67,7 @@ class EquationRecord:
     _rewrites_of: dict[str, tuple[str, ...]] = field(default_factory=dict, compare=False)
     _counts: dict[str, Counts] = field(default_factory=dict, compare=False)
     _functions: dict[str, Function] = field(default_factory=dict, compare=False)
-    _read: dict[str, Any] = field(default_factory=dict, compare=False)
+    _read: dict[tuple[str, str | None], Any] = field(default_factory=dict, compare=False)
 
     @cached_property
     def blocks(self) -> dict[str, Block]:

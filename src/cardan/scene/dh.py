@@ -78,8 +78,12 @@ def from_dh(
     """A serial robot from its Denavit-Hartenberg table.
 
     Args:
-        rows: One per joint, from the ground outward: a mapping with the names of :class:`Row`, or
-            the four numbers (a, alpha, d, theta) of a revolute joint.
+        rows: One per joint, from the ground outward: the four numbers (a, alpha, d, theta) of a
+            revolute joint, or a mapping with some of ``a, alpha, d, theta`` [m, rad], ``type``
+            (``"revolute"``, ``"prismatic"``), ``name`` and ``link`` (of joint and body), ``mass``
+            [kg], ``com`` [m] and ``inertia`` (about it) of the link in its own axes,
+            ``rotor_inertia``, ``gear_ratio`` and ``friction`` of the motor, ``damping``, ``q0``,
+            ``limits`` of the joint.
         convention: ``"standard"`` (frames at the far end of a link) or ``"modified"`` (at its
             joint).
         name: Of the model.

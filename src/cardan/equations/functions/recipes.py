@@ -85,7 +85,7 @@ def check(name: str, of: str | None) -> None:
     kind = FUNCTIONS[name].of
     if bool(kind) != (of is not None):
         if kind:
-            raise DerivationError(f"function '{name}' needs a {kind}: {name}(?)")
+            raise DerivationError(f"function '{name}' needs a {kind}: name it with of=")
         raise DerivationError(f"function '{name}' takes no frame or joint: leave out of='{of}'")
 
 

@@ -16,17 +16,22 @@ class Readable(EquationRecord):
     """The forms for people of equations that can be derived."""
 
     @checked
-    def written(self, name: str) -> sympy.Matrix:
+    def written(self, name: str, of: str | None = None) -> sympy.Matrix:
         """A function as a SymPy matrix in readable form.
+
+        Args:
+            name: Such as ``"mass_matrix"``.
+            of: Frame or joint of functions that take one: ``written("reaction", of="elbow")``.
 
         Raises:
             DerivationError: an entry is too long to write out; :meth:`symbolic` is not.
         """
         from ...ir.forms.readable import TooLong, readable
 
-        if name not in self._read:
+        key = (name, of)
+        if key not in self._read:
             try:
-                self._read[name] = readable(self.without_rewrites.function(name), self.symbols)
+                self._read[key] = readable(self.without_rewrites.function(name, of), self.symbols)
             except TooLong as problem:
                 names = f"equations.named('{name}'), which names what follows, or " * self.follows
                 raise DerivationError(
@@ -34,7 +39,7 @@ class Readable(EquationRecord):
                     f"out. Use {names}equations.symbolic('{name}'), which keeps shared "
                     "intermediates"
                 ) from problem
-        return self._read[name].copy()
+        return self._read[key].copy()
 
     @property
     def mass_matrix(self) -> sympy.Matrix:
@@ -101,7 +106,7 @@ class Readable(EquationRecord):
 
         if not self.follows:
             return [], self.written(name)
-        key = f"named {name}"
+        key = f"named {name}", None
         if key not in self._read:
             self._read[key] = named(self, name)
         definitions, matrix = self._read[key]
@@ -114,8 +119,13 @@ class Readable(EquationRecord):
         return rf"$\displaystyle {latex(self)}$"
 
     @checked
-    def symbolic(self, name: str) -> tuple[list[tuple[sympy.Expr, sympy.Expr]], sympy.Matrix]:
+    def symbolic(
+        self, name: str, of: str | None = None
+    ) -> tuple[list[tuple[sympy.Expr, sympy.Expr]], sympy.Matrix]:
         """A function with named intermediates, like :func:`sympy.cse`; for systems of any size.
+
+        Args:
+            name, of: As :meth:`written` takes them.
 
         Returns:
             (replacements, matrix): (symbol, expression), each in terms of the ones before it. A
@@ -124,6 +134,6 @@ class Readable(EquationRecord):
         from ...ir.forms.sympy_bridge import to_sympy_shared
         from ...passes.trig import trig
 
-        function = trig(self.without_rewrites.function(name))
+        function = trig(self.without_rewrites.function(name, of))
         replacements, matrix = to_sympy_shared(function, self.symbols, named=True)
         return replacements, matrix
