@@ -10,6 +10,9 @@ const ENDED = {
   "-10": "An event happens over and over.",
 };
 
+// A number of four digits that fits beside a history.
+const short = (y) => (y && (Math.abs(y) < 1e-3 || Math.abs(y) >= 1e5) ? y.toExponential(1) : String(Number(y.toPrecision(4))));
+
 class LivePanel {
   constructor(model, spec, viewer) {
     Object.assign(this, { model, spec, viewer, playing: true, rate: 1, spent: 0, frames: 0, pulled: null });
@@ -197,7 +200,7 @@ class LivePanel {
     pen.font = "11px system-ui, sans-serif";
     pen.fillStyle = getComputedStyle(strip).color;
     pen.textAlign = "right";
-    for (const y of [low + margin, high - margin]) pen.fillText(Number(y.toPrecision(4)), 54, Y(y) + 4);
+    for (const y of [low + margin, high - margin]) pen.fillText(short(y), 54, Y(y) + 4);
     pen.lineWidth = 1.7;
     history.y.forEach((y, j) => {
       pen.strokeStyle = this.color(j);
@@ -205,7 +208,7 @@ class LivePanel {
       history.t.forEach((t, i) => pen[i ? "lineTo" : "moveTo"](X(t), Y(y[i])));
       pen.stroke();
       const { name } = this.spec.plots[this.chosen].curves[j];
-      this.legend.children[j].textContent = `${name} ${y.length ? Number(y[y.length - 1].toPrecision(4)) : ""}`;
+      this.legend.children[j].textContent = `${name} ${y.length ? short(y[y.length - 1]) : ""}`;
     });
   }
 
