@@ -127,6 +127,8 @@ def test_a_changed_file_is_compiled_again(models: Any, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("inputs", "words"),
     [
+        ({(): "law"}, r"\(\): give the name of an input, or names of several"),
+        ({3: "law"}, r"3: give the name of an input, or names of several"),
         ({("friction", "rate"): 1.0}, r"friction, rate: several names go with a cd\.CFunction"),
         ({("friction", "friction"): "law"}, "'friction' is given twice"),
         ({("friction", "rate"): "law", "rate": 1.0}, "'rate' is given twice"),

@@ -64,7 +64,7 @@ class CFunction:
             raise ModelError(f"CFunction: reads={brief(reads)}: give names of outputs of the scene")
         object.__setattr__(self, "file", path)
         object.__setattr__(self, "name", symbol)
-        object.__setattr__(self, "reads", tuple(reads))
+        object.__setattr__(self, "reads", tuple(map(str, reads)))
 
     def __str__(self) -> str:
         return f"C function '{self.name}' of {Path(self.file).name}"

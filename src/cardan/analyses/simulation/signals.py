@@ -157,7 +157,11 @@ def one_by_one(values: Inputs | None) -> Inputs | None:
         return values
     single: dict[object, object] = {}
     for key, value in values.items():
-        several = isinstance(key, tuple) and key and all(isinstance(name, str) for name in key)
+        several = isinstance(key, tuple) and bool(key) and all(isinstance(n, str) for n in key)
+        if not several and not isinstance(key, str):
+            raise ModelError(
+                f"inputs: {brief(key)}: give the name of an input, or names of several"
+            )
         if several and not isinstance(value, CFunction):
             raise ModelError(
                 f"inputs: {', '.join(key)}: several names go with a cd.CFunction, which gives all"
