@@ -97,10 +97,6 @@ def _speeds(at: Reference, rates: list[int]) -> list[int]:
             speeds[joint.u : joint.u + u.rows] = u.nodes
     if not at.equations.chosen:
         return speeds
-    # the joint speeds as the scene knows them, told in those that the user chose
-    slots = at.block("u")
-    total = list[int]()
-    for speed in at.equations.chosen:
-        change = forward(g, [speed.node], dict(zip(slots, speeds, strict=True)))
-        total += at.k.resolve(change)
-    return total
+    # these are speeds of the joints, those of the user follow from them: Y(q) u_joint
+    joint_speeds = Matrix(g, len(speeds), 1, speeds)
+    return list((at.k.chosen_by_joints @ joint_speeds).nodes)
