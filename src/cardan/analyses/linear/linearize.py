@@ -1,7 +1,8 @@
 """Linear models: small motions about an equilibrium, a steady motion or any state.
 
 About a state that accelerates the matrices are those of the motion through it at that instant:
-x is then the distance from that motion, not from the state.
+x is then the distance from that motion, not from the state. (``equations.linearize`` takes
+accelerations of 0 unless ``udot="free"`` is given.)
 
 Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), chapter 13.
 """
@@ -47,6 +48,9 @@ def linearize(
     choice: Choice | None = None,
 ) -> LinearModelRecord:
     """x' = A x + B r, y = C x + D r about a state, constraints eliminated.
+
+    About a state that is no equilibrium and in no steady motion the matrices are those of the
+    motion that starts there by itself, as of ``equations.linearize(..., udot="free")``.
 
     Args:
         model: The compiled model.

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arrays import Array
-from ...errors import DerivationError, counted, listed
+from ...errors import DerivationError, ModelWarning, counted, listed, warn
 from ...ir.function import Function, count, live
 from ...ir.matrix import Matrix
 from .all_coordinates import DYNAMIC, FullMatrices
@@ -283,6 +283,16 @@ class Linearized:
         They are looked at in numbers, at the default parameters; symbols of the reference without
         a value have any. The linear model holds while these forces act as they are.
         """
+        if not self._held:
+            return {}
+        read = Written(
+            self._reference, {"needed": picked(self._reference.needed, self._held, [0])}
+        ).read("needed")
+        return {self.speeds[n]: read[i] for i, n in enumerate(self._held)}
+
+    @cached_property
+    def _held(self) -> list[int]:
+        """Independent speeds along which the reference needs a force."""
         at = self._reference
         values = at.number(at.needed)[:, 0]
         balance = float(np.abs(at.number(at.put(at.balance))).max(initial=0.0))
@@ -291,11 +301,22 @@ class Linearized:
         row_sizes = np.hstack([np.abs(at.number(m)) for m in (x.M, x.C, x.K)]).max(
             axis=1, initial=0.0
         )
-        rows = [n for n, x in enumerate(values) if abs(x) > NEGLIGIBLE * max(balance, row_sizes[n])]
-        if not rows:
-            return {}
-        read = Written(at, {"needed": picked(at.needed, rows, [0])}).read("needed")
-        return {self.speeds[n]: read[i] for i, n in enumerate(rows)}
+        return [n for n, x in enumerate(values) if abs(x) > NEGLIGIBLE * max(balance, row_sizes[n])]
+
+    def _warn_if_held(self) -> None:
+        """Warn about a reference of numbers that is no motion by itself."""
+        at = self._reference
+        followed = [] if at.assembly is None else at.assembly.names
+        if at.timed or at.trusted or set(at.symbols.names) - set(followed) or not self._held:
+            return
+        along = ", ".join(self.speeds[n] for n in self._held)
+        warn(
+            f"linearize: '{self.name}' does not move so by itself: without accelerations the "
+            f"reference takes forces along {along} (.needed), and the matrices hold while they "
+            "act. udot='free' is about the motion that starts there by itself, as "
+            "model.linearize is; udot={} says that the forces are meant",
+            ModelWarning,
+        )
 
     @property
     def operations(self) -> dict[str, int]:
