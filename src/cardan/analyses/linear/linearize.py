@@ -95,6 +95,7 @@ def linearize(
         z=len(system.internals),
         mass=_mass(system, at, first),
         x=np.concatenate([at.q, at.u, at.z]),
+        xdot=_rates(system, at, first),
         acceleration=_left(system, at, locked, about.choice),
         choice=(first.e, first.v),
         units=np.concatenate([system.columns[first.e], system.columns[first.v], np.ones(nz)]),
@@ -160,6 +161,12 @@ def _left(system: DynamicSystem, at: Moment, locked: list[int], choice: Choice |
     imbalance = (at.udot - system.steady(at)) / system.columns
     left = np.delete(imbalance, locked) if choice is None else imbalance[choice[1]]
     return float(np.abs(left).max(initial=0.0))
+
+
+def _rates(system: DynamicSystem, at: Moment, first: FirstOrder) -> Array:
+    """Rates of the independent increments, speeds and of internal states (nx,)."""
+    zdot = system.internal_rates(at) if system.internals else np.zeros(0)
+    return np.concatenate([(at.u + system.drift(at))[first.e], at.udot[first.v], zdot])
 
 
 def _inputs(

@@ -111,5 +111,5 @@ class Linearizable(EquationRecord):
         motion = {**named, "udot": udot or {}, "t": t}
         linear = linearized(self, motion, values, inputs, outputs, independent, route)
         if udot is None:
-            linear._warn_if_held()
+            linear._warn_if_forced()
         return linear

@@ -21,6 +21,8 @@ def outward(at: Reference, columns: Columns) -> dict[str, Matrix]:
     wrt = {letter: directions(at.k, letter, at.names) for letter in ("q", "u", "z", "r", "udot")}
     matrices = observer(at, wrt["q"])
     rates = event_functions.rates(at.d) if at.system.nz else Matrix.zeros(at.graph, 0)
+    matrices["edot"] = Matrix(at.graph, at.system.nu, 1, _speeds(at, list(at.k.rates.nodes)))
+    matrices["zdot"] = rates
     for name, letter in (("Ze", "q"), ("Zv", "u"), ("Zz", "z"), ("Zr", "r")):
         matrices[name] = columns(at, rates, wrt[letter])
     declared_outputs = declared(at)
