@@ -11,8 +11,11 @@ import pytest
 from scipy.io import loadmat
 
 import cardan as cd
+from cardan.analyses.linear.linear_file import FORMATS, NOTES
 from cardan.number_file import packed, unpacked
 from cardan.runtime import formats
+from cardan.runtime.formats.contents import Contents
+from cardan.version import LINEAR
 from full_disk import full_disk
 from superelements.test_moving_pictures import link
 
@@ -146,3 +149,13 @@ def test_reduced_components_for_other_programs(tmp_path: Path) -> None:
     np.testing.assert_array_equal(again.K, record.K)
     with pytest.raises(cd.ModelError, match=r"superelements are written to files that end in"):
         record.save(tmp_path / "link.nc")
+
+
+def test_files_without_rates_of_the_states_are_read(linear: cd.LinearModel, tmp_path: Path) -> None:
+    contents = formats.load(linear.save(tmp_path / "model.npz"), LINEAR, NOTES)
+    earlier = {name: x for name, x in contents.variables.items() if name != "xdot"}
+    path = tmp_path / "earlier.npz"
+    formats.save(path, LINEAR, Contents(earlier, contents.notes), "", FORMATS)
+    again = cd.load_linear(path)
+    assert np.isnan(again.xdot).all()
+    np.testing.assert_array_equal(again.A, linear.A)

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
 
 import cardan as cd
 from cardan.analyses.mechanisms.mechanism import Mechanism
@@ -316,6 +317,26 @@ def test_about_a_state_that_accelerates(cart: cd.CompiledModel) -> None:
         sides = [cart.forward_dynamics({"rope": 1.0, name: float(name == "rope") + s * h}, [0, 0])
                  for s in (1, -1)]  # fmt: skip
         np.testing.assert_allclose(found.A[2:, k], (sides[0] - sides[1]) / (2 * h), atol=1e-8)
+
+
+def test_the_constant_part_leads_from_a_state_that_accelerates(cart: cd.CompiledModel) -> None:
+    place, speed = {"rail": 0.2, "rope": 1.0}, {"rail": -0.4, "rope": 0.7}
+    found = cart.linearize(q=place, u=speed, r={"push": 0.5})
+    rates = cart.forward_dynamics([0.2, 1.0], [-0.4, 0.7], r=[0.5])
+    np.testing.assert_allclose(found.xdot, [-0.4, 0.7, *rates], rtol=1e-13)
+    equations = cd.derive(trolley())
+    symbolic = equations.linearize(q=place, u=speed, r={"push": 0.5}, udot="free").at()
+    np.testing.assert_allclose(symbolic["xdot"][:, 0], found.xdot, rtol=1e-13)
+    # x' = xdot + A x from the state itself: what is left of speeds goes with the cube of time
+    errors = []
+    for h in (2e-3, 1e-3):
+        run = cart.simulate(h, x0=found.x, inputs={"push": 0.5}, rtol=1e-13, atol=1e-14)
+        block = np.zeros((5, 5))
+        block[:4, :4], block[:4, 4] = found.A, found.xdot
+        errors.append(np.abs(run.x[-1] - found.x - expm(block * h)[:4, 4]).max())
+    assert errors[0] < 1e-6
+    assert errors[0] / errors[1] == pytest.approx(8, rel=0.01)
+    np.testing.assert_allclose(cart.linearize().xdot, 0, atol=1e-12)
 
 
 @pytest.mark.parametrize(

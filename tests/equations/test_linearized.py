@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -169,3 +170,21 @@ def test_coordinates_of_second_order_are_named_alike_in_formulas_and_numbers() -
             found.second_order([])
         with pytest.raises(cd.CardanError, match="give a list of names"):
             found.second_order([1])
+
+
+def test_accelerations_that_were_not_given_are_told_where_they_matter() -> None:
+    equations, q = cd.derive(trolley()), {"rope": 0.3}
+    with pytest.warns(cd.ModelWarning, match=r"forces along rope\.u .* udot='free'"):
+        held = equations.linearize(q=q)
+    assert "udot='free'" in str(held)
+    numeric = cd.compile(equations).linearize(q=q)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        # what is meant, what needs no force, and formulas
+        np.testing.assert_array_equal(equations.linearize(q=q, udot={}).at()["A"], held.at()["A"])
+        equations.linearize(q={"rope": sp.Symbol("phi")})
+        assert "about rest" in str(equations.linearize())
+        free = equations.linearize(q=q, udot="free")
+    assert "about a motion that accelerates" in str(free)
+    np.testing.assert_allclose(free.at()["A"], numeric.A, atol=1e-12)
+    assert np.abs(held.at()["A"] - numeric.A).max() > 0.1

@@ -1,29 +1,23 @@
 """Linear models of loops and rolling bodies against finite differences of reduced equations.
 
-The equations are reduced here in numbers: positions by Newton's method, speeds and accelerations
-from linear systems in maximal form, M udot + h = f + Gᵀ lam, G udot = gamma with gamma from
-differences of G u along the motion. Nothing of it knows a linear model.
+Nothing of the reduction (:mod:`laws.reduced`) knows a linear model.
 """
 
 from __future__ import annotations
 
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.ir.interpreter import evaluate
 from cardan.ir.matrix import Matrix
-from laws.cases import slots, values
+from laws.cases import slots
+from laws.reduced import Reduced, slope
 from mechanisms.closed import CLOSED
 from mechanisms.rolling import ROLLING
 from spread import some
 
-STEP = 1e-3
-# of the central difference of fourth order
-WEIGHTS = {-2: 1 / 12, -1: -2 / 3, 1: 2 / 3, 2: -1 / 12}
 Array = np.ndarray
 # independent coordinates, whose rates are the independent speeds
 CHOSEN = {
@@ -32,87 +26,10 @@ CHOSEN = {
 }  # fmt: skip
 
 
-class Reduced:
-    """Independent coordinates and speeds y, and their rates.
-
-    Args:
-        equations: Of the system.
-        y, w: Names of independent coordinates and speeds.
-        q: A closed position.
-    """
-
-    def __init__(self, equations: Any, y: Any, w: Any, q: Array) -> None:
-        self.equations, self.last = equations, q
-        self.y = [equations.coordinates.index(name) for name in y]
-        self.w = [equations.speeds.index(name) for name in w]
-        self.count = sum(row.level == "position" for row in equations.constraint_rows)
-
-    def call(self, name: str, **given: Any) -> Array:
-        function = self.equations.function(name)
-        blocks = values(self.equations, t=[0.0], z=[], s=[], **given)
-        (found,) = evaluate(function, blocks, "numpy").values()
-        return np.asarray(found, dtype=float)
-
-    @cached_property
-    def _nothing(self) -> Array:
-        return np.zeros(len(self.equations.speeds))
-
-    def moves(self, q: Array) -> Array:
-        """N (nq, nu)."""
-        unit = np.eye(len(self._nothing))
-        return np.stack([np.broadcast_to(self.call("qdot", q=q, u=u), q.shape) for u in unit], 1)
-
-    def jacobian(self, q: Array) -> Array:
-        return self.call("constraint_jacobian", q=q)
-
-    def position(self, goal: Array) -> Array:
-        q = self.last.copy()
-        for _ in range(8):
-            off = q[self.y] - goal
-            kept = self.moves(q)[self.y]
-            if self.count:
-                off = np.concatenate([self.call("constraints", q=q), off])
-                kept = np.concatenate([self.jacobian(q)[: self.count], kept])
-            q = self.call("integrate", q=q, du=-np.linalg.lstsq(kept, off, rcond=1e-10)[0])
-        return q
-
-    def speeds(self, q: Array, w: Array) -> Array:
-        G = self.jacobian(q)
-        kept = np.concatenate([G, np.eye(G.shape[1])[self.w]])
-        right = np.concatenate([np.zeros(len(G)), w])
-        return np.linalg.lstsq(kept, right, rcond=1e-10)[0]
-
-    def accelerations(self, q: Array, u: Array) -> Array:
-        shapes = {"mass_matrix": (len(u),) * 2, "bias": u.shape, "applied_forces": u.shape}
-        M, h, f = (np.broadcast_to(self.call(n, q=q, u=u), s) for n, s in shapes.items())
-        G = self.jacobian(q)
-        sides = {
-            k: self.jacobian(self.call("integrate", q=q, du=k * STEP * u)) @ u for k in WEIGHTS
-        }
-        gamma = -sum(weight * sides[k] for k, weight in WEIGHTS.items()) / STEP
-        system = np.block([[M, G.T], [G, np.zeros((len(G),) * 2)]])
-        right = np.concatenate([f - h, gamma])
-        return np.linalg.lstsq(system, right, rcond=1e-10)[0][: len(u)]
-
-    def rates(self, x: Array) -> Array:
-        n = len(self.y)
-        q = self.position(x[:n])
-        u = self.speeds(q, x[n:])
-        return np.concatenate([(self.moves(q) @ u)[self.y], self.accelerations(q, u)[self.w]])
-
-    def slope(self, x: Array) -> Array:
-        """Central differences of fourth order."""
-        columns = []
-        for unit in np.eye(len(x)):
-            sides = (w * self.rates(x + k * STEP * unit) for k, w in WEIGHTS.items())
-            columns.append(sum(sides) / STEP)
-        return np.stack(columns, axis=1)
-
-
 def judge(equations: Any, found: Any, q: Array, u: Array) -> None:
     n = len(found.coordinates)
     own = Reduced(equations, found.states[:n], found.states[n:], q)
-    expected = own.slope(np.concatenate([q[own.y], u[own.w]]))
+    expected = slope(own.rates, np.concatenate([q[own.y], u[own.w]]))
     size = np.abs(expected).max()
     np.testing.assert_allclose(found.at()["A"], expected, rtol=0, atol=1e-7 * size)
 

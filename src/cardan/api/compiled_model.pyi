@@ -898,6 +898,9 @@ class CompiledModel(LoadedModel):
     ) -> LinearModel:
         """x' = A x + B r, y = C x + D r about a state, constraints eliminated.
 
+        About a state that is no equilibrium and in no steady motion the matrices are those of the
+        motion that starts there by itself, as of ``equations.linearize(..., udot="free")``.
+
         Args:
             x: State (nx,), an equilibrium or a trimmed motion; or q, u, z: by name or as arrays,
                 assembled as runs assemble them. If all are left out the equilibrium next to the initial

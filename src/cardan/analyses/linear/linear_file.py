@@ -23,6 +23,8 @@ CURE = "Linearize a smaller model"
 NOTES = ("title", "about")
 SIGNALS = ("states", "inputs", "outputs")
 AXES = tuple(name.removesuffix("s") for name in SIGNALS)
+# what files of earlier versions do not hold
+ADDED = ("xdot",)
 # array -> names of its axes
 MATRICES = {
     "A": ("state", "state_again"),
@@ -33,6 +35,7 @@ MATRICES = {
     "increments": ("speed", "state"),
     "speeds": ("speed", "state"),
     "x": ("entry",),
+    "xdot": ("state",),
     "units": ("state",),
 }
 
@@ -138,7 +141,8 @@ def _linear_model(about: About, contents: Contents) -> LinearModelRecord:
         shape = tuple(sizes[axis.removesuffix("_again")] for axis in axes)
         # what has no numbers stands in no file
         empty = 0 in shape and name not in contents.variables
-        values = np.zeros(shape) if empty else contents.variables[name].values
+        later = name in ADDED and name not in contents.variables
+        values = np.full(shape, np.nan) if empty or later else contents.variables[name].values
         if values.shape != shape:
             raise ValueError(f"'{name}' has shape {values.shape}, not {shape}")
         arrays[name] = values
@@ -167,6 +171,7 @@ def _linear_model(about: About, contents: Contents) -> LinearModelRecord:
         D=arrays["D"],
         mass=arrays["mass"],
         x=arrays["x"],
+        xdot=arrays["xdot"],
         units=arrays["units"],
         increments=arrays["increments"],
         speeds=arrays["speeds"],

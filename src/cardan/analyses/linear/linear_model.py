@@ -45,6 +45,11 @@ class LinearModelRecord:
         z: Number of internal states.
         mass: M of the independent speeds (nv, nv).
         x: The state about which it stands (of the whole model).
+        xdot: Rates of the states along the motion (nx,), the constant part of the model: speeds of
+            the independent increments, accelerations, rates of internal states. Distances from
+            the state itself, which stays where it is, obey x' = xdot + A x + B r where speeds are
+            rates of coordinates; increments ``along`` others are seen in axes that move with the
+            motion. NaN in files of earlier versions.
         acceleration: Largest acceleration there: 0 at equilibria and in steady motions.
         choice: Which increments and speeds are independent, as places of speeds.
         units: Of x (nx,): the size of the system for lengths, 1 else.
@@ -66,6 +71,7 @@ class LinearModelRecord:
     z: int
     mass: Array = field(repr=False)
     x: Array = field(repr=False)
+    xdot: Array = field(repr=False)
     acceleration: float
     choice: Choice = field(repr=False)
     units: Array = field(repr=False)

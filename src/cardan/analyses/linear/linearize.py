@@ -1,7 +1,8 @@
 """Linear models: small motions about an equilibrium, a steady motion or any state.
 
 About a state that accelerates the matrices are those of the motion through it at that instant:
-x is then the distance from that motion, not from the state.
+x is then the distance from that motion, not from the state. (``equations.linearize`` takes
+accelerations of 0 unless ``udot="free"`` is given.)
 
 Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), chapter 13.
 """
@@ -48,6 +49,9 @@ def linearize(
 ) -> LinearModelRecord:
     """x' = A x + B r, y = C x + D r about a state, constraints eliminated.
 
+    About a state that is no equilibrium and in no steady motion the matrices are those of the
+    motion that starts there by itself, as of ``equations.linearize(..., udot="free")``.
+
     Args:
         model: The compiled model.
         x: State (nx,), an equilibrium or a trimmed motion; or q, u, z: by name or as arrays,
@@ -91,6 +95,7 @@ def linearize(
         z=len(system.internals),
         mass=_mass(system, at, first),
         x=np.concatenate([at.q, at.u, at.z]),
+        xdot=_rates(system, at, first),
         acceleration=_left(system, at, locked, about.choice),
         choice=(first.e, first.v),
         units=np.concatenate([system.columns[first.e], system.columns[first.v], np.ones(nz)]),
@@ -156,6 +161,12 @@ def _left(system: DynamicSystem, at: Moment, locked: list[int], choice: Choice |
     imbalance = (at.udot - system.steady(at)) / system.columns
     left = np.delete(imbalance, locked) if choice is None else imbalance[choice[1]]
     return float(np.abs(left).max(initial=0.0))
+
+
+def _rates(system: DynamicSystem, at: Moment, first: FirstOrder) -> Array:
+    """Rates of the independent increments, speeds and of internal states (nx,)."""
+    zdot = system.internal_rates(at) if system.internals else np.zeros(0)
+    return np.concatenate([(at.u + system.drift(at))[first.e], at.udot[first.v], zdot])
 
 
 def _inputs(

@@ -50,6 +50,19 @@ class CompiledSystem(ABC):
         self.columns = np.array([size if name == "m/s" else 1.0 for name in units])
         self.rows = np.array([size if row.unit == "N" else 1.0 for row in rows])
 
+    @abstractmethod
+    def kinematic_matrix(self, at: Moment) -> Array:
+        """Same as :meth:`DynamicSystem.kinematic_matrix`."""
+
+    def drift(self, at: Moment) -> Array:
+        """Same as :meth:`DynamicSystem.drift`: only speeds that users chose leave any."""
+        nothing = np.zeros(len(self.speeds))
+        manifest = self.model.manifest
+        if manifest.absolute or all(row.joint is not None for row in manifest.speeds):
+            return nothing
+        rates = self.model.qdot(at.q, nothing, t=at.t, r=at.r, parameters=at.parameters)
+        return np.asarray(np.linalg.lstsq(self.kinematic_matrix(at), rates)[0])
+
     @property
     @abstractmethod
     def increments(self) -> tuple[str, ...]:

@@ -293,6 +293,9 @@ class DynamicSystem(Protocol):
     def kinematic_matrix(self, at: Moment) -> Array:
         """N (nq, nu): how coordinates change with increments."""
 
+    def drift(self, at: Moment) -> Array:
+        """Rates of increments that no speed makes (nu,): n in qdot = N u + n, along them."""
+
     def observer(self, at: Moment) -> tuple[Matrix, Matrix]:
         """E and W (nu, nu) in axes in which small motions are told.
 

@@ -290,9 +290,8 @@ class JointSystem(CompiledSystem):
         basis = np.concatenate([np.zeros((1, nu)), np.eye(nu)])
         here, N, _ = slope(at.q, at.u, **arguments)
         along, _, by_t = slope(at.q, basis, **arguments)
-        drift = self.model.qdot(at.q, np.zeros(nu), **arguments)
         # the part of qdot that no speed makes moves along the coordinates too
-        moving = at.u + np.linalg.lstsq(N, drift)[0]
+        moving = at.u + self.drift(at)
         slope_of_N = ((along[1:] - along[0]) @ moving + by_t[1:] - by_t[0]).T
         rates: Array = np.linalg.lstsq(N, here - slope_of_N)[0]
         return rates

@@ -31,6 +31,7 @@ class FullMatrices:
         Ze, Zv, Zz, Zr: (nz, ...).
         ye, yv, yz, yr, ya: Change of declared outputs with e, v, z, r and a.
         N: Change of the coordinates with e (nq, nu).
+        edot: Rates of increments along the reference (nu, 1): where it goes. zdot: (nz, 1).
     """
 
     M: Matrix
@@ -54,6 +55,8 @@ class FullMatrices:
     yr: Matrix
     ya: Matrix
     N: Matrix
+    edot: Matrix
+    zdot: Matrix
 
     def map(self, f: Callable[[Matrix], Matrix]) -> FullMatrices:
         """The same with every matrix replaced."""

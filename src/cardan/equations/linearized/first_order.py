@@ -15,12 +15,15 @@ from .reference import Reference, picked
 
 @dataclass(frozen=True)
 class Plant:
-    """A (nx, nx), B (nx, nr), C (ny, nx), D (ny, nr), forces (nw, nr); names of inputs, outputs."""
+    """A (nx, nx), B (nx, nr), C (ny, nx), D (ny, nr), rates of x along the reference (nx, 1),
+    forces (nw, nr); names of inputs, outputs.
+    """
 
     A: Matrix
     B: Matrix
     C: Matrix
     D: Matrix
+    xdot: Matrix
     push: Matrix
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
@@ -56,7 +59,9 @@ def plant(
     rows = _Rows(at, full.N @ J, V, inner, output_matrix, through)
     C, D, output_names = rows.chosen(outputs)
     A = Matrix.vstack(kinematics, accelerations, zdot)
-    return Plant(A, B, C, D, push, driven, output_names)
+    udot = at.put(Matrix(at.graph, at.system.nu, 1, at.block("udot")))
+    xdot = Matrix.vstack(picked(full.edot, at.y, [0]), picked(udot, at.w, [0]), full.zdot)
+    return Plant(A, B, C, D, xdot, push, driven, output_names)
 
 
 def _columns(at: Reference, driven: tuple[str, ...]) -> Matrix:

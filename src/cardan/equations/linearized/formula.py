@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ...errors import DerivationError
+from ...ir.matrix import Matrix
 from ..reading.formula import of_matrix
 
 if TYPE_CHECKING:
@@ -12,6 +15,7 @@ if TYPE_CHECKING:
 
     from .record import Linearized, SecondOrder
 
+RESTS = 1e-9  # accelerations below this are none
 GENERAL = r"\dot x = A x + B r, \quad y = C x + D r"
 
 
@@ -57,6 +61,8 @@ def _matrix(equations: Any, system: SecondOrder, name: str) -> str:
 def overview(linear: Linearized) -> str:
     """The model for people: what it is about, its states, its matrices as far as they are short."""
     lines = [f"'{linear.name}' linearized about {_about(linear)}"]
+    if linear.needed:
+        lines.append("  (udot='free': about the motion that starts there by itself)")
     for word in ("states", "inputs", "outputs"):
         lines.append(f"  {word:8}{', '.join(getattr(linear, word)) or 'none'}")
     try:
@@ -89,6 +95,11 @@ def _about(linear: Linearized) -> str:
     at = linear._reference
     moving = any(at.values[leaf] for leaf in at.block("u"))
     kind = "a motion" if moving or at.timed else "rest"
+    if not linear.needed and not at.timed:
+        leaves = at.block("udot")
+        accelerations = Matrix(at.graph, len(at.w), 1, [at.values[leaves[k]] for k in at.w])
+        if np.abs(at.number(accelerations)).max(initial=0.0) > RESTS:
+            kind = "a motion that accelerates, at this instant"
     if not linear.needed:
         return kind
     forces = ", ".join(f"{_text(value)} along {name}" for name, value in linear.needed.items())

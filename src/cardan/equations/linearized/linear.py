@@ -82,8 +82,9 @@ class Linearizable(EquationRecord):
             q, u: The reference by name, numbers or SymPy expressions in parameters, ``t`` and other
                 symbols; coordinates left out are initial values, which are assembled where
                 loops are open, speeds 0 or what follows from the others.
-            udot: Accelerations of the reference by name, 0 if left out; ``"free"``: those of the
-                motion that goes through the state by itself.
+            udot: Accelerations of the reference by name, 0 if left out: about steady motions, and
+                positions that forces hold, which ``needed`` names. ``"free"``: those of the motion
+                that goes through the state by itself, about which ``model.linearize`` is.
             z, r, s: Internal states, inputs, modes by name; their defaults if left out.
             t: Time [s] at which forces and motions that depend on it are taken; if left out ``t``
                 stays a symbol, but 0 where it moves loops.
@@ -99,10 +100,16 @@ class Linearizable(EquationRecord):
         Raises:
             DerivationError: unknown names, loops that stay open, speeds that constraints forbid.
 
+        Warns:
+            ModelWarning: ``udot`` is left out, and a reference of numbers is no motion by itself.
+
         Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), chapter 13.
         """
         if t is not None and not math.isfinite(t):
             raise DerivationError(f"linearize: t={t:g}: give a finite time [s]")
         named = {"q": q or {}, "u": u or {}, "z": z or {}, "r": r or {}, "s": s or {}}
         motion = {**named, "udot": udot or {}, "t": t}
-        return linearized(self, motion, values, inputs, outputs, independent, route)
+        linear = linearized(self, motion, values, inputs, outputs, independent, route)
+        if udot is None:
+            linear._warn_if_forced()
+        return linear

@@ -21,6 +21,8 @@ def outward(at: Reference, columns: Columns) -> dict[str, Matrix]:
     wrt = {letter: directions(at.k, letter, at.names) for letter in ("q", "u", "z", "r", "udot")}
     matrices = observer(at, wrt["q"])
     rates = event_functions.rates(at.d) if at.system.nz else Matrix.zeros(at.graph, 0)
+    matrices["edot"] = Matrix(at.graph, at.system.nu, 1, _speeds(at, list(at.k.rates.nodes)))
+    matrices["zdot"] = rates
     for name, letter in (("Ze", "q"), ("Zv", "u"), ("Zz", "z"), ("Zr", "r")):
         matrices[name] = columns(at, rates, wrt[letter])
     declared_outputs = declared(at)
@@ -97,10 +99,6 @@ def _speeds(at: Reference, rates: list[int]) -> list[int]:
             speeds[joint.u : joint.u + u.rows] = u.nodes
     if not at.equations.chosen:
         return speeds
-    # the joint speeds as the scene knows them, told in those that the user chose
-    slots = at.block("u")
-    total = list[int]()
-    for speed in at.equations.chosen:
-        change = forward(g, [speed.node], dict(zip(slots, speeds, strict=True)))
-        total += at.k.resolve(change)
-    return total
+    # these are speeds of the joints, those of the user follow from them: Y(q) u_joint
+    joint_speeds = Matrix(g, len(speeds), 1, speeds)
+    return list((at.k.chosen_by_joints @ joint_speeds).nodes)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arrays import Array
-from ...errors import DerivationError, counted, listed
+from ...errors import DerivationError, ModelWarning, counted, listed, warn
 from ...ir.function import Function, count, live
 from ...ir.matrix import Matrix
 from .all_coordinates import DYNAMIC, FullMatrices
@@ -117,7 +117,8 @@ class Linearized:
     @cached_property
     def _first(self) -> Written:
         p = self._plant
-        return Written(self._reference, {"A": p.A, "B": p.B, "C": p.C, "D": p.D})
+        matrices = {"A": p.A, "B": p.B, "C": p.C, "D": p.D, "xdot": p.xdot}
+        return Written(self._reference, matrices)
 
     @property
     def A(self) -> sympy.Matrix:
@@ -139,6 +140,16 @@ class Linearized:
         """(ny, nr): outputs by inputs."""
         return self._first.read("D")
 
+    @property
+    def xdot(self) -> sympy.Matrix:
+        """Rates of the states along the reference (nx, 1): the constant part of the model.
+
+        Distances from the reference state itself, which stays where it is, obey
+        x' = xdot + A x + B r where speeds are rates of coordinates. Increments ``along`` others
+        are seen in axes that move with the reference.
+        """
+        return self._first.read("xdot")
+
     def symbolic(self, name: str) -> tuple[list[tuple[sympy.Expr, sympy.Expr]], sympy.Matrix]:
         """A matrix of any name and size with named intermediates, like :func:`sympy.cse`."""
         if name in self._first.matrices:
@@ -146,7 +157,7 @@ class Linearized:
         return self._second.symbolic(name)
 
     def at(self, parameters: dict[str, Any] | None = None, **values: object) -> dict[str, Array]:
-        """Numbers of A, B, C and D.
+        """Numbers of A, B, C, D and xdot.
 
         Args:
             parameters: Parameters, symbols of the reference and ``t`` by name, numbers or arrays
@@ -170,7 +181,7 @@ class Linearized:
         return over(self, t, values)
 
     def function(self) -> Function:
-        """A, B, C and D as a Function of t, p and the symbols of the reference."""
+        """A, B, C, D and xdot as a Function of t, p and the symbols of the reference."""
         return self._first.function()
 
     # equations of second order
@@ -283,6 +294,16 @@ class Linearized:
         They are looked at in numbers, at the default parameters; symbols of the reference without
         a value have any. The linear model holds while these forces act as they are.
         """
+        if not self._forced_speeds:
+            return {}
+        read = Written(
+            self._reference, {"needed": picked(self._reference.needed, self._forced_speeds, [0])}
+        ).read("needed")
+        return {self.speeds[n]: read[i] for i, n in enumerate(self._forced_speeds)}
+
+    @cached_property
+    def _forced_speeds(self) -> list[int]:
+        """Independent speeds along which the reference needs a force."""
         at = self._reference
         values = at.number(at.needed)[:, 0]
         balance = float(np.abs(at.number(at.put(at.balance))).max(initial=0.0))
@@ -291,11 +312,26 @@ class Linearized:
         row_sizes = np.hstack([np.abs(at.number(m)) for m in (x.M, x.C, x.K)]).max(
             axis=1, initial=0.0
         )
-        rows = [n for n, x in enumerate(values) if abs(x) > NEGLIGIBLE * max(balance, row_sizes[n])]
-        if not rows:
-            return {}
-        read = Written(at, {"needed": picked(at.needed, rows, [0])}).read("needed")
-        return {self.speeds[n]: read[i] for i, n in enumerate(rows)}
+        return [n for n, x in enumerate(values) if abs(x) > NEGLIGIBLE * max(balance, row_sizes[n])]
+
+    def _warn_if_forced(self) -> None:
+        """Warn about a reference of numbers that is no motion by itself."""
+        at = self._reference
+        followed = [] if at.assembly is None else at.assembly.names
+        if (
+            at.timed
+            or at.trusted
+            or set(at.symbols.names) - set(followed)
+            or not self._forced_speeds
+        ):
+            return
+        along = ", ".join(self.speeds[n] for n in self._forced_speeds)
+        warn(
+            f"linearize: '{self.name}' accelerates there: that udot is 0 takes forces along "
+            f"{along} (.needed). Give udot='free' for the motion by itself, as model.linearize has it, or "
+            "udot={} for this one",
+            ModelWarning,
+        )
 
     @property
     def operations(self) -> dict[str, int]:
