@@ -186,3 +186,28 @@ def test_hybrid_dynamics_refuses_what_circuits_forbid():
     model, q, u, _, _ = moving("four_bar")
     with pytest.raises(SolveError, match=r"'A.u', 'D.u' together"):
         model.hybrid_dynamics(q, u, {"A": 1.0, "D": 50.0})
+
+
+def test_a_linkage_without_mass_needs_no_mass_matrix() -> None:
+    """A parallelogram carries the torque of a spring from one crank to the other."""
+    scene = cd.Scene("parallelogram", gravity=(0, -9.81, 0))
+    first, rod, other = (
+        scene.body(n, mass=0.5, com=(0.1, 0, 0), inertia=(1e-3,) * 3)
+        for n in ("first", "rod", "other")
+    )
+    scene.joint("A", cd.Revolute("z"), scene.ground, first, q0=1.0)
+    scene.joint("B", cd.Revolute("z"), first.at(0.2, 0, 0), rod, q0=-1.0)
+    scene.joint("D", cd.Revolute("z"), scene.ground.at(0.3, 0, 0), other, q0=1.0)
+    scene.joint("C", cd.Revolute("z"), rod.at(0.3, 0, 0), other.at(0.2, 0, 0), cut=True)
+    scene.force("spring", cd.JointSpring("D", stiffness=2.0))
+    model = cd.compile(scene)
+    q, still = model.assemble({"A": 1.0, "B": -1.0, "D": 1.0}).q, np.zeros(3)
+    names = [p.name for p in model.manifest.parameters]
+    bare = {n: 0.0 for n in names if n.endswith(".mass") or ".inertia" in n}
+    for one, parameters in ((model, bare), (model.with_parameters(bare), None)):
+        found = one.actuation(q, still, still, ["A"], parameters=parameters)
+        assert found["A"] == pytest.approx(2.0 * 1.0, rel=1e-12)
+    # with masses on one body only, M does not tell what the constraints allow
+    some = {n: 0.0 for n in bare if not n.startswith("first")}
+    with pytest.raises(SolveError, match="the mass matrix is singular at these parameters"):
+        model.actuation(q, still, still, ["A"], parameters=some)

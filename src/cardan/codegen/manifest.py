@@ -38,6 +38,7 @@ from ..topology.beams.segment_tables import Segment
 from ..topology.beams.segments import LOADS
 from ..topology.internal_states import slides
 from ..topology.loops.welds import passed
+from ..topology.prescribed_motion import driving_outputs
 from ..topology.system import Cut, Frame, Joint, System
 from ..version import ABI, MANIFEST, VERSION
 from . import flat_scene
@@ -95,7 +96,7 @@ def base(equations: EquationRecord, functions: Sequence[str] = ()) -> Base:
 def _outputs(system: System) -> list[OutputRow]:
     """Those of the scene, then the driving forces of prescribed joints."""
     rows = [(entry.name, entry.unit) for entry in system.outputs]
-    rows += [joint.driving_output for joint in system.joints if joint.motion is not None]
+    rows += driving_outputs(system).values()
     return [OutputRow(name=name, unit=unit) for name, unit in rows]
 
 

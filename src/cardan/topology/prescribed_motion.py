@@ -106,19 +106,40 @@ def prescribed(
 
 def _followed(convert: Converter, joints: Sequence[Joint], joint: Joint) -> Joint:
     """A joint that follows a prescribed one is prescribed itself."""
-    g, chain, leader = convert.graph, [], joint
+    g, chain, leader, number = convert.graph, [], joint, -1
     while leader.coupling is not None:
         chain.append(leader.coupling)
-        leader = joints[leader.coupling.leader]
+        number = leader.coupling.leader
+        leader = joints[number]
     if leader.motion is None:
         return joint
     value, rate = leader.motion.value, leader.motion.rate
-    acceleration = leader.motion.acceleration
+    acceleration, ratio = leader.motion.acceleration, leader.motion.ratio
+    if leader.motion.leader >= 0:
+        number = leader.motion.leader
     with g.made_by(joint.name, "motion"):
         for link in reversed(chain):
             value = g.add(g.mul(link.ratio, value), link.offset)
             rate, acceleration = g.mul(link.ratio, rate), g.mul(link.ratio, acceleration)
-    return replaced(joint, coupling=None, motion=Prescribed(value, rate, acceleration))
+            ratio = g.mul(link.ratio, ratio)
+    motion = Prescribed(value, rate, acceleration, number, ratio)
+    return replaced(joint, coupling=None, motion=motion)
+
+
+def driver(joints: Sequence[Joint], i: int) -> int:
+    """The joint that is driven where a prescribed joint moves: itself, or the one it follows."""
+    motion = joints[i].motion
+    return i if motion is None or motion.leader < 0 else motion.leader
+
+
+def driving_outputs(system: System) -> dict[int, tuple[str, str]]:
+    """Names and units of the forces that move joints as prescribed, by the joints."""
+    driven = [i for i, j in enumerate(system.joints) if j.motion and j.motion.leader < 0]
+    units = {i: system.joints[i].element.speeds[0].unit for i in driven}
+    return {
+        i: (f"{system.joints[i].name}.driving_force", "N" if units[i] == "m/s" else "N*m")
+        for i in driven
+    }
 
 
 def prescribe(convert: Converter, joint: UserJoint, inputs: Sequence[Input]) -> Prescribed:

@@ -15,7 +15,7 @@ from ..elements.forces.force import ForceElement
 from ..elements.internal_states import EventSpec
 from ..elements.joints.joint import Joint as JointElement
 from ..elements.limits import NumberLimits
-from ..ir.graph import ZERO, Graph
+from ..ir.graph import ONE, ZERO, Graph
 from .beams.segment_tables import Segment
 from .superelements.part_of_system import PartOfSystem
 
@@ -137,11 +137,17 @@ class Coupling:
 
 @dataclass(frozen=True)
 class Prescribed:
-    """A joint moved by t or inputs: its coordinate, rate and acceleration."""
+    """A joint moved by t or inputs: its coordinate, rate and acceleration.
+
+    ``leader`` and ``ratio``: of a coupled joint the one that is driven, and its rate per rate of
+    that; -1 where it is driven itself.
+    """
 
     value: int
     rate: int
     acceleration: int
+    leader: int = -1
+    ratio: int = ONE
 
 
 @dataclass(frozen=True)
@@ -187,12 +193,6 @@ class Joint:
     closure: int = -1
     reversed: bool = False
     implicit: bool = False
-
-    @property
-    def driving_output(self) -> tuple[str, str]:
-        """Name and unit of the output of the force that moves it as prescribed."""
-        unit = "N" if self.element.speeds[0].unit == "m/s" else "N*m"
-        return f"{self.name}.driving_force", unit
 
 
 @dataclass(frozen=True)

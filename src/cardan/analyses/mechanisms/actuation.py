@@ -19,6 +19,7 @@ from ..statics.force_balance import elastic
 from ..statics.static_problem import scaled
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import Moment
+from .consistent_accelerations import accelerations
 
 RANK = 1e-9  # singular values below this part of the largest count as zero
 LIGHT = 1e-14  # inertia along a motion, relative to the largest, that is none
@@ -343,7 +344,13 @@ def _refuse_impossible(place: _Place, udot: Array) -> None:
     model = place.model
     if not model.nlam:
         return
-    possible = model.forward_dynamics(place.q, place.u, **place.arguments)
+    possible = accelerations(
+        model.name,
+        lambda: model.forward_dynamics(place.q, place.u, **place.arguments),
+        lambda: model.mass_matrix(place.q, **place.arguments),
+    )
+    if possible is None:
+        return
     G = place.jacobian
     left = times(G, udot - possible)
     if not _small(left, times(np.abs(G), np.abs(udot)), times(np.abs(G), np.abs(possible))):

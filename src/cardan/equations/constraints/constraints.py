@@ -18,7 +18,6 @@ from ...elements.internal_states import ModeConstraint
 from ...elements.joints.joint import Component
 from ...elements.quantity import written_unit
 from ...errors import DerivationError
-from ...ir.arithmetic import Scalar
 from ...ir.derivative import forward
 from ...ir.function import live
 from ...ir.graph import ONE, ZERO, Graph
@@ -315,17 +314,6 @@ class Constraints:
         still = {g.var("u", s): ZERO for s in range(self.k.system.nu)}
         nodes = [self.rates.nodes[at[name]] for name, _, _ in self._written]
         return self._column(rebuild(g, nodes, still, into=g)[1])
-
-    @property
-    def surfaces(self) -> list[tuple[int, Scalar]]:
-        """Row and g_t of everything that elements hold: its rate at rest."""
-        g, surfaces = self.k.graph, []
-        still = {g.var("u", s): ZERO for s in range(self.k.system.nu)}
-        for row, entry in enumerate(self.rows):
-            if entry.switched:
-                node = rebuild(g, [self.rates.nodes[row]], still, into=g)[1][0]
-                surfaces.append((row, Scalar(g, node)))
-        return surfaces
 
     def wrench(self, cut: int, multipliers: Matrix) -> Matrix:
         """Moment and force of P on C of a cut joint (6, 1), at the origin of C in C axes."""

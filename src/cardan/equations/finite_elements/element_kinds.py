@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import cached_property
+from itertools import compress
 from typing import Any
 
 from ...elements.formulas import RIGID, RIGID_SHAPES, Lines, Shapes
@@ -17,6 +18,7 @@ from ...schema.blocks import ABI_ORDER
 from ...schema.finite_elements import MOTION_NUMBERS
 from ...topology.system import Force, System
 from ..constraints.constraints import VELOCITY, rows
+from ..constraints.driven_rows import working
 from ..constraints.loop_loads import with_closing
 from ..constraints.reaction_friction import friction_forces
 from ..functions import event_functions, outputs, residuals
@@ -342,8 +344,17 @@ class _Builder:
             return []
         d = self.d
         forces = joint_forces(self.k, self._accelerations, self._loads)
-        still = Matrix.zeros(self.k.graph, 1)
-        return [(i, driving_force(self.k, i, forces, d.loads, still)[0]) for i in self.part.driven]
+        still, lam = Matrix.zeros(self.k.graph, 1), self._lam()
+        return [
+            (i, driving_force(self.k, i, forces, d.loads, still)[0] - d.driven_rows.along(i, lam))
+            for i in self.part.driven
+        ]
+
+    def _ratio(self, i: int) -> Scalar:
+        """Rate of a prescribed joint per rate of the joint that is driven, which it may follow."""
+        motion = self.system.joints[i].motion
+        assert motion is not None
+        return Scalar(self.k.graph, self.k.resolve([motion.ratio])[0])
 
     def _outputs(self) -> tuple[Output, ...]:
         d = self.d
@@ -351,7 +362,7 @@ class _Builder:
             acc = self._accelerations
             self.k.acceleration = lambda frame: outputs.acceleration(d, acc, frame)
         nodes = list(self.k.resolve([entry.node for entry in self.system.outputs]))
-        nodes += [force.node for _, force in self._driving()]
+        nodes += [(force * self._ratio(i)).node for i, force in self._driving()]
         return (Output("outputs", (len(nodes),), tuple(nodes)),)
 
     def _element_forces(self) -> tuple[Output, ...]:
@@ -372,23 +383,16 @@ class _Builder:
         powers = dict(self.d.loads.power)
         for force in self.system.forces:
             power = powers.get(force.name, self._zero())
-            nodes.append((power + self._surface_power(force)).node)
+            nodes.append((power + self._timed_power(force.name)).node)
+        for entry in compress(self.system.constraints, working(self.system)):
+            nodes.append(self._timed_power(entry.name).node)
         nodes += [(force * self.k.u(i)[0]).node for i, force in self._driving()]
-        at = {row.owner: i for i, row in enumerate(rows(self.system))}
-        relations = self.system.constraints
-        rates, lam = self.d.constraints.prescribed if relations else (), self._lam()
-        for entry, rate in zip(relations, rates, strict=True):
-            nodes.append((-lam[at[entry.name]] * rate).node)
         return (Output("power", (len(nodes),), tuple(nodes)),)
 
-    def _surface_power(self, force: Force) -> Scalar:
-        """Power of what an element holds on surfaces that move by themselves."""
-        if not force.element.locked_velocities():
-            return self._zero()
-        lam, surfaces = self._lam(), self.d.constraints.surfaces
-        owners = [row.owner for row in rows(self.system)]
-        powers = (-lam[row] * rate for row, rate in surfaces if owners[row] == force.name)
-        return sum(powers, self._zero())
+    def _timed_power(self, owner: str) -> Scalar:
+        """Power of what holds against something that moves by itself."""
+        at = [i for i, row in enumerate(rows(self.system)) if row.owner == owner]
+        return self.d.driven_rows.power(at, self._lam())
 
     def _zero(self) -> Scalar:
         return Matrix.zeros(self.k.graph, 1)[0]

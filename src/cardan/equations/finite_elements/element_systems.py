@@ -118,6 +118,12 @@ class Cutting:
             **fields,  # type: ignore[arg-type]
         )
 
+    @property
+    def driven(self) -> dict[int, int]:
+        """Prescribed joints of the scene whose coordinates it has -> their numbers here."""
+        joints = self.system.joints
+        return {i: n for i, n in self._joint.items() if joints[i].motion is not None}
+
     # places
 
     def node(self, body: int, mass: Mass = NOTHING) -> int:
@@ -218,6 +224,8 @@ class Cutting:
             prescribed = joint.motion
             expressions = (prescribed.value, prescribed.rate, prescribed.acceleration)
             motion = Prescribed(*self.expressions(expressions, "motion"))
+            (ratio,) = self.expressions((prescribed.ratio,), "ratio")
+            motion = replace(motion, ratio=ratio)
         else:
             self.places.append(("joint", i))
         name = name or self._numbered("joint")

@@ -13,6 +13,7 @@ from ...ir.function import Function, Output
 from ...ir.graph import ZERO
 from ...schema.finite_elements import GROUND, ON_TREE
 from ...spatial.plane import NORMALS
+from ...topology.prescribed_motion import driving_outputs
 from ...topology.system import Cut, Joint, System, joint_lengths
 from ..functions.blocks import parameters
 from ..functions.element_forces import named_forces
@@ -263,4 +264,4 @@ def _unit(system: System, name: str) -> str:
     for entry in system.outputs:
         if entry.name == name:
             return entry.unit
-    return dict(joint.driving_output for joint in system.joints if joint.motion)[name]
+    return dict(driving_outputs(system).values())[name]

@@ -12,8 +12,10 @@ from ...elements.joints.fixed import Fixed
 from ...elements.joints.joint import Joint as JointElement
 from ...ir.graph import ZERO
 from ...topology.loops.circuits import circuit
+from ...topology.prescribed_motion import driver, driving_outputs
 from ...topology.system import Cut, Force, Named, System
 from ..constraints.constraints import rows
+from ..constraints.driven_rows import working
 from ..constraints.reaction_friction import friction_forces
 from ..functions.element_forces import named_forces
 from .element_systems import MOVING_JOINT, Cutting, Mass
@@ -147,11 +149,12 @@ def _driven(cutting: Cutting, driven: dict[int, int], *powers: str) -> Driving:
     system = cutting.system
     tree_joints = {i: n for i, n in cutting.moved.items() if system.joints[i].motion is not None}
     every = driven | tree_joints
-    joints = [system.joints[i] for i in every]
+    drivers = [driver(system.joints, i) for i in every]
+    outputs = driving_outputs(system)
     return {
         "driven": tuple(every.values()),
-        "results": tuple(joint.driving_output[0] for joint in joints),
-        "powers": (*powers, *(f"{joint.name}.motion" for joint in joints)),
+        "results": tuple(outputs[i][0] for i in drivers),
+        "powers": (*powers, *(f"{system.joints[i].name}.motion" for i in drivers)),
     }
 
 
@@ -278,8 +281,11 @@ def _relations(scene: Scene, name: str, entries: tuple[Named, ...]) -> Part:
         Named(f"relation{entry.name.removeprefix(name)}", node, entry.unit)
         for entry, node in zip(entries, nodes, strict=True)
     )
-    powers = tuple(f"{entry.name}.motion" for entry in entries)
-    return Part(name, "relation", cutting, cutting.system_of(constraints=named), powers=powers)
+    system = cutting.system_of(constraints=named)
+    work = zip(entries, working(system), strict=True)
+    powers = tuple(f"{entry.name}.motion" for entry, works in work if works)
+    driving = _driven(cutting, cutting.driven, *powers)
+    return Part(name, "relation", cutting, system, **driving)
 
 
 def _output(scene: Scene, entry: Named) -> Part:

@@ -10,6 +10,7 @@ from ...ir.graph import ONE, ZERO, SystemNames
 from ...ir.matrix import Matrix
 from ...ir.solve import solve
 from ..constraints.constraints import Constraints
+from ..constraints.driven_rows import DrivenRows, driven_rows
 from ..constraints.reaction_friction import ReactionFriction, friction_forces, solved, with_values
 from ..constraints.treatments import Bound, Labels, Multipliers, Treatment
 from ..formalisms import FORMALISMS
@@ -121,6 +122,11 @@ class Dynamics:
     def constraints(self) -> Constraints:
         """Constraints on the speeds."""
         return Constraints(self.k)
+
+    @cached_property
+    def driven_rows(self) -> DrivenRows:
+        """Shares of prescribed joints in relations and in what elements hold."""
+        return driven_rows(self.constraints)
 
     def bound(self, tau: Matrix) -> tuple[Matrix, Matrix]:
         """udot (nu, 1) and the multipliers (m, 1) of a system with constraints.

@@ -7,6 +7,7 @@ from ...ir.arithmetic import Scalar
 from ...ir.function import Output
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
+from ...topology.prescribed_motion import driving_outputs
 from ..kinematics import increments
 from ..kinematics.loads import generalized
 from . import event_functions
@@ -166,8 +167,9 @@ def outputs(c: Context) -> tuple[Output, ...]:
     system = c.k.system
     _give_accelerations(c)
     values = [(o.name, c.k.resolve([o.node])[0], o.unit) for o in system.outputs]
+    named = driving_outputs(system)
     for i, force in _motion(c).items():
-        name, unit = system.joints[i].driving_output
+        name, unit = named[i]
         values.append((name, force.node, unit))
     return _list("outputs", values)
 
@@ -195,31 +197,27 @@ def power(c: Context) -> tuple[Output, ...]:
 
 
 def _constraint_power(c: Context) -> dict[str, Scalar]:
-    """Power of what elements hold on surfaces that move by themselves: lam G u = -lam g_t."""
+    """Power of what elements hold on surfaces that move by themselves."""
     powers: dict[str, Scalar] = {}
     if not any(force.element.locked_velocities() for force in c.k.system.forces):
         return powers
-    constraints = c.d.constraints
-    for row, rate in constraints.surfaces:
-        if rate.node != ZERO:
-            _, lam = c.d.bound(Matrix.zeros(c.k.graph, c.k.system.nu))
-            owner = constraints.rows[row].owner
-            powers[owner] = powers.get(owner, Scalar(c.k.graph, ZERO)) - lam[row] * rate
+    for row, rate in c.d.driven_rows.still.items():
+        _, lam = c.d.bound(Matrix.zeros(c.k.graph, c.k.system.nu))
+        entry = c.d.constraints.rows[row]
+        if entry.switched:
+            powers[entry.owner] = powers.get(entry.owner, Scalar(c.k.graph, ZERO)) - lam[row] * rate
     return powers
 
 
 def _relations_power(c: Context) -> list[tuple[str, int, str]]:
-    """Power of relations that contain the time: lam G u = -lam g_t."""
-    relations = c.k.system.constraints
-    if not relations or c.d.constraints.prescribed.is_zero:
+    """Power of relations that contain the time themselves."""
+    if not c.k.system.constraints or not c.d.driven_rows.still:
         return []
-    constraints = c.d.constraints
-    _, lam = c.d.bound(Matrix.zeros(c.k.graph, c.k.system.nu))
-    at = {row.owner: i for i, row in enumerate(constraints.rows)}
+    rows, (_, lam) = c.d.constraints.rows, c.d.bound(Matrix.zeros(c.k.graph, c.k.system.nu))
     return [
-        (f"{entry.name}.motion", (-lam[at[entry.name]] * rate).node, "W")
-        for entry, rate in zip(relations, constraints.prescribed, strict=True)
-        if rate.node != ZERO
+        (f"{rows[row].owner}.motion", (-lam[row] * rate).node, "W")
+        for row, rate in c.d.driven_rows.still.items()
+        if not rows[row].switched
     ]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from ...errors import DerivationError
@@ -10,6 +11,7 @@ from ...ir.derivative import forward
 from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix
 from ...spatial.moments import Inertia, second_moment
+from ...topology.prescribed_motion import driver
 from ...topology.system import Part
 from ..constraints.loop_loads import Closing, closing_wrenches, with_closing
 from ..kinematics.accelerations import Accelerations, accelerations, second_moment_force
@@ -251,7 +253,23 @@ def motion_forces(d: Dynamics, udot: Matrix, acc: Accelerations) -> dict[int, Sc
     moved = [i for i, joint in enumerate(d.k.system.joints) if joint.motion is not None]
     if not moved:
         return {}
-    closing = closing_wrenches(d, Matrix.zeros(d.k.graph, d.k.system.nu), udot, acc)
+    tau = Matrix.zeros(d.k.graph, d.k.system.nu)
+    closing = closing_wrenches(d, tau, udot, acc)
     forces = joint_forces(d.k, acc, with_closing(d.k, d.loads, closing))
     still = Matrix.zeros(d.k.graph, 1)
-    return {i: driving_force(d.k, i, forces, d.loads, still)[0] for i in moved}
+    needed = {i: driving_force(d.k, i, forces, d.loads, still)[0] for i in moved}
+    if d.driven_rows.shares:
+        lam = d.bound(tau)[1]
+        needed = {i: force - d.driven_rows.along(i, lam) for i, force in needed.items()}
+    return driven(d.k, needed)
+
+
+def driven(k: Kinematics, needed: Mapping[int, Scalar]) -> dict[int, Scalar]:
+    """Forces of the joints that are driven: what their followers need acts on them as well."""
+    totals: dict[int, Scalar] = {}
+    for i, force in needed.items():
+        motion, leader = k.system.joints[i].motion, driver(k.system.joints, i)
+        assert motion is not None
+        (ratio,) = k.resolve([motion.ratio])
+        totals[leader] = totals.get(leader, Scalar(k.graph, ZERO)) + force * Scalar(k.graph, ratio)
+    return {i: totals[i] for i in needed if i in totals}

@@ -328,8 +328,8 @@ class Linearized:
         along = ", ".join(self.speeds[n] for n in self._forced_speeds)
         warn(
             f"linearize: '{self.name}' accelerates there: that udot is 0 takes forces along "
-            f"{along} (.needed). Give udot='free' for the motion by itself, as model.linearize has it, or "
-            "udot={} for this one",
+            f"{along} (.needed). Give udot='free' for the motion by itself, as model.linearize has "
+            "it, or udot={} for this one",
             ModelWarning,
         )
 

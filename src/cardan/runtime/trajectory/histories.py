@@ -60,8 +60,8 @@ def history(motion: TrajectoryRecord, name: str) -> Array:
     joint, _, suffix = name.rpartition(".")
     if suffix == "driving_force" and joint in _joints(manifest):
         raise ModelError(
-            f"motion['{name}']: '{joint}' moves freely; only a joint with prescribed= has a "
-            "driving force"
+            f"motion['{name}']: '{joint}' moves freely or follows another joint; only a joint with "
+            "prescribed= has a driving force, and that of its followers acts on it"
         )
     raise ModelError(f"motion['{name}']: there is no such history.{near(name, histories)}")
 

@@ -244,17 +244,20 @@ def _bound(
         carries = np.concatenate([carries, share[:, : tree - nu]], axis=1)
         rests = np.concatenate([rests, fixed[:, : tree - nu]], axis=1)
     constraints = Bound(q, u, r, G, bias, carries, rests, missed)
-    return constraints.only(np.argsort(-_regular(constraints.G), kind="stable"))
+    return constraints.only(best_first(constraints.G))
 
 
-def _regular(G: Array) -> Array:
-    """Smallest singular value over the largest, redundant conditions left out, (n,)."""
+def best_first(G: Array) -> NDArray[np.intp]:
+    """Order of states by their conditions (n, m, k): best conditioned first, singular ones last.
+
+    Where fewer conditions are independent than elsewhere, a position is singular.
+    """
     if not G.shape[-2]:
-        return np.ones(len(G))
+        return np.arange(len(G))
     values = np.linalg.svd(G, compute_uv=False)
-    largest = values[:, :1]
-    significant = np.where(values > RANK * largest, values, np.inf)
-    return np.asarray(significant.min(axis=-1) / largest[:, 0])
+    independent = values > RANK * values[:, :1]
+    smallest = np.where(independent, values, np.inf).min(axis=-1)
+    return np.lexsort((-smallest / values[:, 0], -independent.sum(axis=-1)))
 
 
 def unjudged(model: LoadedModel) -> str:

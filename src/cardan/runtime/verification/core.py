@@ -14,6 +14,7 @@ from .joint_motion import Array, joint_motion, joint_pose, times
 from .loops import acceleration_error, borne, singular, unbalanced
 from .newton_euler import joint_rows
 from .reference_values import push
+from .user_constraints import yields
 
 SINGULAR = "the mass matrix is singular"
 STEP = 1e-30
@@ -66,7 +67,7 @@ def rhs(trial: Trial, of: str) -> float:
 
 def _unknown(trial: Trial, name: str) -> str:
     """Why a function cannot be judged; "" if it can."""
-    reference, treatment = trial.reference, trial.model.manifest.scene.treatment
+    reference, why = trial.reference, yields(trial.model)
     if trial.adrift and name in BOUND_BY_LOOPS:
         return trial.adrift
     if name in loops.JUDGES and name not in SOLVED and reference.bound is None:
@@ -77,8 +78,8 @@ def _unknown(trial: Trial, name: str) -> str:
         return "the forces of the model are not saved"
     if name in SOLVED and trial.model.manifest.scene.locked:
         return f"'{trial.model.manifest.scene.locked[0]}' holds a joint from the start"
-    if name in SOLVED and treatment and not treatment.exact:
-        return f"constraints treated by '{treatment.name}' give way"
+    if name in SOLVED and why:
+        return why
     if name == "multipliers" and not trial.knows("constraint_jacobian"):
         return "constraint_jacobian is not compiled"
     return ""

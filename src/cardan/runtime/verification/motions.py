@@ -11,7 +11,7 @@ from .evaluation import ELSEWHERE, Trial
 from .joint_motion import Array, times
 from .loops import accelerations, singular
 from .reference_values import push
-from .user_constraints import written
+from .user_constraints import written, yields
 
 
 def rates(trial: Trial, udot: Array) -> dict[str, Array]:
@@ -25,16 +25,15 @@ def rates(trial: Trial, udot: Array) -> dict[str, Array]:
 
 def moves_alone(trial: Trial) -> str:
     """Why the motion cannot be followed; "" where it can."""
-    reference, manifest = trial.reference, trial.model.manifest
-    treatment = manifest.scene.treatment
+    reference = trial.reference
     if trial.adrift:
         return trial.adrift
     if reference.f is None or reference.M is None:
         return "its own motion is not known"
     if singular(reference):
         return "the mass matrix is singular"
-    if treatment and not treatment.exact:
-        return f"constraints treated by '{treatment.name}' give way"
+    if why := yields(trial.model):
+        return why
     if "scene_motion" in trial.model.saved and trial.model.nr:
         return "inputs move joints"
     if not trial.knows("qdot", *(["rhs"] if trial.model.nz else [])):
