@@ -122,10 +122,7 @@ def test_prescribed_motion_by_values(crank: cd.CompiledModel) -> None:
 
 @pytest.mark.parametrize(
     ("times", "values", "exact"),
-    [
-        ([0, 2], [0.5, 2.5], (0.5, 1.0, 0.0)),
-        ([0, 0.5, 2], [0.1, 0.2, 1.1], (0.1, 0.1, 0.2)),
-    ],
+    [([0, 2], [0.5, 2.5], (0.5, 1.0, 0.0)), ([0, 0.5, 2], [0.1, 0.2, 1.1], (0.1, 0.1, 0.2))],
 )
 def test_prescribed_motion_by_two_or_three_values(
     crank: cd.CompiledModel, times: list[float], values: list[float], exact: tuple[float, ...]
