@@ -477,12 +477,15 @@ class CompiledModel(LoadedModel):
         *,
         t: float = 0.0,
         r: State | None = None,
+        s: State | None = None,
     ) -> Redundancy:
         """Find the redundant constraints of a closed system at a position.
 
         Args:
             q: An assembled position: coordinates (nq,) or by name; where the model starts if left out.
             t, r: Time [s] and inputs, where something is prescribed.
+            s: Modes of elements (ns,) or by name, ``{"brake": 2}``; where a run begins if left out.
+                What an element holds in other modes only does not count.
 
         Raises:
             ModelError: an unknown name.
@@ -497,6 +500,7 @@ class CompiledModel(LoadedModel):
         norm: str | ArrayLike = "minimum",
         t: ArrayLike = 0.0,
         r: State | None = None,
+        s: State | None = None,
         parameters: Values | None = None,
     ) -> Actuation:
         """Forces of actuators that make a motion: inverse dynamics of closed systems.
@@ -508,6 +512,7 @@ class CompiledModel(LoadedModel):
             norm: Where more actuators than freedoms leave a choice: ``"minimum"``, the least sum of
                 squares, or weights (na,) or a positive definite matrix W (na, na) for least cᵀ W c.
             t, r, parameters: Time, inputs and parameter values.
+            s: Modes of elements (..., ns) or by name; those of a start if left out.
 
         Raises:
             ArgumentError: an unknown actuator; weights that are not positive.
@@ -524,6 +529,7 @@ class CompiledModel(LoadedModel):
         tau: State | None = None,
         t: ArrayLike = 0.0,
         r: State | None = None,
+        s: State | None = None,
         parameters: Values | None = None,
     ) -> Actuation:
         """Some accelerations are given, the others follow, and so do the forces that it takes.
@@ -533,6 +539,7 @@ class CompiledModel(LoadedModel):
             udot: Joint or speed -> its acceleration; actuators there provide what it takes.
             tau: Other generalized applied forces (..., nu).
             t, r, parameters: Time, inputs and parameter values.
+            s: Modes of elements (..., ns) or by name; those of a start if left out.
 
         Raises:
             ArgumentError: an unknown joint or speed.

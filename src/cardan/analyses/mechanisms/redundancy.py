@@ -161,11 +161,11 @@ def rank_of(singular_values: NDArray[Any]) -> int:
 
 def report(m: Mechanism, q: Array) -> Redundancy:
     """The report of a mechanism at a position (nq,)."""
-    held = holds(m, q)
-    G, holding = m.jacobian(q)[held], list(compress(m.closing.rows, held))
+    active = holds(m, q)
+    G, active_rows = m.jacobian(q)[active], list(compress(m.closing.rows, active))
     U, s, _ = np.linalg.svd(G, full_matrices=True)
     rank, left_out = rank_of(s), _left_out(m)
-    rows = [*holding, *left_out]
+    rows = [*active_rows, *left_out]
     if left_out:
         U = np.linalg.svd(np.concatenate([G, _slopes(m, q, left_out)]), full_matrices=True)[0]
     # left null space of G: combinations of constraint forces that move nothing
@@ -174,8 +174,8 @@ def report(m: Mechanism, q: Array) -> Redundancy:
         str(row.name): bool(np.abs(vectors[:, k]).max(initial=0.0) < UNIQUE)
         for k, row in enumerate(rows)
     }
-    unique |= {str(row.name): True for row in compress(m.closing.rows, ~held)}
-    owners = np.array([row.joint for row in holding])
+    unique |= {str(row.name): True for row in compress(m.closing.rows, ~active)}
+    owners = np.array([row.joint for row in active_rows])
     loops = {owner: (n, n) for owner, n in _solved(m).items()}
     # rank of the rows of each loop by itself
     for owner in dict.fromkeys(owners.tolist()):
@@ -194,19 +194,19 @@ def report(m: Mechanism, q: Array) -> Redundancy:
         rank=rank + solved,
         loops=loops,
         left_out=tuple(row.name for row in left_out),
-        directions=tuple(_description(vector, rows, len(holding)) for vector in vectors),
-        vectors=_spread(vectors, held),
+        directions=tuple(_description(vector, rows, len(active_rows)) for vector in vectors),
+        vectors=_with_zeros(vectors, active),
         unique=unique,
         components=_of_circuits(m, unique) if components is None else components,
         singular_values=s,
     )
 
 
-def _spread(vectors: Array, held: NDArray[np.bool_]) -> Array:
+def _with_zeros(vectors: Array, active: NDArray[np.bool_]) -> Array:
     """Combinations of what holds and what is left out, with zeros for what does not hold."""
-    ones = np.ones(vectors.shape[1] - int(held.sum()), bool)
-    full = np.zeros((len(vectors), len(held) + len(ones)))
-    full[:, np.concatenate([held, ones])] = vectors
+    ones = np.ones(vectors.shape[1] - int(active.sum()), bool)
+    full = np.zeros((len(vectors), len(active) + len(ones)))
+    full[:, np.concatenate([active, ones])] = vectors
     return full
 
 
@@ -300,7 +300,7 @@ def _description(vector: Array, rows: Sequence[MultiplierRow], count: int) -> st
         return sizes[k] < 0.5 or rows[k].unit != "N", -float(sizes[k])
 
     for k in sorted(np.flatnonzero(sizes >= SHARE).tolist(), key=order):
-        descriptions.append(_words(rows[k]))
+        descriptions.append(_phrase(rows[k]))
     first, owner = descriptions[0]
     if len(descriptions) == 1 and sizes.argmax() >= count:
         return f"{first}{owner} (its loop moves in a group that holds it)"
@@ -309,7 +309,7 @@ def _description(vector: Array, rows: Sequence[MultiplierRow], count: int) -> st
     return f"{first}{owner}{count_left}"
 
 
-def _words(row: MultiplierRow) -> tuple[str, str]:
+def _phrase(row: MultiplierRow) -> tuple[str, str]:
     """A constraint and whose it is: ``'stick'`` and `` of force 'brake'``."""
     owner, name = str(row.joint), str(row.name)
     if name == owner:

@@ -268,10 +268,10 @@ def _of_rows(m: Mechanism, q: Array) -> SelfStresses:
         return wrenches | {n: evaluator.tree_reaction(k, here) for k, n in enumerate(in_trees)}
 
     none = reactions(np.zeros(len(m.rows)))
-    held = holds(m, q)
-    combinations = null_space(m.jacobian(q)[held])
-    stresses = np.zeros((len(combinations), len(held)))
-    stresses[:, held] = combinations
+    active = holds(m, q)
+    combinations = null_space(m.jacobian(q)[active])
+    stresses = np.zeros((len(combinations), len(active)))
+    stresses[:, active] = combinations
     units = np.array([1.0] * 3 + [m.size] * 3)
     brought: Mapping[str, list[Array]] = {name: [] for name in none}
     for stress in stresses:
