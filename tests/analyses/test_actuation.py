@@ -133,6 +133,47 @@ def test_too_few_actuators_are_named():
         model.actuation(q, u, udot[0], [])
 
 
+def test_a_change_point_is_named():
+    """A parallelogram that lies flat has two freedoms, of which one crank moves one."""
+    scene = cd.Scene("flat", gravity=(0, -9.81, 0))
+    near, far = (scene.body(name, mass=1.0, com=(0.5, 0, 0)) for name in ("near", "far"))
+    bar = scene.body("bar", mass=1.0)
+    scene.joint("O", cd.Revolute("z"), scene.ground, near)
+    scene.joint("D", cd.Revolute("z"), scene.ground.at(-0.4, 0, 0), far)
+    scene.joint("A", cd.Revolute("z"), near.at(1, 0, 0), bar)
+    scene.joint("C", cd.Revolute("z"), far.at(1, 0, 0), bar.at(-0.4, 0, 0))
+    model = cd.compile(scene)
+    flat, beside = (model.assemble({"O": x, "D": x}).q for x in (0.0, 0.3))
+    at_rest = np.zeros(model.nu)
+    told = r"'flat': the position is singular, a change point: 1 of 2 independent .* meet at 'C'"
+    with pytest.raises(SolveError, match=told):
+        model.actuation(flat, at_rest, at_rest, ["O"])
+    with pytest.raises(SolveError, match="the position at state 1 is singular"):
+        model.actuation(np.array([beside, flat]), at_rest, at_rest, ["O"])
+    # both cranks hold it there, and one does beside it, by the weights of two cranks and the bar
+    found = model.actuation(flat, at_rest, at_rest, ["O", "D"])
+    assert found.unique
+    assert found["O"] + found["D"] == pytest.approx(9.81 * 2.0)
+    alone = model.actuation(beside, at_rest, at_rest, ["O"])
+    assert alone["O"] == pytest.approx(9.81 * 2.0 * np.cos(0.3))
+
+
+def test_modes_say_what_actuators_carry():
+    """A brake that sticks carries the weight of a pendulum, and what is asked of it is refused."""
+    scene = cd.Scene("braked", gravity=(0, -9.81, 0))
+    scene.joint("A", cd.Revolute("z"), scene.ground, scene.body("rod", mass=2.0, com=(0.5, 0, 0)))
+    scene.force("brake", cd.Friction("A", coulomb=50.0))
+    model, sticks = cd.compile(scene), {"brake": 2.0}
+    free = model.actuation([0.0], [0.0], [0.0], ["A"])
+    assert free["A"] == pytest.approx(9.81)
+    stuck = model.actuation([0.0], [0.0], [0.0], ["A"], s=sticks)
+    assert stuck["A"] == 0.0
+    assert stuck.multipliers == pytest.approx([9.81])
+    assert model.hybrid_dynamics([0.0], [0.0], {}, s=sticks).udot == pytest.approx([0.0])
+    with pytest.raises(SolveError, match="do not allow these accelerations"):
+        model.hybrid_dynamics([0.0], [0.0], {"A": 1.0}, s=sticks)
+
+
 def test_motions_against_the_constraints_are_named():
     model, q, u, _, udot = moving("four_bar")
     with pytest.raises(SolveError, match=r"the constraints 'C.p.* do not allow"):

@@ -120,6 +120,27 @@ def test_prescribed_motion_by_values(crank: cd.CompiledModel) -> None:
         crank.simulate(1.0, q={"drive": 1.0})
 
 
+@pytest.mark.parametrize(
+    ("times", "values", "exact"),
+    [([0, 2], [0.5, 2.5], (0.5, 1.0, 0.0)), ([0, 0.5, 2], [0.1, 0.2, 1.1], (0.1, 0.1, 0.2))],
+)
+def test_prescribed_motion_by_two_or_three_values(
+    crank: cd.CompiledModel, times: list[float], values: list[float], exact: tuple[float, ...]
+) -> None:
+    """A straight line, and a parabola, a + b t + c t^2, with their own rates and accelerations."""
+    a, b, c = exact
+    motion = crank.simulate(2.0, inputs={"angle": (times, values)}, rtol=1e-9)
+    t = motion.t
+    for name, known in (
+        ("angle", a + b * t + c * t**2),
+        ("angle.rate", b + 2 * c * t),
+        ("angle.acceleration", 2 * c + 0 * t),
+    ):
+        np.testing.assert_allclose(motion[name], known, rtol=0, atol=1e-13)
+    with pytest.raises(cd.ModelError, match="no jumps: give no time twice"):
+        crank.simulate(1.0, inputs={"angle": ([0, 1, 1, 2], [0, 1, 2, 3])})
+
+
 def test_a_function_with_other_arguments_is_refused() -> None:
     import cardan as cd
     from cardan.errors import ArgumentError

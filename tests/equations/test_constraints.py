@@ -191,6 +191,31 @@ def test_massless_links_with_modes(treatment: str, element: str) -> None:
         assert motion.events[0].t == pytest.approx(free.events[0].t, abs=1e-8)
 
 
+@pytest.mark.parametrize("mass", [1e-3, 1e-6, 1e-9, 1e-13])
+def test_light_links(mass: float) -> None:
+    """Forces of a rope and a stop nearly cancel on a hoop of hardly any mass, and move an arm.
+
+    With sin h = t^2 / 4 the arm has h'' = 1 / (2 cos h) + h'^2 tan h. Accelerations are as good
+    as numbers allow, whatever the mass, and so few steps follow them as a heavy hoop would take.
+    """
+    scene = cd.Scene("light", gravity=(0, 0, -9.81))
+    scene.joint("h", cd.Revolute("y"), scene.ground, scene.body("arm", mass=2.0, com=(-0.3, 0, 0)))
+    scene.joint("gap", cd.Prismatic("x"), scene.ground, scene.body("hoop", mass=mass))
+    scene.constraint("rope", scene.q("gap") + 0.05 * cd.t**2 - 0.2 * sympy.sin(scene.q("h")))
+    scene.force("taut", cd.Stop("gap", lower=0.0))
+    model = cd.compile(scene)
+    for t in (0.3, 0.30001, 0.30002):
+        h = np.arcsin(t**2 / 4)
+        rate = t / 2 / np.cos(h)
+        wanted = 0.5 / np.cos(h) + rate**2 * np.tan(h)
+        udot = model.forward_dynamics([h, 0.0], [rate, 0.0], t=t, s=[1.0])
+        np.testing.assert_allclose(udot, [wanted, 0.0], atol=1e-12)
+    motion = model.simulate(1.0, q={"h": 0.0}, rtol=1e-10)
+    assert motion.success
+    assert motion["h"][-1] == pytest.approx(np.arcsin(0.25), abs=1e-9)
+    assert motion.statistics["steps"] < 50
+
+
 @pytest.mark.parametrize(
     ("treatment", "function"),
     some(product(("multipliers", "elimination"), ("forward_dynamics", "multipliers")), 3),

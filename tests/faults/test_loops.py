@@ -192,6 +192,43 @@ def test_what_the_plane_of_a_loop_holds_is_said_to_be_held_by_that() -> None:
     assert all("its loop moves in a group that holds it" in text for text in found.directions)
 
 
+@pytest.mark.parametrize("coordinates", ["relative", "absolute"])
+def test_what_no_mode_holds_is_not_redundant(coordinates: str) -> None:
+    """Stiction that does not stick passed for the redundant constraint, of a joint of its name."""
+    plain, scene = four_bar(), four_bar()
+    scene.force("brake", cd.Friction("A", coulomb=0.1))
+    scene.force("other", cd.Friction("D", coulomb=0.1))
+    model = cd.compile(scene, coordinates=coordinates)
+    q = {"A": 0.5}
+    if coordinates == "relative":
+        q = model.assemble(q).q
+    found = model.redundancy(q)
+    alone = cd.compile(plain, coordinates=coordinates).redundancy(q)
+    assert (found.constraints, found.rank, found.redundant, found.freedoms) == (
+        alone.constraints,
+        alone.rank,
+        alone.redundant,
+        1,
+    )
+    assert found.directions == alone.directions
+    assert found.components == alone.components
+    assert found.unique["brake.stick"]
+    assert "brake" not in found.loops
+    # what sticks counts, and twice is once too often
+    sticks = 2.0
+    both = model.redundancy(q, s={"brake": sticks, "other": sticks})
+    assert both.freedoms == 0
+    assert both.redundant == found.redundant + 1
+    if coordinates == "relative":
+        assert any("'stick' of force 'other'" in text for text in both.directions)
+    assert not any("joint 'other'" in text for text in both.directions)
+    one = model.redundancy(q, s={"brake": sticks})
+    assert (one.freedoms, one.redundant) == (0, found.redundant)
+    if coordinates == "relative":
+        with pytest.warns(cd.SolveWarning, match="are redundant, rotation about x of joint 'C'"):
+            model.reaction("C", q, np.zeros(model.nu))
+
+
 @pytest.mark.parametrize("rate", [0.0, 1e-17, 1e-12])
 def test_a4_rates_of_rounding_explain_no_contradiction(rate: float) -> None:
     """At rest a rate of rounding explained anything: drives against each other passed."""

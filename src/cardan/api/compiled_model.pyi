@@ -118,8 +118,8 @@ class CompiledModel(LoadedModel):
             step: Step of fixed methods and of generalized-alpha, first one of others [s].
             max_step: Largest step of an adaptive method [s]; with input functions 1/1000 of the span.
             inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
-                jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``. Names of
-                several -> a :class:`cardan.CFunction` that gives them.
+                jump; where the input prescribes a motion a cubic spline, a parabola through three,
+                a line through two) or ``f(t, x)``. Names of several -> a :class:`cardan.CFunction`.
             parameters: Values of parameters by name, as ``model.with_parameters`` takes them.
             sample: Time between calls of ``f(t, x)`` [s], held in between; else called at every stage.
             checkpoint: A file that keeps what is computed, ``every`` so many seconds; the same call
@@ -477,12 +477,15 @@ class CompiledModel(LoadedModel):
         *,
         t: float = 0.0,
         r: State | None = None,
+        s: State | None = None,
     ) -> Redundancy:
         """Find the redundant constraints of a closed system at a position.
 
         Args:
             q: An assembled position: coordinates (nq,) or by name; where the model starts if left out.
             t, r: Time [s] and inputs, where something is prescribed.
+            s: Modes of elements (ns,) or by name, ``{"brake": 2}``; where a run begins if left out.
+                What an element holds in other modes only does not count.
 
         Raises:
             ModelError: an unknown name.
@@ -497,6 +500,7 @@ class CompiledModel(LoadedModel):
         norm: str | ArrayLike = "minimum",
         t: ArrayLike = 0.0,
         r: State | None = None,
+        s: State | None = None,
         parameters: Values | None = None,
     ) -> Actuation:
         """Forces of actuators that make a motion: inverse dynamics of closed systems.
@@ -508,6 +512,7 @@ class CompiledModel(LoadedModel):
             norm: Where more actuators than freedoms leave a choice: ``"minimum"``, the least sum of
                 squares, or weights (na,) or a positive definite matrix W (na, na) for least cᵀ W c.
             t, r, parameters: Time, inputs and parameter values.
+            s: Modes of elements (..., ns) or by name; those of a start if left out.
 
         Raises:
             ArgumentError: an unknown actuator; weights that are not positive.
@@ -524,6 +529,7 @@ class CompiledModel(LoadedModel):
         tau: State | None = None,
         t: ArrayLike = 0.0,
         r: State | None = None,
+        s: State | None = None,
         parameters: Values | None = None,
     ) -> Actuation:
         """Some accelerations are given, the others follow, and so do the forces that it takes.
@@ -533,6 +539,7 @@ class CompiledModel(LoadedModel):
             udot: Joint or speed -> its acceleration; actuators there provide what it takes.
             tau: Other generalized applied forces (..., nu).
             t, r, parameters: Time, inputs and parameter values.
+            s: Modes of elements (..., ns) or by name; those of a start if left out.
 
         Raises:
             ArgumentError: an unknown joint or speed.

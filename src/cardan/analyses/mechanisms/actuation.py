@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, final
+from typing import final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,16 +15,12 @@ from ...errors import ArgumentError, SolveError, near
 from ...runtime.calls.evaluation import State, Values
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.verification.joint_motion import times
-from ..statics.force_balance import elastic
-from ..statics.static_problem import scaled
-from ..systems import dynamic_system_of
-from ..systems.dynamic_system import Moment
+from .actuated_states import SHARE, Place, listed, place_of, rounded, too_few
 from .consistent_accelerations import accelerations
 
 RANK = 1e-9  # singular values below this part of the largest count as zero
 LIGHT = 1e-14  # inertia along a motion, relative to the largest, that is none
 MET = 1e-7  # what is left of forces or accelerations, relative to their largest terms
-SHARE = 0.1  # entries below this part of the largest are not told
 
 
 @final
@@ -87,31 +83,6 @@ class Actuation:
         return "\n".join(lines)
 
 
-@dataclass(frozen=True)
-class _Place:
-    """A model at states, (..., n).
-
-    Attributes:
-        arguments: Time, inputs and parameters, by argument.
-    """
-
-    model: LoadedModel
-    q: Array
-    u: Array
-    arguments: Mapping[str, Any]
-
-    @property
-    def jacobian(self) -> Array:
-        """G (..., m, nu)."""
-        if not self.model.nlam:
-            return np.zeros((0, self.model.nu))
-        return self.model.constraint_jacobian(self.q, **self.arguments)
-
-    def force(self, udot: Array) -> Array:
-        """M udot + h - f (..., nu)."""
-        return self.model.inverse_dynamics(self.q, self.u, udot, **self.arguments)
-
-
 @checked
 def actuation(
     model: LoadedModel,
@@ -123,6 +94,7 @@ def actuation(
     norm: str | ArrayLike = "minimum",
     t: ArrayLike = 0.0,
     r: State | None = None,
+    s: State | None = None,
     parameters: Values | None = None,
 ) -> Actuation:
     """Forces of actuators that make a motion: inverse dynamics of closed systems.
@@ -135,6 +107,7 @@ def actuation(
         norm: Where more actuators than freedoms leave a choice: ``"minimum"``, the least sum of
             squares, or weights (na,) or a positive definite matrix W (na, na) for least cᵀ W c.
         t, r, parameters: Time, inputs and parameter values.
+        s: Modes of elements (..., ns) or by name; those of a start if left out.
 
     Raises:
         ArgumentError: an unknown actuator; weights that are not positive.
@@ -142,8 +115,7 @@ def actuation(
 
     Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapter 8.
     """
-    time_and_inputs: dict[str, Any] = {"t": t, "r": r, "parameters": parameters}
-    place = _Place(model, model._vector("q", q), model._vector("u", u), time_and_inputs)
+    place = place_of(model, q, u, {"t": t, "r": r, "s": s, "parameters": parameters})
     motion = model._vector("udot", udot)
     if motion.shape[-1:] != (model.nu,):
         raise ArgumentError(
@@ -165,6 +137,7 @@ def hybrid_dynamics(
     tau: State | None = None,
     t: ArrayLike = 0.0,
     r: State | None = None,
+    s: State | None = None,
     parameters: Values | None = None,
 ) -> Actuation:
     """Some accelerations are given, the others follow, and so do the forces that it takes.
@@ -175,6 +148,7 @@ def hybrid_dynamics(
         udot: Joint or speed -> its acceleration; actuators there provide what it takes.
         tau: Other generalized applied forces (..., nu).
         t, r, parameters: Time, inputs and parameter values.
+        s: Modes of elements (..., ns) or by name; those of a start if left out.
 
     Raises:
         ArgumentError: an unknown joint or speed.
@@ -182,12 +156,11 @@ def hybrid_dynamics(
 
     Source: R. Featherstone, Rigid Body Dynamics Algorithms, section 9.1.
     """
-    time_and_inputs: dict[str, Any] = {"t": t, "r": r, "parameters": parameters}
-    place = _Place(model, model._vector("q", q), model._vector("u", u), time_and_inputs)
+    place = place_of(model, q, u, {"t": t, "r": r, "s": s, "parameters": parameters})
     chosen, prescribed = _prescribed_accelerations(model, udot)
     applied = np.zeros(model.nu) if tau is None else model._vector("tau", tau)
     # accelerations that keep to the constraints, corrected to those that are wanted
-    unforced = model.forward_dynamics(place.q, place.u, tau=applied, **time_and_inputs)
+    unforced = model.forward_dynamics(place.q, place.u, tau=applied, **place.arguments)
     # least-norm correction that meets the constraints and the prescribed rows at once
     rows = np.eye(model.nu)[chosen]
     G = place.jacobian
@@ -198,18 +171,18 @@ def hybrid_dynamics(
     )
     both = np.concatenate([G, rows], axis=-2)
     change = np.concatenate([np.zeros(G.shape[:-1]), prescribed - unforced[..., chosen]], axis=-1)
-    back = np.linalg.pinv(both, rcond=RANK)
+    back = _pseudo_inverse(both)[0]
     one = unforced + times(back, change)
     left = one[..., chosen] - prescribed
     if not _small(np.concatenate([left, times(G, one - unforced)], axis=-1), prescribed, unforced):
         names = [model.speeds[i] for i in chosen]
         raise SolveError(
             f"model '{model.name}': the constraints do not allow these accelerations of "
-            f"{_listed(names)} together; give fewer of them, or those of assemble(...).udot"
+            f"{listed(names)} together; give fewer of them, or those of assemble(...).udot"
         )
     # the balance along the motions that are left; across them anything regular will do
     free = np.eye(model.nu) - back @ both
-    M = model.mass_matrix(place.q, **time_and_inputs)
+    M = place.inertia
     size = np.trace(M, axis1=-2, axis2=-1)[..., None, None] / max(1, model.nu)
     inertia = free @ M @ free + size * (np.eye(model.nu) - free)
     missing = times(free, applied - place.force(one))
@@ -218,7 +191,7 @@ def hybrid_dynamics(
 
 
 def _shared(
-    place: _Place, udot: Array, applied: Array, chosen: list[int], norm: str | ArrayLike
+    place: Place, udot: Array, applied: Array, chosen: list[int], norm: str | ArrayLike
 ) -> Actuation:
     """Forces of the chosen speeds that do what given ones leave to do."""
     model, nu = place.model, place.model.nu
@@ -226,18 +199,18 @@ def _shared(
     lead = np.broadcast_shapes(load.shape[:-1], G.shape[:-2])
     load, G = np.broadcast_to(load, (*lead, nu)), np.broadcast_to(G, (*lead, *G.shape[-2:]))
     # what constraints cannot bear must come from the actuators
-    free = np.eye(nu) - np.linalg.pinv(G, rcond=RANK) @ G
+    back = _pseudo_inverse(G)[0]
+    free = np.eye(nu) - back @ G
     soft, word = _softness(norm, len(chosen))
-    along = free[..., chosen] @ soft
-    forces = times(soft @ np.linalg.pinv(along, rcond=RANK), times(free, load))
+    most, rank = _pseudo_inverse(free[..., chosen] @ soft)
+    forces = times(soft @ most, times(free, load))
     tau = np.zeros((*lead, nu))
     tau[..., chosen] = forces
     left = times(free, load - tau)
-    if not _small(left, load, tau) and not _rounded(place, udot, left):
-        raise SolveError(_too_few(model, left, load, chosen))
+    if not _small(left, load, tau) and not rounded(place, udot, left):
+        raise SolveError(too_few(place, left, chosen))
     # the multipliers carry the rest, with the least norm
-    lam = times(np.linalg.pinv(np.swapaxes(G, -1, -2), rcond=RANK), load - tau)
-    size = np.linalg.norm(along, ord=2, axis=(-2, -1)) if chosen else np.zeros(lead)
+    lam = times(np.swapaxes(back, -1, -2), load - tau)
     return Actuation(
         model.name,
         tuple(model.speeds[i] for i in chosen),
@@ -246,28 +219,20 @@ def _shared(
         np.broadcast_to(udot, (*lead, nu)),
         lam,
         np.rint(np.trace(free, axis1=-2, axis2=-1)).astype(int),
-        np.linalg.matrix_rank(along, tol=RANK * size) if chosen else np.zeros(lead, int),
+        rank,
         word,
     )
 
 
-def _rounded(place: _Place, udot: Array, left: Array) -> bool:
-    """True when what is left is rounding of elastic forces, which are large where they rest too."""
-    model, arguments = place.model, place.arguments
-    system = dynamic_system_of(model.with_parameters(arguments["parameters"] or {}))
-    lead, nu = left.shape[:-1], model.nu
-    count = int(np.prod(lead))
-    r = system.input_vector(None) if arguments["r"] is None else model._vector("r", arguments["r"])
-    wide = ((place.q, model.nq), (place.u, nu), (udot, nu), (r, model.nr))
-    blocks = [np.broadcast_to(x, (*lead, n)).reshape(count, n) for x, n in wide]
-    instants = np.broadcast_to(np.asarray(arguments["t"], dtype=float), lead).ravel()
-    most = []
-    for t, *(q, u, rate, inputs) in zip(instants, *blocks, strict=True):
-        lam, z = np.zeros(len(system.multipliers)), np.zeros(len(system.internals))
-        at = Moment(float(t), q, u, rate, lam, inputs, z, system.modes)
-        K = scaled(system.tangents(at).K, system.columns, system.columns)
-        most.append(float((elastic(system, at, K) / system.columns).max(initial=0.0)))
-    return bool((np.abs(left).reshape(count, nu).max(axis=1) <= np.array(most)).all())
+def _pseudo_inverse(A: Array) -> tuple[Array, NDArray[np.intp]]:
+    """A⁺ (..., n, m) and the rank of A (..., m, n), from one decomposition."""
+    if not A.size:
+        return np.swapaxes(np.zeros(A.shape), -1, -2), np.zeros(A.shape[:-2], int)
+    U, s, Vt = np.linalg.svd(A, full_matrices=False)
+    counted = s > RANK * s[..., :1]
+    inverse = np.divide(1.0, s, out=np.zeros_like(s), where=counted)
+    inverted = np.swapaxes(Vt, -1, -2) @ (inverse[..., None] * np.swapaxes(U, -1, -2))
+    return inverted, counted.sum(axis=-1)
 
 
 def _softness(norm: str | ArrayLike, count: int) -> tuple[Array, str]:
@@ -335,7 +300,7 @@ def _prescribed_accelerations(
     return slots, np.stack(np.broadcast_arrays(*values), axis=-1)
 
 
-def _refuse_impossible(place: _Place, udot: Array) -> None:
+def _refuse_impossible(place: Place, udot: Array) -> None:
     """Accelerations must keep to the constraints.
 
     Raises:
@@ -359,23 +324,10 @@ def _refuse_impossible(place: _Place, udot: Array) -> None:
             n for n, x in zip(model.multipliers_of, size, strict=True) if x > SHARE * size.max()
         ]
         raise SolveError(
-            f"model '{model.name}': the constraints {_listed(names)} do not allow these "
+            f"model '{model.name}': the constraints {listed(names)} do not allow these "
             f"accelerations, by {size.max():.3g}; assemble(...).udot and sweep(...) give some that "
             "they do, hybrid_dynamics finds the rest to a few that are given"
         )
-
-
-def _too_few(model: LoadedModel, left: Array, load: Array, chosen: list[int]) -> str:
-    """Message about motions that the actuators cannot influence."""
-    worst = left.reshape(-1, model.nu)[np.argmax(np.abs(left).reshape(-1, model.nu).max(axis=1))]
-    size = np.abs(worst).max()
-    names = [n for n, x in zip(model.speeds, worst, strict=True) if abs(x) > SHARE * size]
-    have = _listed([model.speeds[i] for i in chosen]) if chosen else "an empty set of actuators"
-    return (
-        f"model '{model.name}': {have} cannot make this motion: no force of theirs acts along a "
-        f"motion of {_listed(names)} together, where {size:.3g} is missing; name an actuator among "
-        "these speeds, or let their accelerations follow by hybrid_dynamics"
-    )
 
 
 def _small(left: Array, *terms: Array) -> bool:
@@ -387,7 +339,3 @@ def _small(left: Array, *terms: Array) -> bool:
 
 def _count(number: int, what: str) -> str:
     return f"{number} {what}{'' if number == 1 else 's'}"
-
-
-def _listed(names: Sequence[str]) -> str:
-    return ", ".join(f"'{name}'" for name in names[:8])

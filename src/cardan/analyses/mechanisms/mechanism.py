@@ -36,6 +36,7 @@ class Mechanism:
 
     Attributes:
         model, t, r: The model, the time [s], the inputs (nr,).
+        s: Discrete states (ns,), which say what elements hold; None for those of a start.
         size: Against which lengths count [m].
         columns: Size of the unit of every speed (nu,): ``size`` where it is a velocity.
         released: Relations of the user that are not asked to hold.
@@ -48,16 +49,17 @@ class Mechanism:
     closure_tol: float = 0.0
     searches: int = 16
 
-    def __init__(self, model: LoadedModel, t: float = 0.0, r: object = None) -> None:
+    def __init__(self, model: LoadedModel, t: float = 0.0, r: object = None, s: Any = None) -> None:
         """Args:
         model: Compiled.
         t: Time, where something is prescribed [s].
-        r: Inputs (nr,) or by name; their defaults if left out.
+        r, s: Inputs (nr,) and discrete states (ns,), or by name; those of a start if left out.
         """
         self.model, self.t = model, float(t)
         if isinstance(r, Mapping):
             r = model._vector("r", r)
         self.r: Array | None = None if r is None else np.asarray(r, dtype=np.float64)
+        self.s: Array | None = None if s is None else model._vector("s", s)
         self.size = size_of(model)
         self.columns = columns_of(model, self.size)
         self._cache: dict[str, tuple[bytes, Any]] = {}
@@ -116,9 +118,9 @@ class Mechanism:
         """The joints that close loops, from the manifest."""
         return list(self.model.manifest.cuts)
 
-    def evaluate(self, name: str, *values: ArrayLike) -> Array:
-        """Result of a function of t, the values, and r."""
-        return self.model._evaluate((name, None), (self.t, *values, self.r), None, None)
+    def evaluate(self, name: str, *values: ArrayLike, more: tuple[object, ...] = ()) -> Array:
+        """Result of a function of t, the values, r, and more."""
+        return self.model._evaluate((name, None), (self.t, *values, self.r, *more), None, None)
 
     def residuals(self, q: Array) -> Array:
         """Residuals (mp,) of the constraints of positions, without units."""
@@ -152,8 +154,8 @@ class Mechanism:
     def _jacobian(self, q: Array) -> Array:
         if not self.closing.rows:
             return np.zeros((0, self.nu))
-        G: Array = self.evaluate("constraint_jacobian", q) * self.columns / self.rows[:, None]
-        return G[self._required]
+        G = self.evaluate("constraint_jacobian", q, more=(self.s,))
+        return np.asarray(G * self.columns / self.rows[:, None])[self._required]
 
     def decomposition(self, q: Array) -> tuple[Array, Array]:
         """Left singular vectors (m, m) and singular values of G."""

@@ -133,9 +133,9 @@ class NodalMechanism(Mechanism):
     def _evaluated(self, name: str, *values: Array) -> Array:
         return super().evaluate(name, *values)
 
-    def evaluate(self, name: str, *values: Any) -> Array:
+    def evaluate(self, name: str, *values: Any, more: tuple[object, ...] = ()) -> Array:
         """Same as :meth:`Mechanism.evaluate`; of constraints those that joints do not fulfill."""
-        result = super().evaluate(name, *values)
+        result = super().evaluate(name, *values, more=more)
         if name in ("constraints", "constraint_rates"):
             result = result[self._rows[self._rows < len(result)]]
         return result

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import compress
 from typing import Any, final
 
 import numpy as np
@@ -16,7 +17,7 @@ from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.entries import MultiplierRow
 from .mechanism import Mechanism
-from .self_stress import COMPONENTS, RANK, determined, passed
+from .self_stress import COMPONENTS, RANK, determined, holds, passed
 
 UNIQUE = 1e-7
 SHARE = 0.2  # entries below this part of the largest are not told
@@ -42,7 +43,7 @@ class Redundancy:
             model has no multipliers for them.
         directions: Redundant conditions in words, one for each redundant constraint.
         vectors: The same as combinations of the multipliers, then of what is left out
-            (redundant, m): self-stresses.
+            (redundant, m): self-stresses. 0 at what its element does not hold in its mode.
         unique: Multiplier, or constraint that is left out -> whether it is determined.
         components: Joint -> which components of its reaction are, in the order of
             ``model.reaction``: Mx, My, Mz, Fx, Fy, Fz.
@@ -116,6 +117,7 @@ def redundancy(
     *,
     t: float = 0.0,
     r: State | None = None,
+    s: State | None = None,
 ) -> Redundancy:
     """Find the redundant constraints of a closed system at a position.
 
@@ -123,11 +125,13 @@ def redundancy(
         model: The compiled model.
         q: An assembled position: coordinates (nq,) or by name; where the model starts if left out.
         t, r: Time [s] and inputs, where something is prescribed.
+        s: Modes of elements (ns,) or by name, ``{"brake": 2}``; where a run begins if left out.
+            What an element holds in other modes only does not count.
 
     Raises:
         ModelError: an unknown name.
     """
-    return report(Mechanism(model, t, r), position(model, q))
+    return report(Mechanism(model, t, r, s), position(model, q))
 
 
 def undetermined(model: LoadedModel, q: Array, t: float = 0.0) -> tuple[str, ...]:
@@ -157,10 +161,11 @@ def rank_of(singular_values: NDArray[Any]) -> int:
 
 def report(m: Mechanism, q: Array) -> Redundancy:
     """The report of a mechanism at a position (nq,)."""
-    G = m.jacobian(q)
+    active = holds(m, q)
+    G, active_rows = m.jacobian(q)[active], list(compress(m.closing.rows, active))
     U, s, _ = np.linalg.svd(G, full_matrices=True)
     rank, left_out = rank_of(s), _left_out(m)
-    rows = [*m.closing.rows, *left_out]
+    rows = [*active_rows, *left_out]
     if left_out:
         U = np.linalg.svd(np.concatenate([G, _slopes(m, q, left_out)]), full_matrices=True)[0]
     # left null space of G: combinations of constraint forces that move nothing
@@ -169,7 +174,8 @@ def report(m: Mechanism, q: Array) -> Redundancy:
         str(row.name): bool(np.abs(vectors[:, k]).max(initial=0.0) < UNIQUE)
         for k, row in enumerate(rows)
     }
-    owners = np.array([row.joint for row in m.closing.rows])
+    unique |= {str(row.name): True for row in compress(m.closing.rows, ~active)}
+    owners = np.array([row.joint for row in active_rows])
     loops = {owner: (n, n) for owner, n in _solved(m).items()}
     # rank of the rows of each loop by itself
     for owner in dict.fromkeys(owners.tolist()):
@@ -188,12 +194,20 @@ def report(m: Mechanism, q: Array) -> Redundancy:
         rank=rank + solved,
         loops=loops,
         left_out=tuple(row.name for row in left_out),
-        directions=tuple(_description(vector, rows, len(m.closing.rows)) for vector in vectors),
-        vectors=vectors,
+        directions=tuple(_description(vector, rows, len(active_rows)) for vector in vectors),
+        vectors=_with_zeros(vectors, active),
         unique=unique,
         components=_of_circuits(m, unique) if components is None else components,
         singular_values=s,
     )
+
+
+def _with_zeros(vectors: Array, active: NDArray[np.bool_]) -> Array:
+    """Combinations of what holds and what is left out, with zeros for what does not hold."""
+    ones = np.ones(vectors.shape[1] - int(active.sum()), bool)
+    full = np.zeros((len(vectors), len(active) + len(ones)))
+    full[:, np.concatenate([active, ones])] = vectors
+    return full
 
 
 def _left_out(m: Mechanism) -> list[MultiplierRow]:
@@ -278,7 +292,7 @@ def _description(vector: Array, rows: Sequence[MultiplierRow], count: int) -> st
         rows: Constraints, then conditions that the motion of a loop fulfills by itself.
         count: How many are constraints.
     """
-    descriptions: list[tuple[str, str]] = []
+    descriptions: list[tuple[str, str]] = []  # part, owner
     sizes = np.abs(vector).round(9) / np.abs(vector).max()
 
     # a translation first, if it has much of it
@@ -286,15 +300,21 @@ def _description(vector: Array, rows: Sequence[MultiplierRow], count: int) -> st
         return sizes[k] < 0.5 or rows[k].unit != "N", -float(sizes[k])
 
     for k in sorted(np.flatnonzero(sizes >= SHARE).tolist(), key=order):
-        joint, name = str(rows[k].joint), str(rows[k].name)
-        part = name.removeprefix(f"{joint}.")
-        form = FORMS.get(part[:1]) if len(part) == 2 and part[1] in "xyz" else None
-        descriptions.append((form.format(part[1]) if form else f"'{part}'", joint))
-    first, joint = descriptions[0]
+        descriptions.append(_phrase(rows[k]))
+    first, owner = descriptions[0]
     if len(descriptions) == 1 and sizes.argmax() >= count:
-        return f"{first} of joint '{joint}' (its loop moves in a group that holds it)"
-    further = [
-        part if owner == joint else f"{part} of joint '{owner}'" for part, owner in descriptions[1:]
-    ]
+        return f"{first}{owner} (its loop moves in a group that holds it)"
+    further = [part if other == owner else part + other for part, other in descriptions[1:]]
     count_left = f" (it follows from {', '.join(further)} and the other joints)" if further else ""
-    return f"{first} of joint '{joint}'{count_left}"
+    return f"{first}{owner}{count_left}"
+
+
+def _phrase(row: MultiplierRow) -> tuple[str, str]:
+    """A constraint and whose it is: ``'stick'`` and `` of force 'brake'``."""
+    owner, name = str(row.joint), str(row.name)
+    if name == owner:
+        return f"constraint '{name}'", ""
+    part = name.removeprefix(f"{owner}.")
+    form = FORMS.get(part[:1]) if len(part) == 2 and part[1] in "xyz" else None
+    kind = "force" if row.switched else "joint"
+    return form.format(part[1]) if form else f"'{part}'", f" of {kind} '{owner}'"

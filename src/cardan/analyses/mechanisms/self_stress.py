@@ -17,6 +17,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...runtime.verification.closed_states import closers_at, unbound
@@ -104,6 +105,12 @@ def of_least_norm(m: Mechanism, q: Array, reactions: Mapping[str, Array]) -> Map
     shares, *_ = np.linalg.lstsq(loads.T, total, rcond=RANK)
     left = np.split(total - shares @ loads, len(names))
     return {**reactions, **{n: x * units for n, x in zip(names, left, strict=True)}}
+
+
+def holds(m: Mechanism, q: Array) -> NDArray[np.bool_]:
+    """Mask of the constraints less those that elements hold in other modes only (m,)."""
+    always = np.array([not row.switched for row in m.closing.rows], bool)
+    return np.asarray(always | m.jacobian(q).any(axis=1))
 
 
 def null_space(rows: Array) -> Array:
@@ -261,7 +268,10 @@ def _of_rows(m: Mechanism, q: Array) -> SelfStresses:
         return wrenches | {n: evaluator.tree_reaction(k, here) for k, n in enumerate(in_trees)}
 
     none = reactions(np.zeros(len(m.rows)))
-    stresses = null_space(m.jacobian(q))
+    active = holds(m, q)
+    combinations = null_space(m.jacobian(q)[active])
+    stresses = np.zeros((len(combinations), len(active)))
+    stresses[:, active] = combinations
     units = np.array([1.0] * 3 + [m.size] * 3)
     brought: Mapping[str, list[Array]] = {name: [] for name in none}
     for stress in stresses:

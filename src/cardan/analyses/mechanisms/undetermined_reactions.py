@@ -61,8 +61,8 @@ class States:
     Args:
         model: The compiled model.
         lead: Their leading axes; numbers of states count through these.
-        q, t, r, parameters: As functions of the model take them (..., nq), (...), (..., nr), by
-            name (...).
+        q, t, r, parameters, s: As functions of the model take them (..., nq), (...), (..., nr),
+            by name (...), (..., ns).
     """
 
     def __init__(
@@ -73,6 +73,7 @@ class States:
         t: ArrayLike,
         r: State | None,
         parameters: Values | None,
+        s: State | None = None,
     ) -> None:
         def rows(values: ArrayLike, size: int) -> Array:
             return np.broadcast_to(values, (*lead, size)).reshape(prod(lead), size)
@@ -81,6 +82,7 @@ class States:
         self.q = rows(model._vector("q", q), model.nq)
         self.t = rows(np.reshape(0.0 if t is None else t, (*np.shape(t), 1)), 1)[:, 0]
         self.r = None if r is None else rows(model._vector("r", r), model.nr)
+        self.s = None if s is None else rows(model._vector("s", s), len(model._layout.start("s")))
         vector = model._parameters.changed(parameters or {})
         self.parameters = rows(vector, vector.shape[-1])
         self._models = {model.parameters.vector.tobytes(): model}
@@ -94,7 +96,8 @@ class States:
         if key not in self._models:
             changed = Parameters(self.model.manifest, self.parameters[k])
             self._models[key] = self.model._with(changed)
-        return Mechanism(self._models[key], float(self.t[k]), None if self.r is None else self.r[k])
+        r, s = (None if block is None else block[k] for block in (self.r, self.s))
+        return Mechanism(self._models[key], float(self.t[k]), r, s)
 
     def report(self, k: int) -> Redundancy:
         """Redundancy at a state."""

@@ -142,9 +142,9 @@ def _open(runner: Runner) -> str:
     """Message about the loop that does not stay closed, with a remedy."""
     run, closing = runner.record, runner.closing
     level, name = closing.row(run.open_row)
-    joint = next(row.joint for row in closing.rows if row.name == name)
-    kind = "constraint" if joint == name else "joint"
-    who = f"motion is not defined here: {kind} '{joint}' ({level} of '{name}')"
+    row = next(row for row in closing.rows if row.name == name)
+    kind = "force" if row.switched else "constraint" if row.joint == name else "joint"
+    who = f"motion is not defined here: {kind} '{row.joint}' ({level} of '{name}')"
     if run.steps == 0 and run.correction <= 1:
         return f"{who} cannot be closed from this start. model.assemble(...) finds one that can"
     if not runner.settings.method.adaptive:

@@ -264,12 +264,14 @@ def _table(
 
 
 def _motion(name: str, k: int, times: Array, values: Array) -> list[PiecewiseInput]:
-    """Value, rate and acceleration of a prescribed motion: a cubic spline and its derivatives."""
+    """Value, rate and acceleration of a prescribed motion: a cubic spline and its derivatives;
+    through three points a parabola, through two a straight line.
+    """
     from scipy.interpolate import CubicSpline
 
-    if len(times) < 4 or not (np.diff(times) > 0).all():
+    if not (np.diff(times) > 0).all():
         raise ModelError(
-            f"inputs: '{name}' prescribes a motion: give at least four times, no two equal, so "
+            f"inputs: '{name}' prescribes a motion, which has no jumps: give no time twice, so "
             "that rate and acceleration exist"
         )
     spline = CubicSpline(times, values)

@@ -89,8 +89,8 @@ def simulate(
         step: Step of fixed methods and of generalized-alpha, first one of others [s].
         max_step: Largest step of an adaptive method [s]; with input functions 1/1000 of the span.
         inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
-            jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``. Names of
-            several -> a :class:`cardan.CFunction` that gives them.
+            jump; where the input prescribes a motion a cubic spline, a parabola through three,
+            a line through two) or ``f(t, x)``. Names of several -> a :class:`cardan.CFunction`.
         parameters: Values of parameters by name, as ``model.with_parameters`` takes them.
         sample: Time between calls of ``f(t, x)`` [s], held in between; else called at every stage.
         checkpoint: A file that keeps what is computed, ``every`` so many seconds; the same call

@@ -270,6 +270,7 @@ def _multipliers(absolute: FiniteElementRecord) -> list[MultiplierRow]:
             unit=unit,
             joint=member,
             level="position" if k < group.kind.mp else "velocity",
+            switched=k >= group.kind.m - group.kind.switched,
         )
         for group in absolute.groups
         for member in group.members

@@ -6,7 +6,9 @@ from functools import cached_property
 
 from ...errors import DerivationError
 from ...ir.arithmetic import Scalar
+from ...ir.function import Function, Output
 from ...ir.graph import ONE, ZERO, SystemNames
+from ...ir.interpreter import evaluate
 from ...ir.matrix import Matrix
 from ...ir.solve import solve
 from ..constraints.constraints import Constraints
@@ -18,6 +20,8 @@ from ..kinematics.kinematics import Kinematics
 from ..kinematics.loads import Loads, applied, none
 
 DEFAULT_TREATMENT = Multipliers()
+# of the largest mass: forces of constraint that nearly cancel on less leave accelerations rounded
+LIGHT = 1e-3
 
 
 class Dynamics:
@@ -170,18 +174,18 @@ class Dynamics:
         return [row.owner for row in self.constraints.rows]
 
     def _regular(self, mass: Matrix, drive: Matrix) -> tuple[Matrix, Matrix]:
-        """M and drive; where massless bodies leave zeros in M, with the constraints added to both.
+        """M and drive; where bodies have no mass or hardly any, with the constraints added to both.
 
         w Gᵀ (G udot - gamma) vanishes for the accelerations that are looked for. Rows that hold in
         some modes only are left out: where they do not hold, others must bear what has no mass,
         and the metric of positions is the same in all modes.
         """
-        n = mass.rows
-        if all(mass[i, i].node != ZERO for i in range(n)):
+        regular = all(mass[i, i].node != ZERO for i in range(mass.rows))
+        if regular and not (self._has_light_bodies and self.treatment.exact):
             return mass, drive
         weight = Scalar(self.k.graph, ZERO)
-        for body in self.k.system.bodies:
-            weight = weight + Scalar(self.k.graph, self.k.resolve([body.mass])[0])
+        for mass_of_body in self._masses:
+            weight = weight + mass_of_body
         if weight.node == ZERO:
             weight = Scalar(self.k.graph, ONE)
         rows = [k for k, row in enumerate(self.constraints.rows) if not row.switched]
@@ -192,6 +196,26 @@ class Dynamics:
         )
         across = jacobian.T * weight
         return (mass + across @ jacobian).mirrored, drive + across @ gamma
+
+    @cached_property
+    def _masses(self) -> list[Scalar]:
+        """Masses of all bodies, those too that the equations of motion need no mass of."""
+        return [
+            sum(
+                (Scalar(self.k.graph, self.k.resolve([part.mass])[0]) for part in body.parts),
+                Scalar(self.k.graph, ZERO),
+            )
+            for body in self.k.system.bodies
+        ]
+
+    @cached_property
+    def _has_light_bodies(self) -> bool:
+        """True when a mass is far below the largest, by default values of parameters."""
+        nodes = tuple(mass.node for mass in self._masses)
+        function = Function("masses", self.k.graph, (), (Output("masses", (len(nodes),), nodes),))
+        values = {"p": [parameter.value for parameter in self.k.system.parameters]}
+        masses = [float(x) for x in evaluate(function, values)["masses"] if x > 0]
+        return min(masses, default=1.0) < LIGHT * max(masses, default=1.0)
 
     def response(self, row: Matrix) -> Matrix:
         """Accelerations (nu, 1) under a force along a velocity (1, nu) alone."""
