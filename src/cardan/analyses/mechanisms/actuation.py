@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import final
@@ -11,12 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...arguments import checked
 from ...arrays import Array
-from ...errors import ArgumentError, SolveError, near
+from ...errors import ArgumentError, SolveError, SolveWarning, near
 from ...runtime.calls.evaluation import State, Values
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.verification.joint_motion import times
 from .actuated_states import SHARE, Place, listed, place_of, rounded, too_few
-from .consistent_accelerations import accelerations
 
 RANK = 1e-9  # singular values below this part of the largest count as zero
 LIGHT = 1e-14  # inertia along a motion, relative to the largest, that is none
@@ -300,6 +300,31 @@ def _prescribed_accelerations(
     return slots, np.stack(np.broadcast_arrays(*values), axis=-1)
 
 
+def _allowed(place: Place) -> Array | None:
+    """Accelerations that the constraints allow; None where none has a force, without any mass.
+
+    Raises:
+        SolveError: M is singular, and not 0.
+    """
+    reason: SolveError | None = None
+    with warnings.catch_warnings():
+        # what it says of states without a solution is said here
+        warnings.simplefilter("ignore", SolveWarning)
+        try:
+            possible = place.model.forward_dynamics(place.q, place.u, **place.arguments)
+            if np.isfinite(possible).all():
+                return possible
+        except SolveError as error:
+            reason = error
+    if not np.any(place.inertia):
+        return None
+    raise SolveError(
+        f"model '{place.model.name}': whether the constraints allow these accelerations follows "
+        "from those under the forces of the model, but the mass matrix is singular at these "
+        "parameters. Give the bodies without mass a small one; the forces change as little"
+    ) from reason
+
+
 def _refuse_impossible(place: Place, udot: Array) -> None:
     """Accelerations must keep to the constraints.
 
@@ -309,11 +334,7 @@ def _refuse_impossible(place: Place, udot: Array) -> None:
     model = place.model
     if not model.nlam:
         return
-    possible = accelerations(
-        model.name,
-        lambda: model.forward_dynamics(place.q, place.u, **place.arguments),
-        lambda: model.mass_matrix(place.q, **place.arguments),
-    )
+    possible = _allowed(place)
     if possible is None:
         return
     G = place.jacobian
