@@ -164,6 +164,8 @@ def test_a_function_with_other_arguments_is_refused() -> None:
         lambda t, x, k=2.0: k * t,
         lambda *a: 2 * a[0],
     ]
+    turn = cd.compile(scene).simulate(1.0, inputs={"push": np.sin}, rtol=1e-9)
+    assert turn["track"][-1] == pytest.approx(1 - np.sin(1), abs=1e-9)
     for function in alone:
         motion = model.simulate(1.0, inputs={"push": function}, rtol=1e-9)
         assert motion["track"][-1] == pytest.approx(1 / 3, abs=1e-9)

@@ -205,6 +205,9 @@ def checked(who: str, function: Callable[..., float]) -> Checked:
     Raises:
         ArgumentError: it takes something else, or the state would replace a default.
     """
+    if isinstance(function, np.ufunc):
+        # what it takes behind its numbers are places for results
+        return Checked(who, function, of_state=function.nin > 1)
     try:
         arguments = signature(function)
     except ValueError:
