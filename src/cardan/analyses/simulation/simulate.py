@@ -88,9 +88,9 @@ def simulate(
             speeds in Radau that over the step. Unless given atol is 1e-3 rtol, at most 1e-9.
         step: Step of fixed methods and of generalized-alpha, first one of others [s].
         max_step: Largest step of an adaptive method [s]; with input functions 1/1000 of the span.
-        inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
-            jump; where the input prescribes a motion a cubic spline, a parabola through three,
-            a line through two) or ``f(t, x)``. Names of several -> a :class:`cardan.CFunction`.
+        inputs: Name -> constant, ``(times, values)`` (straight lines between, a time twice is a
+            jump; of a prescribed motion a cubic spline, through three a parabola), ``f(t, x)`` or
+            ``f(t)``; names of several -> a :class:`cardan.CFunction`.
         parameters: Values of parameters by name, as ``model.with_parameters`` takes them.
         sample: Time between calls of ``f(t, x)`` [s], held in between; else called at every stage.
         checkpoint: A file that keeps what is computed, ``every`` so many seconds; the same call
