@@ -894,5 +894,5 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int forward_dynamics_sizes[] = {7, 75, 32, 0, 7, 7, 0, 0, 0, 58, 0, 0, 0, 0, 7, 0, 0, 0, 0};
+const int forward_dynamics_sizes[] = {7, 75, 32, 0, 7, 7, 0, 0, 0, 58, 0, 0, 0, 0, 7, 0, 0, 0, 0, 0};
 #endif

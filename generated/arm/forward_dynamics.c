@@ -382,5 +382,5 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int forward_dynamics_sizes[] = {3, 0, 21, 0, 3, 3, 0, 0, 0, 29, 0, 0, 0, 0, 3, 0, 0, 0, 0};
+const int forward_dynamics_sizes[] = {3, 0, 21, 0, 3, 3, 0, 0, 0, 29, 0, 0, 0, 0, 3, 0, 0, 0, 0, 0};
 #endif

@@ -3394,5 +3394,5 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int forward_dynamics_sizes[] = {8, 55, 38, 0, 8, 8, 0, 0, 0, 26, 0, 0, 0, 0, 8, 0, 0, 0, 0};
+const int forward_dynamics_sizes[] = {8, 55, 38, 0, 8, 8, 0, 0, 0, 26, 0, 0, 0, 0, 8, 0, 0, 0, 0, 0};
 #endif

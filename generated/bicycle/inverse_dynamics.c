@@ -631,5 +631,5 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int inverse_dynamics_sizes[] = {8, 0, 23, 0, 8, 8, 0, 0, 0, 26, 0, 8, 0, 0, 0, 0, 0, 0, 0};
+const int inverse_dynamics_sizes[] = {8, 0, 23, 0, 8, 8, 0, 0, 0, 26, 0, 8, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

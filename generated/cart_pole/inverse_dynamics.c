@@ -119,5 +119,5 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int inverse_dynamics_sizes[] = {2, 0, 4, 0, 2, 2, 0, 0, 1, 6, 0, 2, 0, 0, 0, 0, 0, 0, 0};
+const int inverse_dynamics_sizes[] = {2, 0, 4, 0, 2, 2, 0, 0, 1, 6, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

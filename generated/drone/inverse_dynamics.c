@@ -127,5 +127,5 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int inverse_dynamics_sizes[] = {3, 0, 5, 0, 3, 0, 0, 0, 2, 7, 0, 3, 0, 0, 0, 0, 0, 0, 0};
+const int inverse_dynamics_sizes[] = {3, 0, 5, 0, 3, 0, 0, 0, 2, 7, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

@@ -207,5 +207,5 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int forward_dynamics_sizes[] = {4, 0, 16, 0, 5, 4, 0, 0, 0, 9, 0, 0, 0, 0, 4, 0, 0, 0, 0};
+const int forward_dynamics_sizes[] = {4, 0, 16, 0, 5, 4, 0, 0, 0, 9, 0, 0, 0, 0, 4, 0, 0, 0, 0, 0};
 #endif

@@ -100,5 +100,5 @@ CARDAN_API int events(const cardan_in *in, real *CARDAN_RESTRICT out, real *CARD
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int events_sizes[] = {4, 5, 3, 0, 1, 1, 0, 2, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int events_sizes[] = {4, 5, 3, 0, 1, 1, 0, 2, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

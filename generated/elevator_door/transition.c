@@ -205,5 +205,5 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int transition_sizes[] = {3, 26, 9, 0, 1, 1, 0, 2, 1, 6, 0, 0, 0, 0, 0, 0, 0, 0, 4};
+const int transition_sizes[] = {3, 26, 9, 0, 1, 1, 0, 2, 1, 6, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0};
 #endif

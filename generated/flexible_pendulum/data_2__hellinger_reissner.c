@@ -80,5 +80,5 @@ CARDAN_API int data_2__hellinger_reissner(const cardan_in *in, real *CARDAN_REST
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int data_2__hellinger_reissner_sizes[] = {12, 0, 5, 0, 0, 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int data_2__hellinger_reissner_sizes[] = {12, 0, 5, 0, 0, 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

@@ -70,5 +70,5 @@ CARDAN_API int data_3__linked_inertia_tree(const cardan_in *in, real *CARDAN_RES
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int data_3__linked_inertia_tree_sizes[] = {10, 0, 7, 0, 0, 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int data_3__linked_inertia_tree_sizes[] = {10, 0, 7, 0, 0, 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

@@ -486,5 +486,5 @@ CARDAN_API int hellinger_reissner__balance(const cardan_in *in, real *CARDAN_RES
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int hellinger_reissner__balance_sizes[] = {12, 0, 18, 0, 14, 0, 0, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int hellinger_reissner__balance_sizes[] = {12, 0, 18, 0, 14, 0, 0, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

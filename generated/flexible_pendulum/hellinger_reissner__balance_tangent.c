@@ -1199,5 +1199,5 @@ CARDAN_API int hellinger_reissner__balance_tangent(const cardan_in *in, real *CA
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int hellinger_reissner__balance_tangent_sizes[] = {144, 0, 18, 0, 14, 0, 0, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int hellinger_reissner__balance_tangent_sizes[] = {144, 0, 18, 0, 14, 0, 0, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

@@ -580,5 +580,5 @@ CARDAN_API int hellinger_reissner__mixed_step(const cardan_in *in, real *CARDAN_
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int hellinger_reissner__mixed_step_sizes[] = {6, 0, 18, 0, 14, 0, 6, 0, 0, 19, 0, 0, 0, 0, 0, 0, 12, 0, 0};
+const int hellinger_reissner__mixed_step_sizes[] = {6, 0, 18, 0, 14, 0, 6, 0, 0, 19, 0, 0, 0, 0, 0, 0, 12, 0, 0, 0};
 #endif

@@ -403,5 +403,5 @@ CARDAN_API int hellinger_reissner__stress(const cardan_in *in, real *CARDAN_REST
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int hellinger_reissner__stress_sizes[] = {24, 0, 24, 0, 14, 0, 0, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int hellinger_reissner__stress_sizes[] = {24, 0, 24, 0, 14, 0, 0, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

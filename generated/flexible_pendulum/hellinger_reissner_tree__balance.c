@@ -443,5 +443,5 @@ CARDAN_API int hellinger_reissner_tree__balance(const cardan_in *in, real *CARDA
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int hellinger_reissner_tree__balance_sizes[] = {7, 0, 18, 0, 8, 0, 0, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int hellinger_reissner_tree__balance_sizes[] = {7, 0, 18, 0, 8, 0, 0, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

@@ -941,5 +941,5 @@ CARDAN_API int hellinger_reissner_tree__balance_tangent(const cardan_in *in,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int hellinger_reissner_tree__balance_tangent_sizes[] = {49, 0, 18, 0, 8, 0, 0, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int hellinger_reissner_tree__balance_tangent_sizes[] = {49, 0, 18, 0, 8, 0, 0, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

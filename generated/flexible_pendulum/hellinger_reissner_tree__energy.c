@@ -354,5 +354,5 @@ CARDAN_API int hellinger_reissner_tree__energy(const cardan_in *in, real *CARDAN
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int hellinger_reissner_tree__energy_sizes[] = {2, 0, 18, 0, 8, 0, 0, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int hellinger_reissner_tree__energy_sizes[] = {2, 0, 18, 0, 8, 0, 0, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

@@ -1020,5 +1020,5 @@ CARDAN_API int hellinger_reissner_tree__mixed(const cardan_in *in, real *CARDAN_
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int hellinger_reissner_tree__mixed_sizes[] = {56, 0, 18, 0, 8, 0, 6, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int hellinger_reissner_tree__mixed_sizes[] = {56, 0, 18, 0, 8, 0, 6, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

@@ -540,5 +540,5 @@ CARDAN_API int hellinger_reissner_tree__mixed_step(const cardan_in *in, real *CA
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int hellinger_reissner_tree__mixed_step_sizes[] = {6, 0, 18, 0, 8, 0, 6, 0, 0, 19, 0, 0, 0, 0, 0, 0, 7, 0, 0};
+const int hellinger_reissner_tree__mixed_step_sizes[] = {6, 0, 18, 0, 8, 0, 6, 0, 0, 19, 0, 0, 0, 0, 0, 0, 7, 0, 0, 0};
 #endif

@@ -396,5 +396,5 @@ CARDAN_API int hellinger_reissner_tree__stress(const cardan_in *in, real *CARDAN
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int hellinger_reissner_tree__stress_sizes[] = {24, 0, 24, 0, 8, 0, 0, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int hellinger_reissner_tree__stress_sizes[] = {24, 0, 24, 0, 8, 0, 0, 0, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

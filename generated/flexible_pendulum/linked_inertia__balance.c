@@ -305,5 +305,5 @@ CARDAN_API int linked_inertia__balance(const cardan_in *in, real *CARDAN_RESTRIC
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int linked_inertia__balance_sizes[] = {12, 0, 12, 0, 14, 12, 0, 0, 0, 11, 0, 12, 0, 0, 0, 0, 0, 0, 0};
+const int linked_inertia__balance_sizes[] = {12, 0, 12, 0, 14, 12, 0, 0, 0, 11, 0, 12, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

@@ -1097,5 +1097,5 @@ CARDAN_API int linked_inertia__balance_tangent(const cardan_in *in, real *CARDAN
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int linked_inertia__balance_tangent_sizes[] = {432, 0, 15, 0, 14, 12, 0, 0, 0, 11, 0, 12, 0, 0, 0, 0, 0, 0, 0};
+const int linked_inertia__balance_tangent_sizes[] = {432, 0, 15, 0, 14, 12, 0, 0, 0, 11, 0, 12, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

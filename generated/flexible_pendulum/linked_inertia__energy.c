@@ -249,5 +249,5 @@ CARDAN_API int linked_inertia__energy(const cardan_in *in, real *CARDAN_RESTRICT
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int linked_inertia__energy_sizes[] = {2, 0, 14, 0, 14, 12, 0, 0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int linked_inertia__energy_sizes[] = {2, 0, 14, 0, 14, 12, 0, 0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

@@ -267,5 +267,5 @@ CARDAN_API int linked_inertia__momentum(const cardan_in *in, real *CARDAN_RESTRI
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int linked_inertia__momentum_sizes[] = {6, 0, 11, 0, 14, 12, 0, 0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int linked_inertia__momentum_sizes[] = {6, 0, 11, 0, 14, 12, 0, 0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

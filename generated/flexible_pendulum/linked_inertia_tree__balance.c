@@ -262,5 +262,5 @@ CARDAN_API int linked_inertia_tree__balance(const cardan_in *in, real *CARDAN_RE
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int linked_inertia_tree__balance_sizes[] = {7, 0, 19, 0, 8, 7, 0, 0, 0, 11, 0, 7, 0, 0, 0, 0, 0, 0, 0};
+const int linked_inertia_tree__balance_sizes[] = {7, 0, 19, 0, 8, 7, 0, 0, 0, 11, 0, 7, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

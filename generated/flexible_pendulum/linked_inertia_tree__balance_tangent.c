@@ -542,5 +542,5 @@ CARDAN_API int linked_inertia_tree__balance_tangent(const cardan_in *in, real *C
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int linked_inertia_tree__balance_tangent_sizes[] = {147, 0, 17, 0, 8, 7, 0, 0, 0, 11, 0, 7, 0, 0, 0, 0, 0, 0, 0};
+const int linked_inertia_tree__balance_tangent_sizes[] = {147, 0, 17, 0, 8, 7, 0, 0, 0, 11, 0, 7, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

@@ -192,5 +192,5 @@ CARDAN_API int linked_inertia_tree__energy(const cardan_in *in, real *CARDAN_RES
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int linked_inertia_tree__energy_sizes[] = {2, 0, 13, 0, 8, 7, 0, 0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int linked_inertia_tree__energy_sizes[] = {2, 0, 13, 0, 8, 7, 0, 0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

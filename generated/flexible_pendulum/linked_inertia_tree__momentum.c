@@ -211,5 +211,5 @@ CARDAN_API int linked_inertia_tree__momentum(const cardan_in *in, real *CARDAN_R
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int linked_inertia_tree__momentum_sizes[] = {6, 0, 10, 0, 8, 7, 0, 0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int linked_inertia_tree__momentum_sizes[] = {6, 0, 10, 0, 8, 7, 0, 0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

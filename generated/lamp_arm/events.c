@@ -191,5 +191,5 @@ CARDAN_API int events(const cardan_in *in, real *CARDAN_RESTRICT out, real *CARD
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int events_sizes[] = {2, 5, 9, 0, 2, 2, 0, 1, 1, 15, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int events_sizes[] = {2, 5, 9, 0, 2, 2, 0, 1, 1, 15, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

@@ -177,5 +177,5 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int transition_sizes[] = {3, 5, 7, 0, 2, 2, 0, 1, 0, 15, 0, 0, 0, 0, 0, 0, 0, 0, 2};
+const int transition_sizes[] = {3, 5, 7, 0, 2, 2, 0, 1, 0, 15, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0};
 #endif

@@ -89,7 +89,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* common */
     const real F = r[0];
-    const real v = u[0];
+    const real v_value = u[0];
     const real u1 = u[1];
     const real u2 = u[2];
     const wreal m_times_l_times_c1p5 = w[1];
@@ -121,9 +121,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + u2 * m_times_half_l_times_u2_times_q2_sin);
     const real equations_tau_u1_part_4 = equations_tau_u1_part_2
         - 1.5 * q1_sin * m_times_g_times_l
-        + 0.5 * (v * m_times_l_times_c1p5_times_u1_times_q1_sin + u2 * equations_tau_u1_part_3);
+        + 0.5 * (v_value * m_times_l_times_c1p5_times_u1_times_q1_sin
+        + u2 * equations_tau_u1_part_3);
     const real equations_tau_u2_part_2 = equations_tau_u2_part - 0.5 * q2_sin * m_times_g_times_l
-        + 0.5 * (v * m_times_half_l_times_u2_times_q2_sin + u1 * equations_tau_u1_part_3);
+        + 0.5 * (v_value * m_times_half_l_times_u2_times_q2_sin + u1 * equations_tau_u1_part_3);
 
     /* equations: tau */
     /* tau = S . [n; f] - force on the joint */
@@ -150,5 +151,5 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int inverse_dynamics_sizes[] = {3, 0, 9, 0, 3, 3, 0, 0, 1, 4, 0, 3, 0, 0, 0, 0, 0, 0, 0};
+const int inverse_dynamics_sizes[] = {3, 0, 9, 0, 3, 3, 0, 0, 1, 4, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

@@ -247,5 +247,5 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int forward_dynamics_sizes[] = {5, 0, 12, 0, 5, 5, 0, 0, 0, 6, 0, 0, 0, 0, 5, 0, 0, 0, 0};
+const int forward_dynamics_sizes[] = {5, 0, 12, 0, 5, 5, 0, 0, 0, 6, 0, 0, 0, 0, 5, 0, 0, 0, 0, 0};
 #endif

@@ -187,5 +187,5 @@ CARDAN_API int events(const cardan_in *in, real *CARDAN_RESTRICT out, real *CARD
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int events_sizes[] = {6, 13, 8, 0, 2, 2, 0, 4, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int events_sizes[] = {6, 13, 8, 0, 2, 2, 0, 4, 0, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

@@ -364,5 +364,5 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int transition_sizes[] = {6, 57, 9, 0, 2, 2, 0, 4, 1, 19, 0, 0, 0, 0, 0, 0, 0, 0, 6};
+const int transition_sizes[] = {6, 57, 9, 0, 2, 2, 0, 4, 1, 19, 0, 0, 0, 0, 0, 0, 0, 0, 6, 0};
 #endif

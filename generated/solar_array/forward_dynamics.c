@@ -1448,5 +1448,5 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int forward_dynamics_sizes[] = {10, 24, 35, 0, 11, 10, 0, 0, 0, 30, 0, 0, 0, 0, 10, 0, 0, 0, 0};
+const int forward_dynamics_sizes[] = {10, 24, 35, 0, 11, 10, 0, 0, 0, 30, 0, 0, 0, 0, 10, 0, 0, 0, 0, 0};
 #endif

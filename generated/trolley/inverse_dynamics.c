@@ -377,5 +377,5 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int inverse_dynamics_sizes[] = {5, 0, 14, 1, 5, 5, 0, 0, 1, 13, 0, 5, 0, 0, 0, 0, 0, 0, 0};
+const int inverse_dynamics_sizes[] = {5, 0, 14, 1, 5, 5, 0, 0, 1, 13, 0, 5, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

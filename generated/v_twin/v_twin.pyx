@@ -67,7 +67,8 @@ _SLOTS = {'t': 0,
  'wrench': 12,
  'du': 13,
  'q0': 14,
- 'e': 15}
+ 'e': 15,
+ 'v': 16}
 
 
 class SingularError(ArithmeticError):

@@ -116,6 +116,15 @@ A, B = model.derivative("forward_dynamics", wrt=("q", "u"))(q, u)
 derivative = model.derivative("forward_dynamics", wrt="q")
 print(derivative.operations, derivative.request)
 
+# CompiledModel.vjp
+by_q, by_m = model.vjp("forward_dynamics", wrt=("q", "p"))(q, u, np.ones(model.nu))
+
+# CompiledModel.jvp
+change = model.jvp("forward_dynamics", wrt="u")(q, u, direction=np.ones(model.nu))
+
+# CompiledModel.hessian
+H = model.hessian("forward_dynamics", wrt=("q", "u"))(q, u, weights=np.ones(model.nu))
+
 # CompiledModel.rhs_jacobian
 dx, dt, dr = model.rhs_jacobian(0.0, x)
 

@@ -110,6 +110,7 @@ def _entry(
         of=of,
         about=function.about,
         inputs=[block.name for block in function.inputs if block.name in blocks],
+        vector=[x for block in function.inputs if block.name == "v" for x in block.entries],
         outputs=[_result(output) for output in function.outputs],
         output_size=sum(output.size for output in function.outputs),
         work_size=program.work_size,

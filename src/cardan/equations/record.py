@@ -279,7 +279,7 @@ class EquationRecord:
         return Function(
             symbol,
             k.graph,
-            tuple(self.blocks[letter] for letter in ABI_ORDER),
+            tuple(context.extra_blocks.get(letter, self.blocks[letter]) for letter in ABI_ORDER),
             results,
             tuple(dict.fromkeys(owners)),
             about(name, of),

@@ -77,6 +77,10 @@ BLOCKS = {
             *("e", "ne", "events that happened, 1 or 0"),
             *("1 for every event that happens, else 0, (..., ne)", "events"),
         ),
+        Block(
+            *("v", "nv", "weights or direction that a derivative is multiplied by"),
+            "weights of the results, or direction of the change, (..., nv)",
+        ),
     )
 }
 STATE = Block("x", "nx", "state", "state [q, u] and internal states, (..., nx)", "entries")

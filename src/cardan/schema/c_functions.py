@@ -48,6 +48,7 @@ class FunctionRow(Record):
     inputs: Sequence[str] = field(
         listed(one_of(*ORDER)), "blocks that are read; p by prepare_ only"
     )
+    vector: Sequence[str] = field(listed(text), "entries of the block v", default=())
     outputs: Sequence[ResultRow] = field(listed(ResultRow))
     output_size: int = field(size)
     work_size: int = field(size)

@@ -182,6 +182,12 @@ difference | q0 q | nu | rad or m | | no_derivative
     ``integrate(q0, du)`` is q1.
 derivative(function) | |  | |  | rare displaces internal no_derivative
     derivative, q along the speeds, of
+vjp(function) | v |  | |  | rare displaces internal no_derivative
+    weights times the derivative, q along the speeds, of
+jvp(function) | v |  | |  | rare displaces internal no_derivative
+    change along a direction, q along the speeds, of
+hessian(function) | v |  | |  | rare displaces internal no_derivative
+    second derivative of the weighted sum, q along the speeds, of
 rhs_jacobian | t x r s | nx*nx+nx+nx*nr | of rhs per x, s and r | | \
     rewritable rare displaces no_derivative
     d rhs / d x, / d t and / d r, x as it is stored

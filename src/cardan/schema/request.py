@@ -52,10 +52,11 @@ class Request:
 
 
 def reads(function: str, of: str | None) -> list[str]:
-    """Names of the arguments of a function; a derivative has those of its function."""
-    if function == "derivative":
-        function = Request.read(of or "").function
-    return FUNCTIONS[function].arguments
+    """Names of the arguments of a function; of a derivative those of its function come first."""
+    row = FUNCTIONS[function]
+    if row.of != "function":
+        return row.arguments
+    return [*FUNCTIONS[Request.read(of or "").function].arguments, *row.arguments]
 
 
 def _quoted(name: str) -> str:

@@ -40,7 +40,7 @@ FEW = 4
 LANES = '#include "lanes.h"'
 BLOCKS = (
     *("t", "q", "u", "z", "s", "r", "w"),
-    *("udot", "zdot", "lam", "tau", "wrench", "du", "q0", "e"),
+    *("udot", "zdot", "lam", "tau", "wrench", "du", "q0", "e", "v"),
 )
 SIGNATURES = {
     "function": "CARDAN_API int {}(const cardan_in *in, real *CARDAN_RESTRICT out,"

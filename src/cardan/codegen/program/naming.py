@@ -28,7 +28,7 @@ _RESERVED = """
     struct switch template this thread_local throw true try typedef typeid typename typeof
     typeof_unqual union unsigned using virtual void volatile wchar_t while xor xor_eq main
 
-    real wreal in out work status w p t q u z s r udot zdot lam tau wrench du q0 e
+    real wreal in out work status w p t q u z s r udot zdot lam tau wrench du q0 e v
 
     unix linux i386 NULL NAN INFINITY HUGE_VAL HUGE_VALF HUGE_VALL EOF I isnan isinf isfinite
     isnormal signbit fpclassify isgreater isgreaterequal isless islessequal islessgreater

@@ -129,6 +129,8 @@ def blocks(system: System, chosen: tuple[str, ...] = ()) -> dict[str, Block]:
         Block("du", tuple(f"{n}.step" for n in names), tuple(u.removesuffix("/s") for u in units)),
         Block("q0", tuple(f"{n}.0" for n, _, _ in q), tuple(unit for _, unit, _ in q)),
         Block("e", event_labels, ("",) * len(event_labels)),
+        # functions that read it have entries of their own
+        Block("v", (), ()),
     ]
     return {block.name: block for block in listed}
 

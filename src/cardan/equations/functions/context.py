@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from ...errors import DerivationError, near
-from ...ir.function import Output
+from ...ir.function import Block, Output
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
 from ...schema.functions import FUNCTIONS
@@ -37,12 +37,14 @@ class Context:
         d: The dynamics, underived.
         names, units: Of the entries of every input block, and of ``qdot``.
         of: The frame or joint asked for.
+        extra_blocks: Blocks of this function alone, by letter; its recipe puts them there.
     """
 
     d: Dynamics
     names: dict[str, tuple[str, ...]]
     units: dict[str, tuple[str, ...]]
     of: str | None = None
+    extra_blocks: dict[str, Block] = field(default_factory=dict)
 
     @property
     def k(self) -> Kinematics:

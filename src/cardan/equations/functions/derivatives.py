@@ -10,7 +10,7 @@ Source: Carpentier and Mansard, Robotics: Science and Systems (2018), section II
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import prod
 
 from ...errors import DerivationError, near
@@ -32,6 +32,9 @@ from .directions import Direction, directions, is_single
 from .dynamics import Dynamics
 from .newton_euler_derivatives import Derivatives
 
+# blocks that accelerations are found under, or that others read in their place
+FOREIGN = ("tau", "udot")
+
 
 def request_of(text: str) -> Request:
     """A derivative by its line of text.
@@ -51,37 +54,101 @@ def request_of(text: str) -> Request:
     return request
 
 
-@recipe
-def derivative(c: Context) -> tuple[Output, ...]:
-    """Results of a derivative: one per block or name, the axis of columns last."""
+@dataclass(frozen=True)
+class Columns:
+    """Columns of a derivative along one block, or one parameter or input.
+
+    Attributes:
+        wrt: Which.
+        along: Directions to differentiate along.
+        shares: What columns are made of those along the directions; None where they are the same.
+        labels: Names of the columns.
+    """
+
+    wrt: str
+    along: list[Direction]
+    shares: list[Shares] | None
+    labels: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A function that is to be differentiated.
+
+    Attributes:
+        c: Context, by a formalism that has M.
+        function: Name of the function.
+        outputs: Its results.
+        parts: What it is differentiated by, in order.
+    """
+
+    c: Context
+    function: str
+    outputs: tuple[Output, ...]
+    parts: list[Columns]
+
+    @property
+    def along(self) -> list[Direction]:
+        """Directions of all parts."""
+        return [d for part in self.parts for d in part.along]
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Of the result; of several one after the other."""
+        outputs = self.outputs
+        return outputs[0].shape if len(outputs) == 1 else (sum(o.size for o in outputs),)
+
+    @property
+    def rows(self) -> tuple[str, ...]:
+        """Names of the entries of the result."""
+        return tuple(name for output in self.outputs for name in _entries(output))
+
+    @property
+    def nodes(self) -> list[int]:
+        """The entries of the result."""
+        return [node for output in self.outputs for node in output.nodes]
+
+
+def problem_of(c: Context) -> Problem:
+    """What the text ``c.of`` asks for.
+
+    Raises:
+        DerivationError: it cannot be read, or what it names does not exist.
+    """
     request = request_of(c.of or "")
     kind = FUNCTIONS[request.function].of
     if bool(kind) != (request.of is not None):
         expected = f"needs a {kind}" if kind else "takes no frame or joint"
         raise DerivationError(f"derivative: '{request.function}' {expected}: '{request}'")
     c = with_mass_matrix(c)
-    parts = {wrt: _columns(c, wrt) for wrt in request.wrt}
-    flat = [d for along, _ in parts.values() for d in along]
+    parts = [_columns(c, wrt) for wrt in request.wrt]
     outputs = settled(c, RECIPES[request.function](replace(c, of=request.of)))
-    columns = columns_of(c, request.function, outputs, flat)
-    shape = outputs[0].shape if len(outputs) == 1 else (sum(o.size for o in outputs),)
-    rows, outputs_by_block, start = [name for o in outputs for name in _entries(o)], [], 0
-    for wrt, (along, shares) in parts.items():
-        block_columns = columns[start : start + len(along)]
-        start += len(along)
-        labels = [d.name for d in along]
-        if shares is not None:
-            block_columns, labels = combined(c.k.graph, block_columns, shares), [*c.names["q"]]
-        full_shape = shape if is_single(wrt) else (*shape, len(labels))
-        nodes = tuple(column[i] for i in range(prod(shape)) for column in block_columns)
-        names = tuple(f"{row},{label}" for row in rows for label in labels)
-        outputs_by_block.append(Output(f"d_{wrt}", full_shape, nodes, names))
-    return tuple(outputs_by_block)
+    return Problem(c, request.function, outputs, parts)
 
 
-def _columns(c: Context, wrt: str) -> tuple[list[Direction], list[Shares] | None]:
-    """Directions to differentiate along, and what columns are made of them if not the same."""
-    return along_coordinates(c) if wrt == COORDINATES else (directions(c.k, wrt, c.names), None)
+@recipe
+def derivative(c: Context) -> tuple[Output, ...]:
+    """Results of a derivative: one per block or name, the axis of columns last."""
+    problem = problem_of(c)
+    columns = columns_of(problem.c, problem.function, problem.outputs, problem.along)
+    results, start = [], 0
+    for part in problem.parts:
+        block = columns[start : start + len(part.along)]
+        start += len(part.along)
+        if part.shares is not None:
+            block = combined(c.k.graph, block, part.shares)
+        shape = problem.shape if is_single(part.wrt) else (*problem.shape, len(part.labels))
+        nodes = tuple(column[i] for i in range(prod(problem.shape)) for column in block)
+        names = tuple(f"{row},{label}" for row in problem.rows for label in part.labels)
+        results.append(Output(f"d_{part.wrt}", shape, nodes, names))
+    return tuple(results)
+
+
+def _columns(c: Context, wrt: str) -> Columns:
+    if wrt == COORDINATES:
+        return Columns(wrt, *along_coordinates(c), c.names["q"])
+    along = directions(c.k, wrt, c.names)
+    return Columns(wrt, along, None, tuple(d.name for d in along))
 
 
 def with_mass_matrix(c: Context) -> Context:
@@ -123,16 +190,15 @@ def forward_columns(
     if not nu:
         return [[] for _ in along]
     forces = directional(g, tau.nodes, [d.seeds for d in along])
-    # udot is an argument of others, and tau none of inverse dynamics
-    foreign = ("tau", "udot")
-    inner = inverse_columns(c, [d for d in along if d.block not in foreign])
+    within = [_within(c, d) for d in along]
+    inner = inverse_columns(c, [d for d in within if d is not None])
     # at the accelerations of the solution
     flat = [node for column in inner for node in column]
     there = dict(zip(c.udot.nodes, udot.nodes, strict=True))
     flat = list(rebuild(g, flat, there, into=g)[1])
     needed, columns = iter(range(0, len(flat), nu)), []
-    for d, force in zip(along, forces, strict=True):
-        start = None if d.block in foreign else next(needed)
+    for d, force in zip(within, forces, strict=True):
+        start = None if d is None else next(needed)
         initial = [ZERO] * nu if start is None else flat[start : start + nu]
         columns.append([g.sub(a, b) for a, b in zip(force, initial, strict=True)])
     if not columns:
@@ -143,6 +209,20 @@ def forward_columns(
     with g.made_by("M", "factor"):
         solution = solve("spd", c.d.mass_matrix, right)
     return [list(solution.column(n).nodes) for n in range(len(columns))]
+
+
+def _within(c: Context, d: Direction) -> Direction | None:
+    """A direction as inverse dynamics at the udot of the solution knows it; None where not at all.
+
+    udot is an argument of others, and tau none of inverse dynamics.
+    """
+    if d.block in FOREIGN:
+        return None
+    foreign = {*c.udot.nodes, *c.d.tau.nodes}
+    if foreign.isdisjoint(d.seeds):
+        return d
+    seeds = {leaf: change for leaf, change in d.seeds.items() if leaf not in foreign}
+    return replace(d, seeds=seeds) if seeds else None
 
 
 def _bound_columns(
@@ -157,7 +237,8 @@ def _bound_columns(
     multiplier_atoms = Matrix(g, G.rows, 1, [g.atom(f"multiplier {i}") for i in range(G.rows)])
     # udot and multipliers are leaves while the rest is differentiated
     force, missing = G.T @ multiplier_atoms, constraints.gamma - G @ c.udot
-    seeds = [d.seeds if d.block not in ("tau", "udot") else {} for d in along]
+    within = [_within(c, d) for d in along]
+    seeds = [{} if d is None else d.seeds for d in within]
     changes = directional(g, (*force.nodes, *missing.nodes), seeds)
     flat = [changes[n][i] for i in range(force.rows + missing.rows) for n in range(count)]
     values = zip(

@@ -14,7 +14,7 @@ from ...topology.system import System
 # to import them is to know their recipes
 from ..constraints import constraint_functions  # noqa: F401
 from ..constraints.reaction_friction import friction_forces
-from . import blocks, canonical, functions, regressor, residuals, rhs_jacobian  # noqa: F401
+from . import blocks, canonical, functions, products, regressor, residuals, rhs_jacobian  # noqa: F401
 from .context import RECIPES as RECIPES
 from .derivatives import request_of
 from .element_forces import named_forces
@@ -32,7 +32,7 @@ def c_name(system: System, name: str, of: str | None) -> str:
     if not of:
         return name
     if FUNCTIONS[name].of == "function":
-        return _derivative_name(of)
+        return _derivative_name(name, of)
     if FUNCTIONS[name].of == "joint":
         names = [*system.moving_joints, *system.fixed]
     else:
@@ -40,14 +40,14 @@ def c_name(system: System, name: str, of: str | None) -> str:
     return blocks.c_name(name, of, names)
 
 
-def _derivative_name(of: str) -> str:
+def _derivative_name(name: str, of: str) -> str:
     """``derivative__forward_dynamics_q_u``; with a mark where that alone would be ambiguous."""
     request = request_of(of)
     parts = (request.function, *([request.of] if request.of else []), *request.wrt)
     plain = "_".join(blocks.identifier(word) for word in parts)
     if request.of or not set(request.wrt) <= set(DIRECTIONS) or len(plain) > LONGEST:
         plain = f"{plain[:LONGEST]}_{hashlib.sha256(str(request).encode()).hexdigest()[:8]}"
-    return f"derivative__{re.sub('_+', '_', plain)}"
+    return f"{name}__{re.sub('_+', '_', plain)}"
 
 
 def is_rewritable(name: str, of: str | None) -> bool:

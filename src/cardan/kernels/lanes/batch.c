@@ -7,7 +7,7 @@
 
 #if CARDAN_LANES > 1
 
-enum { BLOCKS = 16, L = CARDAN_LANES };
+enum { BLOCKS = 17, L = CARDAN_LANES };
 
 /* room for so many vectors in whole squares */
 static inline size_t round_up(size_t size) { return (size + L - 1) / L * L; }
@@ -187,7 +187,8 @@ int cardan_batch(int (*f)(const cardan_in *in, real *out, real *work), cardan_si
     cardan_in in = {0};
     const real **field[BLOCKS] = {&in.t,   &in.q,   &in.u,      &in.z,    &in.s,
                                   &in.r,   NULL,    NULL,       &in.udot, &in.zdot,
-                                  &in.lam, &in.tau, &in.wrench, &in.du,   &in.q0,  &in.e};
+                                  &in.lam, &in.tau, &in.wrench, &in.du,   &in.q0,
+                                  &in.e,   &in.v};
     enum { W = 7 };
     int moving[BLOCKS], movers = 0, status = CARDAN_OK;
     real *column[BLOCKS], *next = (real *)memory, sum = {0.0};

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdint.h>
 
-enum { BLOCKS = 16 };
+enum { BLOCKS = 17 };
 
 int cardan_map(int (*f)(const cardan_in *in, real *out, real *work), const real *const *blocks,
                const size_t *strides, size_t n, real *out, size_t out_stride, real *work,
@@ -15,7 +15,8 @@ int cardan_map(int (*f)(const cardan_in *in, real *out, real *work), const real 
     cardan_in in = {0};
     const real **field[BLOCKS] = {&in.t,    &in.q,    &in.u,   &in.z,   &in.s,
                                   &in.r,    &in.p,    &in.w,   &in.udot, &in.zdot,
-                                  &in.lam,  &in.tau,  &in.wrench, &in.du, &in.q0, &in.e};
+                                  &in.lam,  &in.tau,  &in.wrench, &in.du, &in.q0,
+                                  &in.e,    &in.v};
     const real **moving[BLOCKS];
     size_t step[BLOCKS];
     int movers = 0, status = 0;

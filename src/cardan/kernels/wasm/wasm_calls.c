@@ -42,7 +42,7 @@ static int run(int place, const cardan_in *in, real *out)
     const cardan_wasm_function *const f = places[place];
     const real *const blocks[CARDAN_WASM_BLOCKS] = {in->t,   in->q,    in->u,    in->z,      in->s,  in->r,
                                                     in->p,   in->w,    in->udot, in->zdot,   in->lam, in->tau,
-                                                    in->wrench, in->du, in->q0,  in->e};
+                                                    in->wrench, in->du, in->q0,  in->e,     in->v};
     cardan_wasm_value values[3] = {{(int32_t)f->at_in}, {(int32_t)f->at_out}, {(int32_t)f->at_work}};
     int status;
 

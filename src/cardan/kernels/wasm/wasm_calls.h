@@ -12,7 +12,7 @@
 
 enum {
     CARDAN_WASM_PLACES = 512,
-    CARDAN_WASM_BLOCKS = 16,
+    CARDAN_WASM_BLOCKS = 17,
     CARDAN_TRAPPED = 1 << 17 /* status: the function was ended by wasmtime */
 };
 

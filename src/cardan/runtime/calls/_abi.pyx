@@ -36,7 +36,7 @@ ctypedef int (*function)(const cardan_in *, double *, double *) noexcept nogil
 ctypedef void (*preparation)(const double *, double *) noexcept nogil
 
 cdef enum:
-    BLOCKS = 16
+    BLOCKS = 17
     ARGUMENTS = 12
     PLACES = 3
     SMALL_WORK = 512

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from .calling import Caller
 
 NAME = "ctypes"
-SLOTS = 16
+SLOTS = len(ORDER)
 Pointers = ctypes.c_void_p * SLOTS
 Strides = ctypes.c_size_t * SLOTS
 # what asks a text for its sizes, which stand before those of its blocks
@@ -49,7 +49,7 @@ def run(
 
     Args:
         address: The C function.
-        blocks: 16 arrays in the order of cardan_in, float64; only where they start matters.
+        blocks: Arrays in the order of cardan_in, float64; only where they start matters.
         strides: Numbers from one state to the next, 0 for a block all states share.
         out: (count, output size), C-contiguous.
         work_size: Numbers of work memory; it begins where vectors of any length may.

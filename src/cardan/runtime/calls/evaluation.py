@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -51,6 +51,10 @@ class Evaluation(ABC):
     @abstractmethod
     def _function(self, name: str, of: str | None = None) -> LoadedFunction:
         """A function, loaded."""
+
+    @abstractmethod
+    def _load(self, keys: Iterable[Key]) -> list[LoadedFunction]:
+        """Several functions, loaded; those that must be compiled are compiled side by side."""
 
     def _check_of(self, name: str, of: str | None) -> None:
         """Check that a function and its frame or joint exist.

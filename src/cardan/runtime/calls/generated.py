@@ -44,7 +44,7 @@ class Generated(Source):
         p = model.parameters.vector
         try:
             for (name, of), code in zip(missing, codes, strict=True):
-                arguments = model._layout.reads(name, of)
+                arguments = model._layout.reads(name, of, code.entry.vector)
                 if code.symbol not in objects.batches:
                     objects.batches[code.symbol] = batch(code, arguments, objects.threads)
                 ways = objects.batches[code.symbol]

@@ -126,7 +126,7 @@ class Layout:
                 np.zeros((len(self.parts), 6)),
             ),
         }
-        return {name: arguments.get(name) or self._vector(name) for name in ARGUMENTS}
+        return {n: arguments.get(n) or self._vector(n) for n in ARGUMENTS if n != "v"}
 
     def _vector(self, block: str) -> Argument:
         names, start = self.names(block), self.start(block)
@@ -135,10 +135,18 @@ class Layout:
         what = ARGUMENTS[block].entries
         return Argument(block, (len(names),), names, slots, default, what, places, start)
 
-    def reads(self, function: str, of: str | None = None) -> list[Argument]:
-        """Arguments of a function in their order."""
+    def reads(
+        self, function: str, of: str | None = None, vector: Sequence[str] = ()
+    ) -> list[Argument]:
+        """Arguments of a function in their order.
+
+        Args:
+            function, of: Which.
+            vector: Entries of its block v.
+        """
         renamed = FUNCTIONS[function].renamed if function in FUNCTIONS else {}
+        vectors = {"v": Argument("v", (len(vector),), tuple(vector), ((SLOT["v"], 0),))}
         return [
-            replace(self.arguments[name], label=renamed.get(name, name))
+            replace(vectors.get(name) or self.arguments[name], label=renamed.get(name, name))
             for name in reads(function, of)
         ]

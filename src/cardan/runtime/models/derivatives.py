@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import prod
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -16,9 +16,10 @@ from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief, near
 from ...schema.blocks import COORDINATES, DIRECTIONS
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
-from ...schema.request import Request
+from ...schema.request import Request, reads
 from ..calls.evaluation import Values, into
 from ..calls.functions import Functions
+from ..calls.methods import ByName
 from .wrenches import generalized, read_wrenches
 
 STANDARD = ("q", "u", "r", "p")
@@ -56,10 +57,18 @@ class Derivatives(Functions, ABC):
             ModelError: no such function, block, parameter or input.
             ArgumentError: the function does not read what it is to be differentiated by.
         """
+        return Derivative(
+            self, *self._request_of("derivative", function, wrt), isinstance(wrt, str)
+        )
+
+    def _request_of(
+        self, what: str, function: str | tuple[str, str], wrt: str | Sequence[str]
+    ) -> tuple[str, str | None, tuple[str, ...]]:
+        """Function, its frame or joint, and what it is differentiated by, checked."""
         pair = (function, None) if isinstance(function, str) else function
         if not isinstance(pair, tuple) or len(pair) != 2:
             raise ModelError(
-                f"derivative: a name, or a pair such as ('pose', 'hand'), is wanted, "
+                f"{what}: a name, or a pair such as ('pose', 'hand'), is wanted, "
                 f"not {brief(function)}"
             )
         name, of = pair
@@ -67,32 +76,32 @@ class Derivatives(Functions, ABC):
             raise ModelError(f"derivative of '{name}' does not exist.{near(name, DIFFERENTIABLE)}")
         if bool(FUNCTIONS[name].of) != (of is not None):
             expected = "needs a frame or joint: ('pose', 'hand')" if of is None else "takes none"
-            raise ModelError(f"derivative: {name} {expected}")
+            raise ModelError(f"{what}: {name} {expected}")
         self._check_of(name, of)
         reads = {*FUNCTIONS[name].reads.replace("x", "q u z").split(), "p"}
         reads |= {COORDINATES} if "q" in reads else set()
         if not wrt or not isinstance(wrt, (str, list, tuple)):
             raise ModelError(
-                "derivative: wrt is a block such as 'q', a parameter or input, or several of "
-                f"them, not {brief(wrt)}"
+                f"{what}: wrt is a block such as 'q', a parameter or input, or several of them, "
+                f"not {brief(wrt)}"
             )
         entries = (wrt,) if isinstance(wrt, str) else tuple(wrt)
         if wrt is STANDARD:
             entries = tuple(block for block in STANDARD if block in reads)
         for entry in entries:
-            self._check_wrt(name, entry, reads)
-        return Derivative(self, name, of, entries, isinstance(wrt, str))
+            self._check_wrt(what, name, entry, reads)
+        return name, of, entries
 
-    def _check_wrt(self, function: str, entry: str, reads: set[str]) -> None:
+    def _check_wrt(self, what: str, function: str, entry: str, reads: set[str]) -> None:
         if entry in DIRECTIONS and entry not in reads:
             raise ArgumentError(
-                f"derivative: {function} does not read {entry}; it reads {', '.join(sorted(reads))}"
+                f"{what}: {function} does not read {entry}; it reads {', '.join(sorted(reads))}"
             )
         inputs = tuple(row.name for row in self.manifest.inputs)
         parameters = tuple(row.name for row in self.manifest.parameters)
         if entry not in (*DIRECTIONS, *inputs, *parameters):
             raise ModelError(
-                f"derivative: '{entry}' is not a block ({', '.join(DIRECTIONS)}), parameter or "
+                f"{what}: '{entry}' is not a block ({', '.join(DIRECTIONS)}), parameter or "
                 f"input.{near(entry, (*DIRECTIONS, *parameters, *inputs))}"
             )
 
@@ -105,8 +114,12 @@ class Derivative:
         model: Whose function it is.
         function, of: The function and its frame or joint.
         wrt: What it is differentiated by: the order of the results.
-        single: Whether the result is one array.
+        single: Whether ``wrt`` was one text.
     """
+
+    # name in the table of functions, and what it takes after the states of its function
+    row: ClassVar[str] = "derivative"
+    added: ClassVar[tuple[str, ...]] = ()
 
     model: Derivatives = field(repr=False)
     function: str
@@ -117,9 +130,13 @@ class Derivative:
     @cached_property
     def request(self) -> str:
         """Entry for ``functions=`` of an export: ``("derivative", request)``."""
+        return str(Request(self.function, self.of, self._ordered))
+
+    @cached_property
+    def _ordered(self) -> tuple[str, ...]:
+        """Blocks and names in the order in which the C has them, each once."""
         order = {block: n for n, block in enumerate(DIRECTIONS)}
-        ordered = sorted(dict.fromkeys(self.wrt), key=lambda x: (order.get(x, len(order)), x))
-        return str(Request(self.function, self.of, tuple(ordered)))
+        return tuple(sorted(dict.fromkeys(self.wrt), key=lambda x: (order.get(x, len(order)), x)))
 
     @property
     def operations(self) -> dict[str, int]:
@@ -129,7 +146,7 @@ class Derivative:
 
     @property
     def _loaded(self) -> Any:
-        return self.model._function("derivative", self.request)
+        return self.model._function(self.row, self.request)
 
     def __call__(
         self,
@@ -153,12 +170,12 @@ class Derivative:
         values = self._named(states, rest)
         if wrenches is None:
             results = self._results(values, parameters)
-        elif self.function not in PUSHED:
-            raise ArgumentError(
-                f"derivative: wrenches go with {' and '.join(PUSHED)}, not with {self.function}"
-            )
         else:
             results = self._pushed(values, wrenches, parameters)
+        return self._delivered(results, out)
+
+    def _delivered(self, results: Mapping[str, Array], out: Any) -> Any:
+        """Results in the order in which they were asked for."""
         listed = [results[name] for name in self.wrt]
         if out is not None:
             outs = (out,) if self.single else tuple(out)
@@ -167,32 +184,40 @@ class Derivative:
             listed = [into(x, o) for x, o in zip(listed, outs, strict=True)]
         return listed[0] if self.single else tuple(listed)
 
-    def _named(self, states: Sequence[object], keywords: Mapping[str, object]) -> dict[str, Any]:
+    def _named(self, states: Sequence[object], keywords: Mapping[str, object]) -> ByName:
         """Arguments by name."""
         # solvers call rhs(t, x, r)
         order, names = self._order
         if len(states) > len(order):
             raise ArgumentError(
-                f"derivative of {self.function} takes {', '.join(order)} in this order and the "
-                f"rest by name, not {len(states)} states"
+                f"{self.row} of {self.function} takes {', '.join(order)} in this order and the "
+                f"rest by name, not {len(states)} arguments"
             )
         values = dict(zip(order, states, strict=False))
         for name, value in keywords.items():
             if name not in names or name in values:
                 what = "is given twice" if name in values else "is none of its arguments"
                 raise ArgumentError(
-                    f"derivative of {self.function}: {name} {what}.{near(name, names)}"
+                    f"{self.row} of {self.function}: {name} {what}.{near(name, names)}"
                 )
             values[name] = value
         return values
+
+    def _width(self, name: str) -> int:
+        """Number of columns along a block, or a parameter or input."""
+        if not has_columns(name):
+            return 1
+        # along the speeds, whatever q is
+        block = {"q": "u", COORDINATES: "q"}.get(name, name)
+        if block == "p":
+            return len(self.model.manifest.parameters)
+        return len(self.model._vector(block, {}))
 
     def _results(
         self, named_values: Mapping[str, object], parameters: Values | None
     ) -> dict[str, Array]:
         """One array per block or name."""
-        key = ("derivative", self.request)
-        values = tuple(named_values.get(name, 0.0 if name == "t" else None) for name in self._reads)
-        flat = self.model._evaluate(key, values, parameters, None)
+        flat = self._value(named_values, parameters)
         outputs, results, start = self._loaded.outputs, {}, 0
         if len(outputs) == 1:
             return {self.wrt[0]: flat}
@@ -204,44 +229,56 @@ class Derivative:
             start = end
         return results
 
-    @cached_property
-    def _reads(self) -> tuple[str, ...]:
-        """Blocks that the function reads."""
-        return tuple(FUNCTIONS[self.function].arguments)
+    def _value(self, named_values: Mapping[str, object], parameters: Values | None) -> Array:
+        """What the C gives."""
+        values = tuple(
+            named_values.get(name, 0.0 if name == "t" else None)
+            for name in reads(self.row, self.request)
+        )
+        return self.model._evaluate((self.row, self.request), values, parameters, None)
 
     @cached_property
     def _order(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        """Arguments that states stand for, and those that have a name."""
-        names = tuple(name for name in self._reads if name != "wrench")
-        return tuple(FUNCTIONS[self.function].required), names
+        """Arguments by place, and those that have a name."""
+        row = FUNCTIONS[self.function]
+        names = tuple(name for name in row.arguments if name != "wrench")
+        return (*row.required, *self.added), (*names, *self.added)
 
     def _pushed(
-        self, values: dict[str, Any], wrenches: Values, parameters: Values | None
+        self, values: ByName, wrenches: Values, parameters: Values | None
     ) -> dict[str, Array]:
         """With wrenches on frames: tau grows by Jᵀ w, and J changes too."""
+        if self.function not in PUSHED:
+            raise ArgumentError(
+                f"{self.row}: wrenches go with {' and '.join(PUSHED)}, not with {self.function}"
+            )
         model, position = self.model, {name: values.get(name) for name in ("q", "r")}
-        place: dict[str, Any] = {**position, "t": values.get("t", 0.0), "parameters": parameters}
+        place: ByName = {**position, "t": values.get("t", 0.0), "parameters": parameters}
         changes = self._jacobians(read_wrenches(model, wrenches), place)
+        if self.function == "forward_dynamics":
+            forces = generalized(model, wrenches, place.pop("q"), **place)
+            tau = values.get("tau")
+            total = forces if tau is None else model._vector("tau", tau) + forces
+            values = {**values, "tau": total}
+        return self._with_forces(values, parameters, changes)
+
+    def _with_forces(
+        self, values: ByName, parameters: Values | None, changes: Mapping[str, Array]
+    ) -> dict[str, Array]:
+        """Results at generalized forces that change too (..., nu, columns), by block or name."""
         if self.function == "inverse_dynamics":
             results = self._results(values, parameters)
             return {
                 name: x - changes[name] if name in changes else x for name, x in results.items()
             }
-        generalized_forces = generalized(model, wrenches, place.pop("q"), **place)
-        tau = values.get("tau")
-        pushed = {
-            **values,
-            "tau": generalized_forces
-            if tau is None
-            else model._vector("tau", tau) + generalized_forces,
-        }
         # M^-1 is what udot gains by tau
-        more = Derivative(model, self.function, None, (*dict.fromkeys((*self.wrt, "tau")),))
-        results = more._results(pushed, parameters)
+        wrt = (*dict.fromkeys((*self.wrt, "tau")),)
+        more = Derivative(self.model, self.function, None, wrt)
+        results = more._results(values, parameters)
         for name, change in changes.items():
-            columns = change if change.ndim >= 2 and _has_columns(name) else change[..., None]
+            columns = change if change.ndim >= 2 and has_columns(name) else change[..., None]
             gained = results["tau"] @ columns
-            results[name] = results[name] + (gained if _has_columns(name) else gained[..., 0])
+            results[name] = results[name] + (gained if has_columns(name) else gained[..., 0])
         return results
 
     def _jacobians(
@@ -254,12 +291,12 @@ class Derivative:
         for frame, wrench in wrenches.items() if felt else ():
             jacobian = Derivative(self.model, "frame_jacobian", frame, felt)
             for name, change in jacobian._results(values, place["parameters"]).items():
-                letters = "...ijk,...i->...jk" if _has_columns(name) else "...ij,...i->...j"
+                letters = "...ijk,...i->...jk" if has_columns(name) else "...ij,...i->...j"
                 contribution = np.einsum(letters, change, wrench)
                 total[name] = total[name] + contribution if name in total else contribution
         return total
 
 
-def _has_columns(name: str) -> bool:
+def has_columns(name: str) -> bool:
     """True when a derivative by this has an axis of columns."""
     return name in DIRECTIONS and name != "t"

@@ -9,10 +9,10 @@ from ...schema.rows import column, having
 from ..calls.layout import Layout
 from ..calls.objects import Objects
 from ..calls.parameters import Parameters
-from .derivatives import Derivatives
+from .derivative_products import DerivativeProducts
 
 
-class Description(Derivatives):
+class Description(DerivativeProducts):
     """Names and sizes of a model, from its manifest."""
 
     _objects: Objects

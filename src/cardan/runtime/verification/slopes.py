@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
-from ...schema.blocks import COORDINATES
+from ...schema.blocks import COORDINATES, DIRECTIONS
 from ...schema.request import Request
 from .differences import missing, ways, worst_of
 from .evaluation import ELSEWHERE, Trial
@@ -46,6 +48,104 @@ def _columns(trial: Trial, name: str, of: str | None, letter: str, part: Array) 
         slope, off = trial.slope(name, of, {block: rate})
         worst = worst_of(worst, missing(slope, off, times(columns, way), scale))
     return worst
+
+
+def _weights(trial: Trial, name: str, of: str) -> Array:
+    """Random weights, or a direction, (n, k)."""
+    size = len(trial.model._function(name, of).entry.vector)
+    return np.random.default_rng(9).uniform(-1, 1, (len(trial.reference.q), size))
+
+
+def _splits(trial: Trial, request: Request) -> dict[str, slice]:
+    """Where the columns along each block or name are, by its name."""
+    places, start = {}, 0
+    for name in request.wrt:
+        block = {"q": "u", COORDINATES: "q"}.get(name, name)
+        single = name == "t" or name not in DIRECTIONS
+        count = len(trial.model.manifest.parameters if block == "p" else ())
+        size = 1 if single else count or len(trial.model._layout.names(block))
+        places[name] = slice(start, start + size)
+        start += size
+    return places
+
+
+def _rates(trial: Trial, places: Mapping[str, slice], way: Array) -> dict[str, Array]:
+    """Rates of blocks along a way of all columns; of what cannot be moved here the way is 0."""
+    rates: dict[str, Array] = {}
+    for name, place in places.items():
+        if name not in LETTERS or (name == "q" and not trial.knows("qdot")):
+            way[:, place] = 0.0
+            continue
+        if name == COORDINATES:
+            way[:, place] = _tangential(trial, way[:, place])
+        rate = trial.along_speeds(way[:, place]) if name == "q" else way[:, place]
+        block = "q" if name == COORDINATES else name
+        rates[block] = rates.get(block, 0.0) + rate
+    return rates
+
+
+def _ways_of(
+    trial: Trial, request: Request
+) -> tuple[dict[str, slice], list[tuple[Array, dict[str, Array]]]]:
+    """Random ways of all columns and the rates along them."""
+    places = _splits(trial, request)
+    total = max((place.stop for place in places.values()), default=0)
+    listed = ways(len(trial.reference.q), total)
+    return places, [(way, _rates(trial, places, way)) for way in listed]
+
+
+def vjp(trial: Trial, of: str) -> float | str:
+    """The gradient of a weighted sum, against slopes of the function."""
+    request = Request.read(of)
+    if (request.function, request.of) not in trial.callable_keys or trial.redundant:
+        return ELSEWHERE
+    weights, worst = _weights(trial, "vjp", of), np.nan
+    gradient = trial.call("vjp", of, {"v": weights})
+    n = len(gradient)
+    scale = np.abs(gradient).max(axis=-1, initial=0.0)
+    for way, rates in _ways_of(trial, request)[1]:
+        if rates:
+            slope, off = trial.slope(request.function, request.of, rates)
+            total = (slope.reshape(n, -1) * weights).sum(axis=-1, keepdims=True)
+            expected = (gradient.reshape(n, -1) * way).sum(axis=-1)
+            terms = np.abs(slope.reshape(n, -1) * weights).max(axis=-1, initial=0.0)
+            worst = worst_of(worst, missing(total, off, expected, scale, terms))
+    return worst if not np.isnan(worst) else ELSEWHERE
+
+
+def jvp(trial: Trial, of: str) -> float | str:
+    """The change along a direction, against the slope there."""
+    request = Request.read(of)
+    if (request.function, request.of) not in trial.callable_keys or trial.redundant:
+        return ELSEWHERE
+    worst = np.nan
+    for way, rates in _ways_of(trial, request)[1]:
+        if rates:
+            slope, off = trial.slope(request.function, request.of, rates)
+            value = trial.call("jvp", of, {"v": way})
+            worst = worst_of(worst, missing(slope, off, value.reshape(slope.shape)))
+    return worst if not np.isnan(worst) else ELSEWHERE
+
+
+def hessian(trial: Trial, of: str) -> float | str:
+    """Second derivatives, against slopes of the gradient: the mean of both orders."""
+    request = Request.read(of)
+    if ("vjp", of) not in trial.callable_keys or trial.redundant:
+        return ELSEWHERE
+    v = {"v": _weights(trial, "hessian", of)}
+    matrix = trial.call("hessian", of, v)
+    n, size = len(matrix), matrix.shape[-1]
+    (a, rates_a), (b, rates_b) = _ways_of(trial, request)[1]
+    if not rates_a:
+        return ELSEWHERE
+    slopes, offs = [], []
+    for rates, other in ((rates_a, b), (rates_b, a)):
+        slope, off = trial.slope("vjp", of, rates, v)
+        slopes.append((slope.reshape(n, size) * other).sum(axis=-1, keepdims=True))
+        offs.append(off)
+    value = np.einsum("ni,nij,nj->n", a, matrix, b)
+    scale = np.abs(matrix).max(axis=(1, 2), initial=0.0)
+    return missing(0.5 * (slopes[0] + slopes[1]), np.maximum(*offs), value, scale)
 
 
 def strain(trial: Trial, of: str | None) -> float | str:
@@ -104,7 +204,10 @@ def _tangential(trial: Trial, way: Array) -> Array:
 
 JUDGES = {
     "derivative": derivative,
+    "hessian": hessian,
+    "jvp": jvp,
     "rhs_jacobian": rhs_jacobian,
     "strain_balance": strain,
     "strain_energy": strain,
+    "vjp": vjp,
 }

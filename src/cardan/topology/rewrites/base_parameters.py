@@ -236,14 +236,20 @@ def _unfelt(inertia: list[list[Fraction]], mode: Row) -> list[Fraction]:
         [vz, n, -vx, wz, n, -wx],
         [-vy, vx, n, -wy, wx, n],
     ]
-    momentum = [sum((a * b for a, b in zip(row, mode, strict=True)), n) for row in inertia]
-    six = range(6)
+    momentum = [_inner(row, mode) for row in inertia]
+    columns = [*zip(*crm, strict=True)]
+    # of symmetric matrices rows are columns
     change = [
-        -sum((crm[k][i] * inertia[k][j] + inertia[i][k] * crm[k][j] for k in six), n)
-        for i in six
-        for j in six
+        -_inner(columns[i], inertia[j]) - _inner(inertia[i], columns[j])
+        for i in range(6)
+        for j in range(6)
     ]
     return momentum + change
+
+
+def _inner(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
+    """Inner product; most entries are 0, and exact products are slow."""
+    return sum((x * y for x, y in zip(a, b, strict=True) if x and y), Fraction(0))
 
 
 def _null_space(conditions: list[Row]) -> list[Row]:
