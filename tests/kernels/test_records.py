@@ -25,6 +25,7 @@ STRUCTURES: dict[str, type[ctypes.Structure]] = {
     "cardan_method": records.Method,
     "cardan_signal": records.Signal,
     "cardan_tick": records.Tick,
+    "cardan_adjoint": records.Adjoint,
     "cardan_input_function": records.InputFunction,
     "cardan_input_functions": records.InputFunctions,
     "cardan_run_pointer": records.RunPointer,

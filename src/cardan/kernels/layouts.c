@@ -34,6 +34,7 @@ const size_t cardan_lane_method_layout[4] = {
 };
 #else
 #include "run.h"
+#include "adjoint.h"
 #include "input_functions.h"
 #include "ensemble.h"
 #include "mesh.h"
@@ -116,6 +117,22 @@ extern const size_t cardan_tick_layout[6];
 const size_t cardan_tick_layout[6] = {
     sizeof(cardan_tick), offsetof(cardan_tick, event), offsetof(cardan_tick, period),
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
+};
+
+extern const size_t cardan_adjoint_layout[27];
+const size_t cardan_adjoint_layout[27] = {
+    sizeof(cardan_adjoint), offsetof(cardan_adjoint, run), offsetof(cardan_adjoint, rates.function),
+    offsetof(cardan_adjoint, rates.w), offsetof(cardan_adjoint, close_position.function),
+    offsetof(cardan_adjoint, close_position.w), offsetof(cardan_adjoint, close_velocity.function),
+    offsetof(cardan_adjoint, close_velocity.w), offsetof(cardan_adjoint, running.function),
+    offsetof(cardan_adjoint, running.w), offsetof(cardan_adjoint, running_cost.function),
+    offsetof(cardan_adjoint, running_cost.w), offsetof(cardan_adjoint, stages),
+    offsetof(cardan_adjoint, nodes), offsetof(cardan_adjoint, weights), offsetof(cardan_adjoint,
+    matrix), offsetof(cardan_adjoint, rows), offsetof(cardan_adjoint, count),
+    offsetof(cardan_adjoint, np), offsetof(cardan_adjoint, lam), offsetof(cardan_adjoint, by_p),
+    offsetof(cardan_adjoint, by_r), offsetof(cardan_adjoint, by_pieces), offsetof(cardan_adjoint,
+    cost), offsetof(cardan_adjoint, memory), offsetof(cardan_adjoint, work),
+    offsetof(cardan_adjoint, failed)
 };
 
 extern const size_t cardan_input_function_layout[6];

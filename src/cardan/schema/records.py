@@ -32,6 +32,7 @@ RECORDS = {
     "cardan_method": "run.h",
     "cardan_signal": "run.h",
     "cardan_tick": "run.h",
+    "cardan_adjoint": "adjoint.h",
     "cardan_input_function": "input_functions.h",
     "cardan_input_functions": "input_functions.h",
     "cardan_run_pointer": "ensemble.h",
@@ -204,6 +205,13 @@ class InputFunction(ctypes.Structure):
 
     __slots__ = ()
     _fields_ = fields("cardan_input_function")
+
+
+class Adjoint(ctypes.Structure):
+    """``cardan_adjoint``: a sweep backward over the steps of a run."""
+
+    __slots__ = ()
+    _fields_ = fields("cardan_adjoint")
 
 
 class InputFunctions(ctypes.Structure):

@@ -7,8 +7,10 @@ from functools import lru_cache
 from typing import Any
 
 from ...schema.records import (
+    COUNT,
     POINTER,
     REAL,
+    Adjoint,
     InputFunction,
     InputFunctions,
     Method,
@@ -54,6 +56,7 @@ RECORDS = {
     "method": Method,
     "signal": Signal,
     "tick": Tick,
+    "adjoint": Adjoint,
     "input_function": InputFunction,
     "input_functions": InputFunctions,
 }
@@ -72,6 +75,10 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     for name in ("cardan_run_start", "cardan_run_drive", "cardan_refresh", "cardan_segment"):
         getattr(library, name).argtypes = [record]
     library.cardan_run_at.argtypes = [record, REAL, POINTER]
+    adjoint = ctypes.POINTER(Adjoint)
+    library.cardan_adjoint_sweep.argtypes = [adjoint]
+    library.cardan_adjoint_length.argtypes = [adjoint, COUNT]
+    library.cardan_adjoint_length.restype = COUNT
     rooms = [ctypes.c_size_t, ctypes.c_size_t]
     library.cardan_run_length.argtypes = [record, *rooms]
     library.cardan_run_length.restype = ctypes.c_size_t

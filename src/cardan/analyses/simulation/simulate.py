@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from numpy.typing import ArrayLike
@@ -108,8 +108,61 @@ def simulate(
             shapes. FunctionError: yours failed; ``motion`` is what was computed. SolveError: a
             number that is not finite; with ``check``, an early end.
     """
+    state = {"x0": x0, "q": q, "u": u, "z": z}
+    options = (method, rtol, atol, step, max_step)
+    setup = run_setup(model, (t, t_eval), state, events, options, inputs, parameters, sample)
+    with run_file(checkpoint, every, *setup.run) as file:
+        return reported(_settled(*setup.run, setup.case, progress, file), check)
+
+
+@dataclass(frozen=True)
+class RunSetup:
+    """A run that is about to begin.
+
+    Attributes:
+        model, how, input_signals, event_table, over, begin: What runs, from when to when.
+        case: Facts for the choice of the method, where nobody chose one.
+    """
+
+    model: LoadedModel
+    how: Settings
+    input_signals: Signals
+    event_table: EventTable
+    over: Span
+    begin: Start
+    case: Case | None
+
+    @property
+    def run(self) -> tuple[LoadedModel, Settings, Signals, EventTable, Span, Start]:
+        """Everything but the case."""
+        return (
+            *(self.model, self.how, self.input_signals, self.event_table),
+            *(self.over, self.begin),
+        )
+
+
+def run_setup(
+    model: LoadedModel,
+    times: tuple[object, object],
+    state: Mapping[str, object],
+    events: Mapping[str, object] | None,
+    options: tuple[str | GeneralizedAlpha | Alpha, float, float | None, float | None, float | None],
+    inputs: Inputs | None,
+    parameters: Values | None,
+    sample: float | None = None,
+) -> RunSetup:
+    """The run that arguments of :func:`simulate` speak of.
+
+    Args:
+        model, events, inputs, parameters, sample: As there.
+        times: t and t_eval.
+        state: x0, q, u and z by name.
+        options: method, rtol, atol, step and max_step.
+    """
+    x0, q, u, z = (state[name] for name in ("x0", "q", "u", "z"))
+    method, rtol, atol, step, max_step = options
     model = model if parameters is None else model.with_parameters(parameters)
-    over = span(t, t_eval)
+    over = span(*times)
     begin = start(model, x0, q, u, z)
     event_table = event_table_of(model, events)
     event_table.forward(over.start, over.end)
@@ -120,12 +173,10 @@ def simulate(
     begin = closed_start(model, begin, *blocks(x0, q, u), *begin_inputs)
     check_start(model, begin.x, *begin_inputs)
     case = case_of(model, rtol, over, input_signals, event_table) if method == "auto" else None
-    run = (model, how, input_signals, event_table, over, begin)
-    with run_file(checkpoint, every, *run) as file:
-        return _reported(_settled(*run, case, progress, file), check)
+    return RunSetup(model, how, input_signals, event_table, over, begin, case)
 
 
-def _reported(motion: TrajectoryRecord, check: bool) -> TrajectoryRecord:
+def reported(motion: TrajectoryRecord, check: bool) -> TrajectoryRecord:
     """The motion, with warnings of an early end and of what it cannot account for."""
     said = [] if motion.success else [motion.message]
     said += [motion.solver_info.warning] if motion.solver_info.warning else []
@@ -252,6 +303,7 @@ def driven(
     progress: bool | Callable[[float], None] | None,
     case: Case | None = None,
     file: RunFile | None = None,
+    dense: bool = True,
 ) -> TrajectoryRecord:
     """Drive the run to its end and collect what came out.
 
@@ -262,7 +314,7 @@ def driven(
     """
     recorder, problem, full = Recorder(runner), None, False
     runner.loosen(begin.closure_tol)
-    runner.want(over.times, dense=over.times is None)
+    runner.want(over.times, dense=dense and over.times is None)
     clock = time.perf_counter()
     with showing(progress, runner.model.name) as show, runner.interruptible():
         try:

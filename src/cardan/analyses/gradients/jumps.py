@@ -1,0 +1,267 @@
+"""What events do to gradients: jumps of the state at times that move along (saltation).
+
+Where an event happens at tau with g(tau, x, p) = 0 and the state jumps to R(tau, x, p), changes of
+the state before it, dx, and behind it, dx+, obey
+
+    dx+ = R_x dx + R_p dp + (R_x f + R_t - f+) dtau,   dtau = -(g_x dx + g_p dp) / (g_x f + g_t)
+
+with the rates f before it and f+ behind it. Gradients go through the transposed of this.
+
+Source: P. C. Müller, Chaos, Solitons & Fractals 5 (1995) 1671-1681.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import SolveError
+from ...schema.request import reads
+from ..simulation import run_record as abi
+from ..simulation.events import DIRECTIONS, Crossing, EventTable
+from .adjoint import CLOSING, Sweep, request_of
+from .cost import Cost
+
+# growth of a change in an event, beyond which it happens by a touch
+GRAZING = 1e7
+
+
+@dataclass(frozen=True)
+class Happening:
+    """What happened at one time.
+
+    Attributes:
+        t: When [s].
+        fired: Masks of the events, one after the other (k, ne).
+        x, s: States (k, nx) and modes (k, ns) before each of them.
+        x_after, s_after: State (nx,) and modes (ns,) behind all of them.
+    """
+
+    t: float
+    fired: Array
+    x: Array
+    s: Array
+    x_after: Array
+    s_after: Array
+
+
+def happenings(log: Array, events: EventTable, nx: int, ns: int) -> list[Happening]:
+    """What changed a run, in its order; marks change nothing.
+
+    Args:
+        log: Rows of the log: t, mask, [x, s] before and behind.
+        events: What may happen.
+        nx, ns: Sizes of x and s.
+    """
+    ne = len(events.rows)
+    kinds = np.array(events.kinds, dtype=int)
+    changing = (log[:, 1 : 1 + ne] != 0) & (kinds != abi.MARK)
+    rows = log[changing.any(axis=1)]
+    masks = changing[changing.any(axis=1)]
+    first, result = 1 + ne, []
+    ends = [*(np.flatnonzero(np.diff(rows[:, 0])) + 1), len(rows)] if len(rows) else []
+    start = 0
+    for end in ends:
+        part = rows[start:end]
+        behind = part[-1, first + nx + ns :]
+        result.append(
+            Happening(
+                float(part[0, 0]),
+                masks[start:end],
+                part[:, first : first + nx],
+                part[:, first + nx : first + nx + ns],
+                behind[:nx],
+                behind[nx:],
+            )
+        )
+        start = end
+    return result
+
+
+class Jumps:
+    """Gradients by states before events from those by states behind them."""
+
+    def __init__(self, sweep: Sweep, cost: Cost, events: EventTable, start: float) -> None:
+        """Args:
+        sweep: Whose gradients change.
+        cost: Whose gradients they are.
+        events: What may happen.
+        start: When the run began [s]: what happens there happens at that time.
+        """
+        self.sweep, self.cost, self.events, self.start = sweep, cost, events, start
+        self.model = sweep.model
+
+    def pull(self, at: Happening, final_rate: float | None = None) -> None:
+        """Change the gradients of the sweep into those before what happened.
+
+        Args:
+            at: What happened.
+            final_rate: Derivative of the final cost by the time, where the run ends here; None
+                where it goes on.
+
+        Raises:
+            SolveError: two events at one time that are not one, or one that happens by a touch.
+        """
+        lam, ended = self.sweep.lam, final_rate is not None
+        root = self._root(at)
+        inputs, rates = self._inputs(at.t)
+        by_time = final_rate or 0.0
+        if not ended:
+            behind = self._rates(at.t, at.x_after, at.s_after, inputs)
+            by_time -= float(behind @ lam) + self._running(at.t, at.x_after, at.s_after, inputs)
+        for k in range(len(at.fired) - 1, -1, -1):
+            if not ended or any(kind <= abi.TICK for kind in self._kinds(at.fired[k])):
+                by_time += self._pull_transition(at, k, inputs, rates)
+        if root is None:
+            return
+        before = self._rates(at.t, at.x[0], at.s[0], inputs)
+        by_time += float(before @ lam) + self._running(at.t, at.x[0], at.s[0], inputs)
+        self._pull_time(at, root, by_time, before, inputs, rates)
+
+    def _pull_time(
+        self, at: Happening, root: int, by_time: float, before: Array, inputs: Array, rates: Array
+    ) -> None:
+        """Gradients through the time of an event, which its value decides."""
+        by_x, by_r, by_p, by_t = self._slopes(at, root, inputs)
+        rate = float(by_x @ before) + by_t + float(by_r @ rates)
+        share = -by_time / rate if rate else np.inf
+        growth = np.linalg.norm(by_x) * np.linalg.norm(before) / abs(rate) if rate else np.inf
+        if not growth <= GRAZING:
+            raise SolveError(
+                f"gradient: '{self._name(root)}' happens at t = {at.t:.9g} s by a touch: its value "
+                f"changes by {rate:.1e} per second only, and its time has no derivative there. "
+                "Change the start or the parameters a little"
+            )
+        self.sweep.lam += share * by_x
+        self._add(at.t, share, by_r, by_p)
+
+    def _pull_transition(self, at: Happening, k: int, inputs: Array, rates: Array) -> float:
+        """Gradients through the change of the state by events k; returns that by the time."""
+        model, lam = self.model, self.sweep.lam
+        nq, nu = model.nq, model.nu
+        last = k + 1 == len(at.fired)
+        x_after = at.x_after if last else at.x[k + 1]
+        s_after = at.s_after if last else at.s[k + 1]
+        by_time = 0.0
+        for name in (name for name in CLOSING if name in self.sweep.runner.closing.functions):
+            if name == "close_velocity":
+                # speeds behind the impact are brought onto the constraints of the new modes
+                weights = np.concatenate([lam[nq : nq + nu], np.zeros(self._rows("rates"))])
+                x = x_after.copy()
+                by_x, by_r, by_p, by_t = self._product(name, weights, at.t, x, s_after, inputs)
+                lam[nq : nq + nu] = 0.0
+                lam += by_x
+                self._add(at.t, 1.0, by_r, by_p)
+                by_time += by_t + float(by_r @ rates)
+        weights = np.concatenate([lam[nq:], np.zeros(model.ns)])
+        fired = np.zeros(len(model.manifest.events))
+        fired[:] = at.fired[k][: len(fired)]
+        by_x, by_r, by_p, by_t = self._product(
+            "transition", weights, at.t, at.x[k], at.s[k], inputs, fired
+        )
+        lam[nq:] = 0.0
+        lam += by_x
+        self._add(at.t, 1.0, by_r, by_p)
+        return by_time + by_t + float(by_r @ rates)
+
+    def _root(self, at: Happening) -> int | None:
+        """The event whose value decided when it happened; None where the time was given.
+
+        Raises:
+            SolveError: there are two.
+        """
+        if at.t == self.start:
+            return None
+        fired = np.flatnonzero(at.fired[0])
+        roots = [int(k) for k in fired if self.events.kinds[k] != abi.TICK]
+        if len(roots) > 1 or (roots and len(roots) < len(fired)):
+            names = " and ".join(f"'{self._name(int(k))}'" for k in fired)
+            raise SolveError(
+                f"gradient: {names} happen at the same time, t = {at.t:.9g} s: which comes first "
+                "is not decided, and there is no derivative. Change the start or the parameters a "
+                "little"
+            )
+        return roots[0] if roots else None
+
+    def _slopes(self, at: Happening, root: int, inputs: Array) -> tuple[Array, Array, Array, float]:
+        """Derivatives of the value of an event by x, r, p and t."""
+        if root >= self.events.model:
+            return self._watched(root - self.events.model)
+        weights = np.zeros(len(self.model.manifest.events))
+        weights[root] = 1.0
+        return self._product("events", weights, at.t, at.x[0], at.s[0], inputs)
+
+    def _watched(self, number: int) -> tuple[Array, Array, Array, float]:
+        """The same of a value that the caller watches.
+
+        Raises:
+            SolveError: it is a function, whose derivative nobody knows.
+        """
+        signs = [(w, sign) for w in self.events.watches for sign in DIRECTIONS[w.direction]]
+        watch, sign = signs[number]
+        value: Any = watch.value
+        if not isinstance(value, Crossing):
+            raise SolveError(
+                f"gradient: the run ends by '{watch.name}', a function whose derivative is not "
+                "known. Watch an entry of the state, such as ('elbow', 0.5), or end at a time"
+            )
+        by_x = np.zeros(self.model.nx)
+        by_x[value.entry] = sign
+        return by_x, np.zeros(self.model.nr), np.zeros(len(self.sweep.by_p)), 0.0
+
+    # calls
+
+    def _product(
+        self,
+        name: str,
+        weights: Array,
+        t: float,
+        x: Array,
+        s: Array,
+        inputs: Array,
+        fired: Array | None = None,
+        of: str | None = None,
+    ) -> tuple[Array, Array, Array, float]:
+        """Weights times the derivative of a function, by x, r, p and t."""
+        model, parameters = self.model, bool(len(self.sweep.by_p))
+        request = request_of(model, name, of, parameters, time=True)
+        q, u, z = model.parts_of(x)
+        values = {"t": t, "q": q, "u": u, "z": z, "s": s, "r": inputs, "e": fired, "v": weights}
+        flat = model._evaluate(
+            ("vjp", request), tuple(values[one] for one in reads("vjp", request)), None, None
+        )
+        by_t, rest = float(flat[0]), flat[1:]
+        nx, nr = model.nx, model.nr
+        return rest[:nx], rest[nx : nx + nr], rest[nx + nr :], by_t
+
+    def _add(self, t: float, share: float, by_r: Array, by_p: Array) -> None:
+        """Add gradients by inputs at a time and by parameters."""
+        self.sweep.by_p += share * by_p
+        self.sweep.add_inputs(t, share * by_r)
+
+    def _inputs(self, t: float) -> tuple[Array, Array]:
+        """Inputs and their rates (nr,) at a time, as they are before it."""
+        return self.sweep.inputs_at(t)
+
+    def _rates(self, t: float, x: Array, s: Array, inputs: Array) -> Array:
+        return np.asarray(self.model.rhs(t, x, inputs, s=s))
+
+    def _running(self, t: float, x: Array, s: Array, inputs: Array) -> float:
+        """The running cost at a state."""
+        if self.cost.running is None:
+            return 0.0
+        q, u, z = self.model.parts_of(x)
+        function = self.model._function("expression", self.cost.running)
+        return float(function.caller(None, t, q, u, inputs, z, s))
+
+    def _rows(self, what: str) -> int:
+        return int(getattr(self.sweep.runner.closing, what))
+
+    def _kinds(self, mask: Array) -> list[int]:
+        return [self.events.kinds[k] for k in np.flatnonzero(mask)]
+
+    def _name(self, k: int) -> str:
+        return str(self.events.rows[k]["name"])
