@@ -119,8 +119,8 @@ const size_t cardan_tick_layout[6] = {
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
 };
 
-extern const size_t cardan_adjoint_layout[27];
-const size_t cardan_adjoint_layout[27] = {
+extern const size_t cardan_adjoint_layout[28];
+const size_t cardan_adjoint_layout[28] = {
     sizeof(cardan_adjoint), offsetof(cardan_adjoint, run), offsetof(cardan_adjoint, rates.function),
     offsetof(cardan_adjoint, rates.w), offsetof(cardan_adjoint, close_position.function),
     offsetof(cardan_adjoint, close_position.w), offsetof(cardan_adjoint, close_velocity.function),
@@ -130,9 +130,9 @@ const size_t cardan_adjoint_layout[27] = {
     offsetof(cardan_adjoint, nodes), offsetof(cardan_adjoint, weights), offsetof(cardan_adjoint,
     matrix), offsetof(cardan_adjoint, rows), offsetof(cardan_adjoint, count),
     offsetof(cardan_adjoint, np), offsetof(cardan_adjoint, lam), offsetof(cardan_adjoint, by_p),
-    offsetof(cardan_adjoint, by_r), offsetof(cardan_adjoint, by_pieces), offsetof(cardan_adjoint,
-    cost), offsetof(cardan_adjoint, memory), offsetof(cardan_adjoint, work),
-    offsetof(cardan_adjoint, failed)
+    offsetof(cardan_adjoint, by_s), offsetof(cardan_adjoint, by_r), offsetof(cardan_adjoint,
+    by_pieces), offsetof(cardan_adjoint, cost), offsetof(cardan_adjoint, memory),
+    offsetof(cardan_adjoint, work), offsetof(cardan_adjoint, failed)
 };
 
 extern const size_t cardan_input_function_layout[6];

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, final
+from typing import Any, NamedTuple, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,7 @@ from .cost import Cost
 
 MOST_STAGES = 16
 # what products are along, as far as a model has any of it
-BLOCKS = (COORDINATES, "u", "z", "r")
+BLOCKS = (COORDINATES, "u", "z", "s", "r")
 CLOSING = ("close_position", "close_velocity")
 
 
@@ -36,11 +36,28 @@ def request_of(
         parameters: Whether along parameters too.
         time: Whether along the time too, before all others.
     """
-    sizes = {COORDINATES: model.nq, "u": model.nu, "z": model.nz, "r": model.nr}
+    sizes = dict(zip(BLOCKS, (model.nq, model.nu, model.nz, model.ns, model.nr), strict=True))
     blocks = ["t"] * time + [block for block in BLOCKS if sizes[block]]
     if parameters and len(model.parameters):
         blocks.append("p")
     return str(Request(function, of, tuple(blocks)))
+
+
+class Slopes(NamedTuple):
+    """Weights times the derivative of a function, by the time, x, s, r and p."""
+
+    by_t: float
+    by_x: Array
+    by_s: Array
+    by_r: Array
+    by_p: Array
+
+    @classmethod
+    def of(cls, model: LoadedModel, flat: Array) -> Slopes:
+        """Parts of a product along the time and everything else."""
+        ends = np.cumsum([1, model.nx, model.ns, model.nr])
+        by_t, *parts = np.split(flat, ends)
+        return cls(float(by_t[0]), *parts)
 
 
 @final
@@ -49,6 +66,7 @@ class Sweep:
 
     Attributes:
         lam: Gradient by the state (nx,), coordinates as they are stored.
+        by_s: By the modes (ns,) since the last event, which hold numbers of sampled controllers.
         by_p: By the parameters (np,).
         by_r: By the inputs (nr,), as if they were constant.
         by_pieces: Of every input by pieces: by its coefficients (pieces, 4).
@@ -64,7 +82,7 @@ class Sweep:
         self.runner, self.model = runner, runner.model
         model = runner.model
         self._references: list[Any] = []
-        self.lam, self.by_r = np.zeros(model.nx), np.zeros(model.nr)
+        self.lam, self.by_s, self.by_r = np.zeros(model.nx), np.zeros(model.ns), np.zeros(model.nr)
         self.by_p = np.zeros(len(model.parameters) if parameters else 0)
         pieces = [len(one.coefficients) for one in runner.signals.tabulated]
         self._pieces = np.zeros((sum(pieces), 4))
@@ -86,7 +104,7 @@ class Sweep:
         self._take_tableau()
         record.np = len(self.by_p)
         for name, array in (
-            ("lam", self.lam), ("by_p", self.by_p), ("by_r", self.by_r),
+            ("lam", self.lam), ("by_p", self.by_p), ("by_r", self.by_r), ("by_s", self.by_s),
             ("by_pieces", self._pieces), ("cost", self._cost),
         ):  # fmt: skip
             setattr(record, name, self._pointer(array))
@@ -113,11 +131,11 @@ class Sweep:
         cost, product = model._load([("expression", formula), ("vjp", request)])
         states = (t, q, u, inputs, z, s)
         flat = product.caller(None, *states, np.ones(1))
-        nx, nr = model.nx, model.nr
-        self.lam[:] = flat[1 : 1 + nx]
-        self.add_inputs(t, flat[1 + nx : 1 + nx + nr])
-        self.by_p += flat[1 + nx + nr :]
-        return float(cost.caller(None, *states)), float(flat[0])
+        slopes = Slopes.of(model, flat)
+        self.lam[:], self.by_s[:] = slopes.by_x, slopes.by_s
+        self.add_inputs(t, slopes.by_r)
+        self.by_p += slopes.by_p
+        return float(cost.caller(None, *states)), slopes.by_t
 
     def inputs_at(self, t: float) -> tuple[Array, Array]:
         """Inputs and their rates (nr,) at a time, as they are before it."""

@@ -165,7 +165,7 @@ def _swept(
             end = first
         jumps.pull(at, final_rate if last else None)
     sweep.over(rows[:end])
-    start = by_named_start(setup, sweep, state)
+    start = by_named_start(setup, sweep, state, log.s[0])
     slopes = InputSlopes(model, sweep.by_r, sweep.by_pieces)
     by_name = names.slopes(start, sweep.by_p, setup.input_signals, slopes)
     return Gradient(value + sweep.cost, by_name, motion)

@@ -22,7 +22,7 @@ from ...errors import SolveError
 from ...schema.request import reads
 from ..simulation import run_record as abi
 from ..simulation.events import DIRECTIONS, Crossing, EventTable
-from .adjoint import CLOSING, Sweep, request_of
+from .adjoint import Slopes, Sweep, request_of
 from .cost import Cost
 
 # growth of a change in an event, beyond which it happens by a touch
@@ -125,47 +125,39 @@ class Jumps:
         self, at: Happening, root: int, by_time: float, before: Array, inputs: Array, rates: Array
     ) -> None:
         """Gradients through the time of an event, which its value decides."""
-        by_x, by_r, by_p, by_t = self._slopes(at, root, inputs)
-        rate = float(by_x @ before) + by_t + float(by_r @ rates)
-        share = -by_time / rate if rate else np.inf
-        growth = np.linalg.norm(by_x) * np.linalg.norm(before) / abs(rate) if rate else np.inf
-        if not growth <= GRAZING:
+        slopes = self._slopes(at, root, inputs)
+        rate = float(slopes.by_x @ before) + slopes.by_t + float(slopes.by_r @ rates)
+        size = float(np.linalg.norm(slopes.by_x) * np.linalg.norm(before))
+        if not size <= GRAZING * abs(rate) or rate == 0:
             raise SolveError(
                 f"gradient: '{self._name(root)}' happens at t = {at.t:.9g} s by a touch: its value "
                 f"changes by {rate:.1e} per second only, and its time has no derivative there. "
                 "Change the start or the parameters a little"
             )
-        self.sweep.lam += share * by_x
-        self._add(at.t, share, by_r, by_p)
+        self._add(at.t, slopes, -by_time / rate)
 
     def _pull_transition(self, at: Happening, k: int, inputs: Array, rates: Array) -> float:
         """Gradients through the change of the state by events k; returns that by the time."""
-        model, lam = self.model, self.sweep.lam
+        model, sweep = self.model, self.sweep
         nq, nu = model.nq, model.nu
         last = k + 1 == len(at.fired)
         x_after = at.x_after if last else at.x[k + 1]
         s_after = at.s_after if last else at.s[k + 1]
         by_time = 0.0
-        for name in (name for name in CLOSING if name in self.sweep.runner.closing.functions):
-            if name == "close_velocity":
-                # speeds behind the impact are brought onto the constraints of the new modes
-                weights = np.concatenate([lam[nq : nq + nu], np.zeros(self._rows("rates"))])
-                x = x_after.copy()
-                by_x, by_r, by_p, by_t = self._product(name, weights, at.t, x, s_after, inputs)
-                lam[nq : nq + nu] = 0.0
-                lam += by_x
-                self._add(at.t, 1.0, by_r, by_p)
-                by_time += by_t + float(by_r @ rates)
-        weights = np.concatenate([lam[nq:], np.zeros(model.ns)])
-        fired = np.zeros(len(model.manifest.events))
-        fired[:] = at.fired[k][: len(fired)]
-        by_x, by_r, by_p, by_t = self._product(
-            "transition", weights, at.t, at.x[k], at.s[k], inputs, fired
-        )
-        lam[nq:] = 0.0
-        lam += by_x
-        self._add(at.t, 1.0, by_r, by_p)
-        return by_time + by_t + float(by_r @ rates)
+        if "close_velocity" in sweep.runner.closing.functions:
+            # speeds behind the impact are brought onto the constraints of the new modes
+            rows = np.zeros(sweep.runner.closing.rates)
+            weights = np.concatenate([sweep.lam[nq : nq + nu], rows])
+            sweep.lam[nq : nq + nu] = 0.0
+            slopes = self._product("close_velocity", weights, at.t, x_after, s_after, inputs)
+            self._add(at.t, slopes)
+            by_time += slopes.by_t + float(slopes.by_r @ rates)
+        weights = np.concatenate([sweep.lam[nq:], sweep.by_s])
+        sweep.lam[nq:] = sweep.by_s[:] = 0.0
+        fired = at.fired[k][: len(model.manifest.events)].astype(float)
+        slopes = self._product("transition", weights, at.t, at.x[k], at.s[k], inputs, fired)
+        self._add(at.t, slopes)
+        return by_time + slopes.by_t + float(slopes.by_r @ rates)
 
     def _root(self, at: Happening) -> int | None:
         """The event whose value decided when it happened; None where the time was given.
@@ -186,15 +178,15 @@ class Jumps:
             )
         return roots[0] if roots else None
 
-    def _slopes(self, at: Happening, root: int, inputs: Array) -> tuple[Array, Array, Array, float]:
-        """Derivatives of the value of an event by x, r, p and t."""
+    def _slopes(self, at: Happening, root: int, inputs: Array) -> Slopes:
+        """Derivatives of the value of an event."""
         if root >= self.events.model:
             return self._watched(root - self.events.model)
         weights = np.zeros(len(self.model.manifest.events))
         weights[root] = 1.0
         return self._product("events", weights, at.t, at.x[0], at.s[0], inputs)
 
-    def _watched(self, number: int) -> tuple[Array, Array, Array, float]:
+    def _watched(self, number: int) -> Slopes:
         """The same of a value that the caller watches.
 
         Raises:
@@ -208,9 +200,10 @@ class Jumps:
                 f"gradient: the run ends by '{watch.name}', a function whose derivative is not "
                 "known. Watch an entry of the state, such as ('elbow', 0.5), or end at a time"
             )
-        by_x = np.zeros(self.model.nx)
+        by_x, model = np.zeros(self.model.nx), self.model
         by_x[value.entry] = sign
-        return by_x, np.zeros(self.model.nr), np.zeros(len(self.sweep.by_p)), 0.0
+        nothing = np.zeros(model.ns), np.zeros(model.nr), np.zeros(len(self.sweep.by_p))
+        return Slopes(0.0, by_x, *nothing)
 
     # calls
 
@@ -223,24 +216,21 @@ class Jumps:
         s: Array,
         inputs: Array,
         fired: Array | None = None,
-        of: str | None = None,
-    ) -> tuple[Array, Array, Array, float]:
-        """Weights times the derivative of a function, by x, r, p and t."""
-        model, parameters = self.model, bool(len(self.sweep.by_p))
-        request = request_of(model, name, of, parameters, time=True)
+    ) -> Slopes:
+        """Weights times the derivative of a function."""
+        model = self.model
+        request = request_of(model, name, None, bool(len(self.sweep.by_p)), time=True)
         q, u, z = model.parts_of(x)
         values = {"t": t, "q": q, "u": u, "z": z, "s": s, "r": inputs, "e": fired, "v": weights}
-        flat = model._evaluate(
-            ("vjp", request), tuple(values[one] for one in reads("vjp", request)), None, None
-        )
-        by_t, rest = float(flat[0]), flat[1:]
-        nx, nr = model.nx, model.nr
-        return rest[:nx], rest[nx : nx + nr], rest[nx + nr :], by_t
+        listed = tuple(values[one] for one in reads("vjp", request))
+        return Slopes.of(model, model._evaluate(("vjp", request), listed, None, None))
 
-    def _add(self, t: float, share: float, by_r: Array, by_p: Array) -> None:
-        """Add gradients by inputs at a time and by parameters."""
-        self.sweep.by_p += share * by_p
-        self.sweep.add_inputs(t, share * by_r)
+    def _add(self, t: float, slopes: Slopes, share: float = 1.0) -> None:
+        """Add a product to the gradients."""
+        self.sweep.lam += share * slopes.by_x
+        self.sweep.by_s += share * slopes.by_s
+        self.sweep.by_p += share * slopes.by_p
+        self.sweep.add_inputs(t, share * slopes.by_r)
 
     def _inputs(self, t: float) -> tuple[Array, Array]:
         """Inputs and their rates (nr,) at a time, as they are before it."""

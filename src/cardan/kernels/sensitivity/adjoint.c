@@ -30,8 +30,8 @@ ptrdiff_t cardan_adjoint_length(const cardan_adjoint *adjoint, ptrdiff_t work)
 {
     const cardan_run *run = adjoint->run;
 
-    return (3 * adjoint->stages + 2) * run->nx + most_weights(run) + run->nx + run->nr
-           + adjoint->np + work;
+    return (3 * adjoint->stages + 2) * run->nx + most_weights(run) + run->nx + run->ns
+           + run->nr + adjoint->np + work;
 }
 
 static scratch scratch_of(const cardan_adjoint *adjoint)
@@ -46,7 +46,7 @@ static scratch scratch_of(const cardan_adjoint *adjoint)
     at.end = cardan_reserve(adjoint->memory, &used, run->nx);
     at.place = cardan_reserve(adjoint->memory, &used, run->nx);
     at.v = cardan_reserve(adjoint->memory, &used, most_weights(run));
-    at.out = cardan_reserve(adjoint->memory, &used, run->nx + run->nr + adjoint->np);
+    at.out = cardan_reserve(adjoint->memory, &used, run->nx + run->ns + run->nr + adjoint->np);
     at.work = cardan_reserve(adjoint->memory, &used, adjoint->work);
     return at;
 }
@@ -90,12 +90,13 @@ static void add_inputs(const cardan_adjoint *adjoint, real t, real factor, const
     }
 }
 
-/* A product at t, x: weights in at->v; the result in at->out, of which inputs and parameters are
- * added up, times a factor. */
+/* A product at t, x: weights in at->v; the result in at->out, of which discrete states, inputs
+ * and parameters are added up, times a factor. */
 static int product(const cardan_adjoint *adjoint, const scratch *at, const cardan_call *call, real t,
                    const real *x, real factor)
 {
     cardan_run *run = adjoint->run;
+    const real *by_s = at->out + run->nx, *by_r = by_s + run->ns, *by_p = by_r + run->nr;
     cardan_in in;
     int status;
 
@@ -106,9 +107,11 @@ static int product(const cardan_adjoint *adjoint, const scratch *at, const carda
     status = call->function(&in, at->out, at->work);
     if (status != 0)
         return CARDAN_MODEL;
-    add_inputs(adjoint, t, factor, at->out + run->nx);
+    add_inputs(adjoint, t, factor, by_r);
+    for (ptrdiff_t i = 0; i < run->ns; i++)
+        adjoint->by_s[i] += factor * by_s[i];
     for (ptrdiff_t i = 0; i < adjoint->np; i++)
-        adjoint->by_p[i] += factor * at->out[run->nx + run->nr + i];
+        adjoint->by_p[i] += factor * by_p[i];
     return 0;
 }
 

@@ -16,7 +16,7 @@
 
 #include "run.h"
 
-/* Every product below has the derivatives along coordinates, u, z, then r and p as far as there are
+/* Every product below has the derivatives along coordinates, u, z, then s, r and p as far as there are
  * any of them: weights v times the derivative of a function. */
 typedef struct cardan_adjoint {
     cardan_run *run;            /* that took the steps: its functions, signals and sizes */
@@ -38,6 +38,7 @@ typedef struct cardan_adjoint {
     /* what comes out; all is added up but lam */
     real *lam;           /* (nx) gradient by the last state, then by the first one */
     real *by_p;          /* (np) */
+    real *by_s;          /* (ns) by the discrete states at all steps */
     real *by_r;          /* (nr) by inputs that are constant */
     real *by_pieces;     /* by the coefficients of all signals one after the other (pieces, 4) */
     real *cost;          /* (1) integral of the running cost */
