@@ -34,7 +34,9 @@ const size_t cardan_lane_method_layout[4] = {
 };
 #else
 #include "run.h"
+#include "steps.h"
 #include "adjoint.h"
+#include "tangent.h"
 #include "input_functions.h"
 #include "ensemble.h"
 #include "mesh.h"
@@ -119,20 +121,40 @@ const size_t cardan_tick_layout[6] = {
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
 };
 
-extern const size_t cardan_adjoint_layout[28];
-const size_t cardan_adjoint_layout[28] = {
-    sizeof(cardan_adjoint), offsetof(cardan_adjoint, run), offsetof(cardan_adjoint, rates.function),
-    offsetof(cardan_adjoint, rates.w), offsetof(cardan_adjoint, close_position.function),
-    offsetof(cardan_adjoint, close_position.w), offsetof(cardan_adjoint, close_velocity.function),
-    offsetof(cardan_adjoint, close_velocity.w), offsetof(cardan_adjoint, running.function),
-    offsetof(cardan_adjoint, running.w), offsetof(cardan_adjoint, running_cost.function),
-    offsetof(cardan_adjoint, running_cost.w), offsetof(cardan_adjoint, stages),
-    offsetof(cardan_adjoint, nodes), offsetof(cardan_adjoint, weights), offsetof(cardan_adjoint,
-    matrix), offsetof(cardan_adjoint, rows), offsetof(cardan_adjoint, count),
-    offsetof(cardan_adjoint, np), offsetof(cardan_adjoint, lam), offsetof(cardan_adjoint, by_p),
-    offsetof(cardan_adjoint, by_s), offsetof(cardan_adjoint, by_r), offsetof(cardan_adjoint,
-    by_pieces), offsetof(cardan_adjoint, cost), offsetof(cardan_adjoint, memory),
-    offsetof(cardan_adjoint, work), offsetof(cardan_adjoint, failed)
+extern const size_t cardan_steps_layout[14];
+const size_t cardan_steps_layout[14] = {
+    sizeof(cardan_steps), offsetof(cardan_steps, run), offsetof(cardan_steps, stages),
+    offsetof(cardan_steps, nodes), offsetof(cardan_steps, weights), offsetof(cardan_steps, matrix),
+    offsetof(cardan_steps, rows), offsetof(cardan_steps, count), offsetof(cardan_steps, failed),
+    offsetof(cardan_steps, states), offsetof(cardan_steps, slopes), offsetof(cardan_steps, end),
+    offsetof(cardan_steps, place), offsetof(cardan_steps, work)
+};
+
+extern const size_t cardan_adjoint_layout[22];
+const size_t cardan_adjoint_layout[22] = {
+    sizeof(cardan_adjoint), offsetof(cardan_adjoint, steps), offsetof(cardan_adjoint,
+    rates.function), offsetof(cardan_adjoint, rates.w), offsetof(cardan_adjoint,
+    close_position.function), offsetof(cardan_adjoint, close_position.w), offsetof(cardan_adjoint,
+    close_velocity.function), offsetof(cardan_adjoint, close_velocity.w), offsetof(cardan_adjoint,
+    running.function), offsetof(cardan_adjoint, running.w), offsetof(cardan_adjoint,
+    running_cost.function), offsetof(cardan_adjoint, running_cost.w), offsetof(cardan_adjoint, np),
+    offsetof(cardan_adjoint, lam), offsetof(cardan_adjoint, by_p), offsetof(cardan_adjoint, by_s),
+    offsetof(cardan_adjoint, by_r), offsetof(cardan_adjoint, by_pieces), offsetof(cardan_adjoint,
+    cost), offsetof(cardan_adjoint, pulled), offsetof(cardan_adjoint, v), offsetof(cardan_adjoint,
+    out)
+};
+
+extern const size_t cardan_tangent_layout[19];
+const size_t cardan_tangent_layout[19] = {
+    sizeof(cardan_tangent), offsetof(cardan_tangent, steps), offsetof(cardan_tangent,
+    rates.function), offsetof(cardan_tangent, rates.w), offsetof(cardan_tangent,
+    close_position.function), offsetof(cardan_tangent, close_position.w), offsetof(cardan_tangent,
+    close_velocity.function), offsetof(cardan_tangent, close_velocity.w), offsetof(cardan_tangent,
+    columns), offsetof(cardan_tangent, named), offsetof(cardan_tangent, by_named),
+    offsetof(cardan_tangent, by_input), offsetof(cardan_tangent, by_pieces),
+    offsetof(cardan_tangent, by_s), offsetof(cardan_tangent, pieces), offsetof(cardan_tangent,
+    changes), offsetof(cardan_tangent, moved), offsetof(cardan_tangent, rising),
+    offsetof(cardan_tangent, out)
 };
 
 extern const size_t cardan_input_function_layout[6];

@@ -21,10 +21,8 @@ from .adjoint import Sweep
 from .cost import Cost
 from .jumps import Happening, Jumps, happenings
 from .start import by_named_start
+from .steps import TABLES
 from .unknowns import InputSlopes, Slope, Unknowns, unknowns
-
-# methods whose steps are swept backward
-EXPLICIT = ("RK4", "RK45", "DOP853")
 
 
 @dataclass(frozen=True)
@@ -122,13 +120,13 @@ def _refuse(setup: RunSetup) -> None:
             f"gradient: '{model.name}' has finite elements, through whose steps there is no sweep "
             "yet. Take differences of simulate at a tight tolerance"
         )
-    if method not in EXPLICIT:
+    if method not in TABLES:
         why = (
             "the Jacobian stands in its steps, which would need second derivatives. Take "
             if method == "Rosenbrock"
             else "there is no sweep through its steps. Take "
         )
-        raise ModelError(f"gradient: method '{method}': {why}{', '.join(EXPLICIT)}")
+        raise ModelError(f"gradient: method '{method}': {why}{', '.join(TABLES)}")
     if setup.input_signals.functions:
         names = [model.inputs[k] for k in setup.input_signals.functions]
         raise ModelError(

@@ -22,7 +22,7 @@ from ...errors import SolveError
 from ...schema.request import reads
 from ..simulation import run_record as abi
 from ..simulation.events import DIRECTIONS, Crossing, EventTable
-from .adjoint import Slopes, Sweep, request_of
+from .adjoint import Slopes, Sweep
 from .cost import Cost
 
 # growth of a change in an event, beyond which it happens by a touch
@@ -219,7 +219,7 @@ class Jumps:
     ) -> Slopes:
         """Weights times the derivative of a function."""
         model = self.model
-        request = request_of(model, name, None, bool(len(self.sweep.by_p)), time=True)
+        request = self.sweep.request(name, time=True)
         q, u, z = model.parts_of(x)
         values = {"t": t, "q": q, "u": u, "z": z, "s": s, "r": inputs, "e": fired, "v": weights}
         listed = tuple(values[one] for one in reads("vjp", request))

@@ -7,7 +7,6 @@ from functools import lru_cache
 from typing import Any
 
 from ...schema.records import (
-    COUNT,
     POINTER,
     REAL,
     Adjoint,
@@ -16,6 +15,8 @@ from ...schema.records import (
     Method,
     Run,
     Signal,
+    Steps,
+    Tangent,
     Tick,
     check,
 )
@@ -56,7 +57,9 @@ RECORDS = {
     "method": Method,
     "signal": Signal,
     "tick": Tick,
+    "steps": Steps,
     "adjoint": Adjoint,
+    "tangent": Tangent,
     "input_function": InputFunction,
     "input_functions": InputFunctions,
 }
@@ -75,10 +78,8 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     for name in ("cardan_run_start", "cardan_run_drive", "cardan_refresh", "cardan_segment"):
         getattr(library, name).argtypes = [record]
     library.cardan_run_at.argtypes = [record, REAL, POINTER]
-    adjoint = ctypes.POINTER(Adjoint)
-    library.cardan_adjoint_sweep.argtypes = [adjoint]
-    library.cardan_adjoint_length.argtypes = [adjoint, COUNT]
-    library.cardan_adjoint_length.restype = COUNT
+    library.cardan_adjoint_sweep.argtypes = [ctypes.POINTER(Adjoint)]
+    library.cardan_tangent_sweep.argtypes = [ctypes.POINTER(Tangent)]
     rooms = [ctypes.c_size_t, ctypes.c_size_t]
     library.cardan_run_length.argtypes = [record, *rooms]
     library.cardan_run_length.restype = ctypes.c_size_t

@@ -2,7 +2,7 @@
  *
  * Part of cardan.
  */
-#include "adjoint.h"
+#include "steps.h"
 #include "dop853_tables.h"
 
 enum { STAGES = 12 };

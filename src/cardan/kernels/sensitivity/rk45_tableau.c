@@ -3,7 +3,7 @@
  * Part of cardan. A sum of derivatives of which one is 1 and all others are 0 is its coefficient.
  */
 #define K(j) (real)((j) == column)
-#include "adjoint.h"
+#include "steps.h"
 #include "rk45_tables.h"
 
 enum { STAGES = RK45_END };

@@ -2,7 +2,7 @@
  *
  * Part of cardan.
  */
-#include "adjoint.h"
+#include "steps.h"
 
 enum { STAGES = 4 };
 
