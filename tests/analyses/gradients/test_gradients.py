@@ -174,6 +174,8 @@ def judge(
 
         expected = difference(value, 1e-3)
         assert found.slope[name] == pytest.approx(expected, rel=1e-7, abs=1e-9), name
+    if "events" not in given:
+        both(model, t, model.coordinates[0], names, **given)
     return found
 
 
@@ -195,6 +197,8 @@ def test_inputs_by_their_values() -> None:
     for k, unit in enumerate(np.eye(6)):
         expected = difference(lambda by, unit=unit: run(values + by * unit).value, 1e-2)
         assert found.slope["tau"][k] == pytest.approx(expected, rel=1e-8, abs=1e-10)
+    table = {"tau": (times, values), "bias": 0.2}
+    both(model, 1.5, "hinge", ("tau", "bias", "u0.hinge"), q={"hinge": 0.4}, inputs=table)
     given = {"q": {"hinge": 0.4}, "inputs": {"tau": 0.3, "bias": 0.2}}
     judge(model, 1.5, cost, ("tau", "bias", "q0.hinge"), **given)
 
@@ -318,6 +322,60 @@ def test_what_has_no_gradient_is_refused_with_the_cure() -> None:
     for wrong in ({}, {"final": ""}, {"running": 3j}):
         with pytest.raises(cd.ArgumentError):
             cd.cost(**wrong)
+
+
+def both(
+    model: cd.CompiledModel, t: float, output: str, names: tuple[str, ...], **given: Any
+) -> Any:
+    """Forward and backward: the same numbers."""
+    given = {**TIGHT, "method": "DOP853", **given}
+    motion = model.simulate(t, sensitivity=names, **given)
+    found = model.gradient(t, cd.cost(final=output), wrt=names, **given)
+    entries = (*model.coordinates, *model.speeds, *model.internals)
+    for name in names:
+        forward = motion.sensitivity[name][-1, entries.index(output)]
+        backward = np.asarray(found.slope[name])
+        scale = max(1.0, float(np.abs(backward).max(initial=0.0)))
+        assert np.abs(forward - backward).max(initial=0.0) <= 1e-12 * scale, name
+    return motion
+
+
+def test_forward_and_backward_are_the_same() -> None:
+    model = double_pendulum()
+    names = ("x0", "m1", "p", "q0.b")
+    given = {"q": {"a": 1.0, "b": 0.5}, "u": {"a": 0.2}}
+    for method in ("DOP853", "RK45"):
+        both(model, 2.0, "b", names, method=method, **given)
+    both(ball(), 2.0, "z", ("q0.z", "e", "gravity.z"), q={"z": 1.0})
+    both(windows(), 0.3, "A0", ("u0.A0", "gravity.y", "x0"), q={"A0": np.pi / 2}, u={"A0": -1.0})
+
+
+def test_sensitivities_at_any_time() -> None:
+    """Between the rows, and against differences of whole motions."""
+    model, names = double_pendulum(), ("m2", "q0.a", "x0")
+    given = {"q": {"a": 1.0, "b": 0.5}, "u": {"a": 0.2}, **TIGHT}
+    motion = model.simulate(2.0, sensitivity=names, **given)
+    times = np.array([0.0, 0.123, 1.7, 2.0])
+    found = motion.sensitivity.at(times)
+    assert found["m2"].shape == (4, 4)
+    assert found["x0"].shape == (4, 4, 4)
+    np.testing.assert_array_equal(found["m2"][0], 0.0)
+    np.testing.assert_array_equal(found["x0"][0], np.eye(4))
+    np.testing.assert_allclose(found["m2"][-1], motion.sensitivity["m2"][-1], rtol=1e-14)
+
+    def states(by: float) -> Any:
+        return model.simulate(times, parameters={"m2": 1.0 + by}, **given).x
+
+    slope = (states(1e-4) - states(-1e-4)) / 2e-4
+    np.testing.assert_allclose(found["m2"], slope, atol=1e-6)
+    with pytest.raises(SolveError, match="from 0 s to 2 s"):
+        motion.sensitivity.at(2.5)
+    with pytest.raises(ModelError, match=r"'m1' was not asked for"):
+        motion.sensitivity["m1"]
+    with pytest.raises(ModelError, match="checkpoint"):
+        model.simulate(1.0, sensitivity="m2", checkpoint="x.run", **given)
+    with pytest.raises(ModelError, match=r"sensitivity.at"):
+        model.simulate(times, sensitivity="m2", **given)
 
 
 def _with_input() -> cd.Scene:

@@ -5,23 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arguments import Inputs, checked
-from ...arrays import Array
-from ...errors import ModelError, SolveError
 from ...runtime.models.loaded_model import LoadedModel
-from ...runtime.trajectory.solver_info import EVENT, FINISHED
+from ...runtime.trajectory.solver_info import EVENT
 from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ..simulation.driving import RunSetup, chosen, driven, reported, run_setup, runner_of
 from ..simulation.run import Runner
 from ..simulation.settings import Values
-from ..simulation.simulate import RunSetup, chosen, driven, reported, run_setup, runner_of
 from .adjoint import Sweep
 from .cost import Cost
-from .jumps import Happening, Jumps, happenings
-from .start import by_named_start
-from .steps import TABLES
+from .differentiable import check_complete, refuse, row_behind, rows_of
+from .jumps import Jumps, happenings
+from .start import NamedStart
 from .unknowns import InputSlopes, Slope, Unknowns, unknowns
 
 
@@ -95,44 +92,11 @@ def gradient(
     options = (method, rtol, atol, step, max_step)
     setup = run_setup(model, (t, None), state, events, options, inputs, parameters)
     names = unknowns(setup.model, wrt, {str(k): v for k, v in given.items()})
-    _refuse(setup)
+    refuse(setup)
     runner = runner_of(setup.model, chosen(setup.how, None), setup.input_signals, setup.event_table)
     motion = driven(runner, setup.over, setup.begin, progress, dense=False)
-    if motion.solver_info.status not in (FINISHED, EVENT):
-        raise SolveError(f"gradient: the motion is not complete: {motion.message}")
-    if motion.solver_info.statistics.get("passed"):
-        raise SolveError(
-            "gradient: the motion passes a place where branches meet, at which it has no "
-            "derivative. Change the start or the parameters a little"
-        )
+    check_complete(motion)
     return _swept(setup, runner, reported(motion, False), cost, names, state)
-
-
-def _refuse(setup: RunSetup) -> None:
-    """Refuse what has no gradient.
-
-    Raises:
-        ModelError: with the cure.
-    """
-    model, method = setup.model, setup.how.method.name
-    if model.manifest.absolute:
-        raise ModelError(
-            f"gradient: '{model.name}' has finite elements, through whose steps there is no sweep "
-            "yet. Take differences of simulate at a tight tolerance"
-        )
-    if method not in TABLES:
-        why = (
-            "the Jacobian stands in its steps, which would need second derivatives. Take "
-            if method == "Rosenbrock"
-            else "there is no sweep through its steps. Take "
-        )
-        raise ModelError(f"gradient: method '{method}': {why}{', '.join(TABLES)}")
-    if setup.input_signals.functions:
-        names = [model.inputs[k] for k in setup.input_signals.functions]
-        raise ModelError(
-            f"gradient: input '{names[0]}' is a function, whose derivative is not known. Give it "
-            "as (times, values), or write it into the scene as a force"
-        )
 
 
 def _swept(
@@ -149,29 +113,27 @@ def _swept(
     jumps = Jumps(sweep, cost, setup.event_table, setup.over.start)
     happened = happenings(log.log, setup.event_table, model.nx, model.ns)
     value, final_rate = _final(sweep, motion, cost)
-    rows = np.hstack(
-        [motion.t[:, None], motion.x, motion.work_done, motion.r, log.s.reshape(len(motion.t), -1)]
-    )
+    rows = rows_of(motion)
     end = len(rows)
     halted = motion.solver_info.status == EVENT
     for number, at in enumerate(reversed(happened)):
         last = halted and number == 0
         # the row behind what happened, at the same time as that before it
-        first = _row_behind(motion.t, end, at)
+        first = row_behind(motion.t, end, at)
         if not last:
             sweep.over(rows[first:end])
             end = first
         jumps.pull(at, final_rate if last else None)
     sweep.over(rows[:end])
-    start = by_named_start(setup, sweep, state, log.s[0])
+    begin = NamedStart.of(setup, sweep, state, log.s[0], names.parameters)
+    start, by_r, by_p = begin.backward(sweep.lam)
+    if by_r.size:
+        sweep.add_inputs(setup.over.start, by_r)
+    if by_p.size:
+        sweep.by_p += by_p
     slopes = InputSlopes(model, sweep.by_r, sweep.by_pieces)
     by_name = names.slopes(start, sweep.by_p, setup.input_signals, slopes)
     return Gradient(value + sweep.cost, by_name, motion)
-
-
-def _row_behind(t: Array, end: int, at: Happening) -> int:
-    """The first row behind what happened: the last one at its time."""
-    return int(np.searchsorted(t[:end], at.t, side="right")) - 1
 
 
 def _final(sweep: Sweep, motion: TrajectoryRecord, cost: Cost) -> tuple[float, float]:

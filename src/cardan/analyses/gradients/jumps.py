@@ -81,6 +81,73 @@ def happenings(log: Array, events: EventTable, nx: int, ns: int) -> list[Happeni
     return result
 
 
+def event_names(events: EventTable) -> list[str]:
+    """Names of all events."""
+    return [str(row["name"]) for row in events.rows]
+
+
+def root_of(at: Happening, events: EventTable, start: float) -> int | None:
+    """The event whose value decided when it happened; None where the time was given.
+
+    Raises:
+        SolveError: there are two.
+    """
+    if at.t == start:
+        return None
+    fired = np.flatnonzero(at.fired[0])
+    roots = [int(k) for k in fired if events.kinds[k] != abi.TICK]
+    if len(roots) > 1 or (roots and len(roots) < len(fired)):
+        names = " and ".join(f"'{event_names(events)[int(k)]}'" for k in fired)
+        raise SolveError(
+            f"gradient: {names} happen at the same time, t = {at.t:.9g} s: which comes first is "
+            "not decided, and there is no derivative. Change the start or the parameters a little"
+        )
+    return roots[0] if roots else None
+
+
+def slope_of_watched(events: EventTable, root: int, nx: int) -> Array:
+    """Derivative (nx,) of a value that the caller watches.
+
+    Raises:
+        SolveError: it is a function, whose derivative nobody knows.
+    """
+    signs = [(w, sign) for w in events.watches for sign in DIRECTIONS[w.direction]]
+    watch, sign = signs[root - events.model]
+    value: Any = watch.value
+    if not isinstance(value, Crossing):
+        raise SolveError(
+            f"gradient: the run ends by '{watch.name}', a function whose derivative is not known. "
+            "Watch an entry of the state, such as ('elbow', 0.5), or end at a time"
+        )
+    slope = np.zeros(nx)
+    slope[value.entry] = sign
+    return slope
+
+
+def check_touch(at: Happening, name: str, slope: Array, before: Array, other: float) -> float:
+    """Rate of the value of an event when it happens.
+
+    Args:
+        at: What happened.
+        name: Of the event.
+        slope: Derivative of its value by the state (nx,).
+        before: Rates of the state (nx,).
+        other: Rate of the value besides, as time and inputs change it.
+
+    Raises:
+        SolveError: it happens by a touch.
+    """
+    rate = float(slope @ before) + other
+    size = float(np.linalg.norm(slope) * np.linalg.norm(before))
+    if rate == 0 or not size <= GRAZING * abs(rate):
+        raise SolveError(
+            f"gradient: '{name}' happens at t = {at.t:.9g} s by a touch: its value changes by "
+            f"{rate:.1e} per second only, and its time has no derivative there. Change the start "
+            "or the parameters a little"
+        )
+    return rate
+
+
 class Jumps:
     """Gradients by states before events from those by states behind them."""
 
@@ -106,7 +173,7 @@ class Jumps:
             SolveError: two events at one time that are not one, or one that happens by a touch.
         """
         lam, ended = self.sweep.lam, final_rate is not None
-        root = self._root(at)
+        root = root_of(at, self.events, self.start)
         inputs, rates = self._inputs(at.t)
         by_time = final_rate or 0.0
         if not ended:
@@ -126,14 +193,8 @@ class Jumps:
     ) -> None:
         """Gradients through the time of an event, which its value decides."""
         slopes = self._slopes(at, root, inputs)
-        rate = float(slopes.by_x @ before) + slopes.by_t + float(slopes.by_r @ rates)
-        size = float(np.linalg.norm(slopes.by_x) * np.linalg.norm(before))
-        if not size <= GRAZING * abs(rate) or rate == 0:
-            raise SolveError(
-                f"gradient: '{self._name(root)}' happens at t = {at.t:.9g} s by a touch: its value "
-                f"changes by {rate:.1e} per second only, and its time has no derivative there. "
-                "Change the start or the parameters a little"
-            )
+        own = slopes.by_t + float(slopes.by_r @ rates)
+        rate = check_touch(at, event_names(self.events)[root], slopes.by_x, before, own)
         self._add(at.t, slopes, -by_time / rate)
 
     def _pull_transition(self, at: Happening, k: int, inputs: Array, rates: Array) -> float:
@@ -159,51 +220,15 @@ class Jumps:
         self._add(at.t, slopes)
         return by_time + slopes.by_t + float(slopes.by_r @ rates)
 
-    def _root(self, at: Happening) -> int | None:
-        """The event whose value decided when it happened; None where the time was given.
-
-        Raises:
-            SolveError: there are two.
-        """
-        if at.t == self.start:
-            return None
-        fired = np.flatnonzero(at.fired[0])
-        roots = [int(k) for k in fired if self.events.kinds[k] != abi.TICK]
-        if len(roots) > 1 or (roots and len(roots) < len(fired)):
-            names = " and ".join(f"'{self._name(int(k))}'" for k in fired)
-            raise SolveError(
-                f"gradient: {names} happen at the same time, t = {at.t:.9g} s: which comes first "
-                "is not decided, and there is no derivative. Change the start or the parameters a "
-                "little"
-            )
-        return roots[0] if roots else None
-
     def _slopes(self, at: Happening, root: int, inputs: Array) -> Slopes:
         """Derivatives of the value of an event."""
         if root >= self.events.model:
-            return self._watched(root - self.events.model)
+            by_x, model = slope_of_watched(self.events, root, self.model.nx), self.model
+            nothing = np.zeros(model.ns), np.zeros(model.nr), np.zeros(len(self.sweep.by_p))
+            return Slopes(0.0, by_x, *nothing)
         weights = np.zeros(len(self.model.manifest.events))
         weights[root] = 1.0
         return self._product("events", weights, at.t, at.x[0], at.s[0], inputs)
-
-    def _watched(self, number: int) -> Slopes:
-        """The same of a value that the caller watches.
-
-        Raises:
-            SolveError: it is a function, whose derivative nobody knows.
-        """
-        signs = [(w, sign) for w in self.events.watches for sign in DIRECTIONS[w.direction]]
-        watch, sign = signs[number]
-        value: Any = watch.value
-        if not isinstance(value, Crossing):
-            raise SolveError(
-                f"gradient: the run ends by '{watch.name}', a function whose derivative is not "
-                "known. Watch an entry of the state, such as ('elbow', 0.5), or end at a time"
-            )
-        by_x, model = np.zeros(self.model.nx), self.model
-        by_x[value.entry] = sign
-        nothing = np.zeros(model.ns), np.zeros(model.nr), np.zeros(len(self.sweep.by_p))
-        return Slopes(0.0, by_x, *nothing)
 
     # calls
 
@@ -252,6 +277,3 @@ class Jumps:
 
     def _kinds(self, mask: Array) -> list[int]:
         return [self.events.kinds[k] for k in np.flatnonzero(mask)]
-
-    def _name(self, k: int) -> str:
-        return str(self.events.rows[k]["name"])

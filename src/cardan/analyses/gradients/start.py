@@ -1,8 +1,13 @@
-"""How the start of a run follows from what was named, backward."""
+"""How the start of a run follows from what was named.
+
+Where loops are closed, what was not named follows from what was, and from parameters and inputs: by
+the shortest change that keeps the loops closed.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,58 +15,123 @@ from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...runtime.models.loaded_model import LoadedModel
-from ..simulation.simulate import RunSetup
-from .adjoint import Sweep
+from ..simulation.driving import RunSetup
+from .steps import StepsAgain
 
 RANK = 1e-9  # of the largest singular value: rows that say nothing new
 
 
-def by_named_start(setup: RunSetup, sweep: Sweep, state: Mapping[str, object], s: Array) -> Array:
-    """Gradient by the start as it was named: along the speeds, by speeds, by internal states.
+@dataclass(frozen=True)
+class Level:
+    """Constraints of positions or of speeds at the start: their derivatives.
 
-    Where loops are closed, what was not named follows from what was, and from parameters and
-    inputs, whose gradients the sweep gains by that: the shortest change that keeps loops closed.
-
-    Args:
-        setup: The run.
-        sweep: Whose gradients by the first state are known.
-        state: x0, q, u and z as they were given.
-        s: Modes (ns,) at the start.
+    Attributes:
+        rows: Along what they determine (m, nu).
+        by_q: Along coordinates (m, nu), of those of speeds; None of those of positions.
+        by_r, by_p: By inputs (m, nr) and parameters (m, np).
+        named: Entries (nu,) that are held.
     """
-    model, x = setup.model, setup.begin.x
-    q, u, z = model.parts_of(x)
-    lam, nq, nu = sweep.lam, model.nq, model.nu
-    t = setup.over.start
-    at: dict[str, Any] = {"t": t, "r": sweep.inputs_at(t)[0]}
-    along = model.vjp("qdot", wrt="u")(q, u, weights=lam[:nq], **at) if nu else lam[:0]
-    by_q, by_u = np.array(along), lam[nq : nq + nu].copy()
-    closing = sweep.runner.closing
-    if closing.rates:
-        blocks = [name for name, size in (("r", model.nr), ("p", len(sweep.by_p))) if size]
-        wrt = ("q", "u", *blocks)
-        columns = model.derivative("constraint_rates", wrt=wrt)(q, u, z=z, s=s, **at)
-        named = _named(model, "u", state["u"])
-        weights = _held(by_u, columns[1], named)
-        by_q -= weights @ columns[0]
-        _add(sweep, t, dict(zip(blocks, columns[2:], strict=True)), weights)
-    if closing.positions:
-        wrt = ("q", *blocks)
-        columns = model.derivative("constraints", wrt=wrt)(q, **at)
-        weights = _held(by_q, columns[0], _named(model, "q", state["q"]))
-        _add(sweep, t, dict(zip(blocks, columns[1:], strict=True)), weights)
-    return np.concatenate([by_q, by_u, lam[nq + nu :]])
+
+    rows: Array
+    by_q: Array | None
+    by_r: Array
+    by_p: Array
+    named: NDArray[np.bool_]
+
+    @property
+    def inverse(self) -> Array:
+        """Changes (nu, m) of what is free, by which each row is met."""
+        result = np.zeros(self.rows.T.shape)
+        result[~self.named] = np.linalg.pinv(self.rows[:, ~self.named], rcond=RANK)
+        return result
 
 
-def _held(bars: Array, rows: Array, named: NDArray[np.bool_]) -> Array:
-    """Take what rows @ change = 0 determines out of a gradient, where named entries are held.
+@dataclass(frozen=True)
+class NamedStart:
+    """Derivatives of the start of a run by what was named, by parameters and by inputs.
 
-    Returns:
-        Weights of the rows: the gradient gains -weights @ what else changes them.
+    Attributes:
+        model: The model.
+        kinematic: N (nq, nu): rates of the coordinates by the speeds.
+        positions, speeds: Constraints there; None without.
     """
-    free = rows[:, ~named]
-    weights: Array = np.linalg.pinv(free, rcond=RANK).T @ bars[~named]
-    bars -= weights @ rows
-    return weights
+
+    model: LoadedModel
+    kinematic: Array
+    positions: Level | None
+    speeds: Level | None
+
+    @classmethod
+    def of(
+        cls, setup: RunSetup, steps: StepsAgain, state: Mapping[str, object], s: Array, wide: bool
+    ) -> NamedStart:
+        """The derivatives at the start of a run.
+
+        Args:
+            setup: The run.
+            steps: Its steps.
+            state: x0, q, u and z as they were given.
+            s: Modes (ns,) at the start.
+            wide: Whether derivatives by parameters are wanted.
+        """
+        model = setup.model
+        q, u, z = model.parts_of(setup.begin.x)
+        at: dict[str, Any] = {"t": setup.over.start, "r": steps.inputs_at(setup.over.start)[0]}
+        N = model.derivative("qdot", wrt="u")(q, u, **at) if model.nu else np.zeros((model.nq, 0))
+        closing, levels = steps.runner.closing, dict[str, Level]()
+        blocks = ["r"] * (model.nr > 0) + ["p"] * (wide and len(model.parameters) > 0)
+        empty = {"r": model.nr, "p": len(model.parameters) if wide else 0}
+        functions = {"u": "constraint_rates" if closing.rates else ""}
+        functions["q"] = "constraints" if closing.positions else ""
+        for letter, function in functions.items():
+            if not function:
+                continue
+            speeds = letter == "u"
+            wrt = ("q", *["u"] * speeds, *blocks)
+            states: dict[str, Any] = {"u": u, "z": z, "s": s} if speeds else {}
+            found = dict(
+                zip(wrt, model.derivative(function, wrt=wrt)(q=q, **states, **at), strict=True)
+            )
+            rows = found[letter]
+            by_r, by_p = (
+                found.get(name, np.zeros((len(rows), size))) for name, size in empty.items()
+            )
+            by_q = found["q"] if speeds else None
+            levels[letter] = Level(rows, by_q, by_r, by_p, _named(model, letter, state[letter]))
+        return cls(model, N, levels.get("q"), levels.get("u"))
+
+    def backward(self, lam: Array) -> tuple[Array, Array, Array]:
+        """Gradients by the named start (2 nu + nz,), by inputs and by parameters.
+
+        Args:
+            lam: Gradient by the state (nx,).
+        """
+        nq, nu = self.model.nq, self.model.nu
+        by_q, by_u = self.kinematic.T @ lam[:nq], lam[nq : nq + nu].copy()
+        by_r = by_p = np.zeros(0)
+        for level, bars in ((self.speeds, by_u), (self.positions, by_q)):
+            if level is None:
+                continue
+            weights = level.inverse.T @ bars
+            bars -= weights @ level.rows
+            if level.by_q is not None:
+                by_q -= weights @ level.by_q
+            by_r = by_r - weights @ level.by_r if by_r.size else -weights @ level.by_r
+            by_p = by_p - weights @ level.by_p if by_p.size else -weights @ level.by_p
+        return np.concatenate([by_q, by_u, lam[nq + nu :]]), by_r, by_p
+
+    def forward(self, start: Array, by_r: Array, by_p: Array) -> Array:
+        """Change of the state (nx,) by one of what was named (2 nu + nz,), inputs, parameters."""
+        nu = self.model.nu
+        q, u = start[:nu].copy(), start[nu : 2 * nu].copy()
+        for level, change in ((self.positions, q), (self.speeds, u)):
+            if level is None:
+                continue
+            missed = level.rows @ change + level.by_r @ by_r + level.by_p @ by_p
+            if level.by_q is not None:
+                missed = missed + level.by_q @ q
+            change -= level.inverse @ missed
+        return np.concatenate([self.kinematic @ q, u, start[2 * nu :]])
 
 
 def _named(model: LoadedModel, block: str, values: object) -> NDArray[np.bool_]:
@@ -73,17 +143,9 @@ def _named(model: LoadedModel, block: str, values: object) -> NDArray[np.bool_]:
         if joint.u is None:
             continue
         first, size = joint.u
-        own = joint.q if block == "q" else joint.u
+        place = joint.q if block == "q" else joint.u
         names = model.coordinates if block == "q" else model.speeds
-        entries = names[own[0] : own[0] + own[1]] if own is not None else ()
+        entries = names[place[0] : place[0] + place[1]] if place is not None else ()
         if joint.name in values or any(name in values for name in entries):
             mask[first : first + size] = True
     return mask
-
-
-def _add(sweep: Sweep, t: float, columns: Mapping[str, Array], weights: Array) -> None:
-    """Gradients by inputs and parameters through what they move at the start."""
-    if "r" in columns:
-        sweep.add_inputs(t, -(weights @ columns["r"]))
-    if "p" in columns:
-        sweep.by_p -= weights @ columns["p"]

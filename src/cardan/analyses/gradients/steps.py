@@ -47,6 +47,7 @@ class StepsAgain:
         rooms = dict(zip(("nodes", "weights", "matrix"), tables, strict=True))
         rooms |= {"states": np.zeros(steps.stages * nx), "slopes": np.zeros(steps.stages * nx)}
         rooms |= {"end": np.zeros(nx), "place": np.zeros(nx)}
+        self.rooms = rooms
         for name, room in rooms.items():
             setattr(steps, name, self.pointer(room))
 

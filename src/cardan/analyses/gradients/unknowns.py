@@ -37,6 +37,14 @@ class Unknowns:
         known = self.model.parameters
         return "p" in self.names or any(name in known for name in self.names)
 
+    def table(self, name: str) -> tuple[Array, Array] | None:
+        """Times and values of an input that was given by them; None of another one."""
+        value = self.given.get(name)
+        if not isinstance(value, tuple | list):
+            return None
+        times, values = (np.asarray(one, dtype=float) for one in value)
+        return times, values
+
     def slopes(
         self, start: Array, by_p: Array, signals: Signals, inputs: InputSlopes
     ) -> dict[str, Slope]:
