@@ -39,8 +39,9 @@ static void multiply(const cardan_tangent *tangent, ptrdiff_t column, ptrdiff_t 
         by += rows * sizes[block];
         moved += sizes[block];
     }
+    /* most columns change one parameter at most */
     for (ptrdiff_t k = 0; k < tangent->named; k++, by += rows)
-        for (ptrdiff_t i = 0; i < wanted; i++)
+        for (ptrdiff_t i = 0; i < wanted && named[k] != 0; i++)
             change[i] += named[k] * by[i];
 }
 
