@@ -121,6 +121,22 @@ def test_states_inputs_and_time(tmp_path: Path) -> None:
     _check(rhs, np.array([0.3]), np.array([0.4, -0.2, 0.5]), np.array([1.1]))
 
 
+@pytest.mark.filterwarnings("ignore:the start of 'four_bar'")
+@pytest.mark.parametrize("name", ["four_bar", "bouncing_ball"])
+def test_closed_loops_and_modes(name: str, tmp_path: Path) -> None:
+    scene = cd.load(cd.examples.path(name))
+    model = cd.compile(scene)
+    named = [("hessian", "rhs: q")]
+    folder = cd.derive(scene).export(tmp_path / "c", named, language="casadi")
+    rhs = loaded(folder, f"{name}_casadi").function("rhs")
+    x = np.array(model.initial())
+    if name == "bouncing_ball":
+        # in flight, spinning; in this mode it touches nothing
+        x[7:] = 0.3, 0.2, -0.5, 0.1, 0.2, 0.3
+    values = {"x": x, "s": np.ones(model.ns)}
+    _check(rhs, *(values[letter] for letter in rhs.name_in()))
+
+
 def _cart_pole() -> cd.Scene:
     scene = cd.Scene("cart_pole", gravity=(0, 0, -9.81))
     push = scene.input("push", unit="N")
