@@ -201,6 +201,12 @@ def arguments(name: str, entry: FunctionRow) -> list[str]:
     return [x for x in letters if not ARGUMENTS[x].default or x in usual]
 
 
+def about(block: str, entry: FunctionRow) -> str:
+    """What a block is as an argument of a function; v has a length of its own in every one."""
+    text = ARGUMENTS[block].text
+    return text.replace("nv", str(len(entry.vector))) if block == "v" else text
+
+
 def _jacobians(symbol: str, entry: FunctionRow, size: dict[str, int]) -> dict[str, Jacobian]:
     """Columns of a derivative by block; those along coordinates are those of q."""
     result, start = {}, 0
