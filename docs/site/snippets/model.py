@@ -116,6 +116,12 @@ A, B = model.derivative("forward_dynamics", wrt=("q", "u"))(q, u)
 derivative = model.derivative("forward_dynamics", wrt="q")
 print(derivative.operations, derivative.request)
 
+# CompiledModel.fit
+t = np.linspace(0, 0.5, 20)
+data = {"t": t, model.coordinates[0]: model.simulate(t, method="DOP853").x[:, 0]}
+fit = model.fit(data, unknown="q0")
+print(fit.standard_errors)
+
 # CompiledModel.gradient, cost
 value, slope = model.gradient(0.2, cd.cost(final=f"{model.coordinates[0]}^2"), wrt=("x0", "p"))
 

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 from ..analyses.continuation.stability_chart import StabilityChartRecord
 from ..analyses.cycles.cycle_record import CycleRecord
 from ..analyses.ensembles.sampling import Plan
+from ..analyses.fits.record import Fit
 from ..analyses.gradients.cost import Cost
 from ..analyses.gradients.gradient import Gradient
 from ..analyses.identification.base_parameters import Base
@@ -802,6 +803,55 @@ class CompiledModel(LoadedModel):
 
         Raises:
             ModelError: unknown names, or none. SolveError: no equilibrium at any start.
+        """
+    def fit(
+        self,
+        data: object,
+        *,
+        unknown: str | Sequence[str],
+        measured: Mapping[str, object] | None = None,
+        noise: float | Mapping[str, float] | None = None,
+        bounds: Mapping[str, Sequence[float]] | None = None,
+        loss: str = "linear",
+        segments: str | int = "auto",
+        q: Values | ArrayLike | None = None,
+        u: Values | ArrayLike | None = None,
+        z: Values | ArrayLike | None = None,
+        inputs: Inputs | None = None,
+        parameters: Values | None = None,
+        method: str = "DOP853",
+        rtol: float = 1e-09,
+        most: int = 60,
+        progress: bool | Callable[[float], None] | None = None,
+    ) -> Fit:
+        """Parameters and the start of a motion from measurements, by multiple shooting.
+
+        ``fit = model.fit("run.csv", unknown=("m2", "damping", "q0"), measured={"hand.z": "z"})``
+
+        Args:
+            data: A mapping with the times ``t`` (nt,) and columns (nt,), or a file .csv; NaN where
+                nothing was measured.
+            unknown: Names of parameters, and of starts as :meth:`gradient` takes them: ``"q0"``,
+                ``"u0"``, ``"x0"``, ``"q0.elbow"``.
+            measured: Formula in names of the model -> column, or its values (nt,); by default the
+                columns that are coordinates, speeds and outputs.
+            noise: Standard deviation of measurements, one number or by formula; its ratios weigh them.
+            bounds: Parameter -> (least, most).
+            loss: ``"linear"`` for least squares, ``"huber"`` where some samples are wrong.
+            segments: Number of runs that the motion is divided into; ``"auto"``: one for every eight
+                samples, at most 60.
+            q, u, z: Start at the first sample, where the search begins; what is no unknown stays.
+            inputs, parameters, method, rtol, progress: As :meth:`simulate` takes them.
+            most: Iterations.
+
+        Returns:
+            A :class:`cardan.Fit`.
+
+        Raises:
+            ArgumentError, ModelError: data or names that do not fit the model, and what has no
+                gradient. SolveError: no run from where the search begins.
+
+        Source: Bock (1983).
         """
     def gradient(
         self,

@@ -65,31 +65,41 @@ class Sensitivities(Mapping[str, Array]):
         Raises:
             SolveError: a time outside of the motion.
         """
-        times = np.atleast_1d(np.asarray(t, dtype=np.float64))
+        changes = self.states_at(np.atleast_1d(np.asarray(t, dtype=np.float64)))[1]
+        return {name: self._part(name, changes) for name in self.names}
+
+    def states_at(self, times: Array) -> tuple[Array, Array]:
+        """States (m, nx) at times inside the motion, and their changes (m, k, nx).
+
+        Raises:
+            SolveError: a time outside of the motion.
+        """
         rows, first, last = self._rows, self._rows[0, 0], self._rows[-1, 0]
-        sign = 1.0 if last >= first else -1.0
+        sign, nx = 1.0 if last >= first else -1.0, self._changes.shape[2]
         outside = (times - first) * sign < 0
         if (outside | ((last - times) * sign < 0)).any():
             raise SolveError(f"sensitivity: the motion goes from {first:g} s to {last:g} s")
-        changes = np.zeros((len(times), *self._changes.shape[1:]))
-        for k, time in enumerate(times):
-            row = int(np.searchsorted(sign * rows[:, 0], sign * time, side="right")) - 1
-            changes[k] = self._changes[row]
+        places = np.searchsorted(sign * rows[:, 0], sign * times, side="right") - 1
+        states, changes = rows[places, 1 : 1 + nx], self._changes[places]
+        for k, (time, row) in enumerate(zip(times, places, strict=True)):
             if time != rows[row, 0]:
                 # one step from the row before, as long as it takes
                 step = np.vstack([rows[row], rows[row]])
                 step[1, 0] = time
                 self._tangents.by_s[:] = next(s for at, s in reversed(self._modes) if at <= row)
                 changes[k] = self._inside(step, self._changes[row])
-        return {name: self._part(name, changes) for name in self.names}
+                states[k] = step[1, 1 : 1 + nx]
+        return states, changes
 
     def _inside(self, step: Array, first: Array) -> Array:
+        """Changes at the end of a step, whose state is filled in."""
         tangents = self._tangents
-        tangents.over(step, first)
-        # the state there is where that step leads: projections are differentiated at it
-        nx = tangents.model.nx
-        step[1, 1 : 1 + nx] = tangents.rooms["end"]
-        return np.asarray(tangents.over(step, first)[1])
+        changes = tangents.over(step, first)[1]
+        step[1, 1 : 1 + tangents.model.nx] = tangents.rooms["end"]
+        if tangents.runner.closing.rates:
+            # speeds are projected at the positions there
+            changes = tangents.over(step, first)[1]
+        return np.asarray(changes)
 
 
 def differentiated(

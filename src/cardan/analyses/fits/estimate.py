@@ -1,0 +1,119 @@
+"""Steps of the generalized Gauss-Newton method, and what the data do not tell.
+
+Increments of all nodes follow from those of the first one and of the parameters, as nodes meet:
+what is left is a linear least-squares problem in these alone (condensing).
+
+Source: H. G. Bock, in: Numerical Treatment of Inverse Problems in Differential and Integral
+Equations (1983), 95-121.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arrays import Array
+from .shooting import Segment
+
+# of the largest singular value, columns in their units: combinations below are not told
+RANK = 1e-9
+
+
+@dataclass(frozen=True)
+class Condensed:
+    """The linear problem about the present nodes: residuals + slopes @ free unknowns.
+
+    Attributes:
+        residuals: (m,).
+        slopes: (m, free).
+        nodes: Increments of every node per unit of the free unknowns (nodes, n, free).
+        offsets: Increments of every node without any (nodes, n): what closes the gaps.
+    """
+
+    residuals: Array
+    slopes: Array
+    nodes: Array
+    offsets: Array
+
+
+def condensed(
+    segments: Sequence[Segment], gaps: Sequence[Array], first: Array, count: int
+) -> Condensed:
+    """The problem of all segments.
+
+    Args:
+        segments: In their order.
+        gaps: What the end of each misses the next node by (n,), but for the last.
+        first: Increments of the first node per unit of the free unknowns (n, free).
+        count: Number of parameters, the last of the free unknowns.
+    """
+    n, free = first.shape
+    by_parameters = np.hstack([np.zeros((count, free - count)), np.eye(count)])
+    node, offset = first, np.zeros(n)
+    nodes, offsets, rows, values = [node], [offset], list[Array](), list[Array]()
+    for k, segment in enumerate(segments):
+        by_node, by_p = segment.slopes[:, :n], segment.slopes[:, n:]
+        rows.append(by_node @ node + by_p @ by_parameters)
+        values.append(segment.residuals + by_node @ offset)
+        # what the first node and parameters do to the next one
+        if k + 1 < len(segments):
+            moves = segment.transition
+            node = moves[:, :n] @ node + moves[:, n:] @ by_parameters
+            offset = moves[:, :n] @ offset + gaps[k]
+            nodes.append(node)
+            offsets.append(offset)
+    return Condensed(
+        np.concatenate(values), np.concatenate(rows), np.array(nodes), np.array(offsets)
+    )
+
+
+@dataclass(frozen=True)
+class Solved:
+    """A step and what is known of it.
+
+    Attributes:
+        step: Of the free unknowns (free,).
+        covariance: Of them, for residuals of variance 1 (free, free); infinite where the data do
+            not tell.
+        untold: Combinations that the data do not tell (k, free), of length 1 in their units.
+    """
+
+    step: Array
+    covariance: Array
+    untold: Array
+
+
+def solved(problem: Condensed, units: Array, fixed: NDArray[np.bool_], weights: Array) -> Solved:
+    """The least-squares step.
+
+    Args:
+        problem: The linear problem.
+        units: Of the free unknowns (free,).
+        fixed: True for unknowns at a bound, which stay.
+        weights: Of the residuals (m,), of a robust loss.
+    """
+    # columns in their units: ranks say what the data tell, not in which units
+    root = np.sqrt(weights)
+    moving = ~fixed
+    A = problem.slopes[:, moving] * units[moving] * root[:, None]
+    U, sizes, V = np.linalg.svd(A, full_matrices=False)
+    significant = sizes > RANK * max(float(sizes.max(initial=0.0)), np.finfo(float).tiny)
+    step = np.zeros(len(units))
+    along = -(U.T @ (problem.residuals * root))
+    step[moving] = units[moving] * (V[significant].T @ (along[significant] / sizes[significant]))
+    covariance = np.zeros((len(units), len(units)))
+    inner = (V[significant].T / sizes[significant] ** 2) @ V[significant]
+    # what is not told may be anything
+    missing = np.eye(V.shape[1]) - V[significant].T @ V[significant]
+    open_ended = np.abs(np.diag(missing)) > RANK
+    inner[open_ended, :] = inner[:, open_ended] = np.inf
+    covariance[np.ix_(moving, moving)] = inner * np.outer(units[moving], units[moving])
+    untold = np.zeros((0, len(units)))
+    if open_ended.any():
+        directions = np.linalg.svd(missing)[0][:, : round(float(np.trace(missing)))].T
+        untold = np.zeros((len(directions), len(units)))
+        untold[:, moving] = directions
+    return Solved(step, covariance, untold)

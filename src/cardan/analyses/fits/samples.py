@@ -1,0 +1,163 @@
+"""Measured samples of a motion, and what the model has in their place."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ArgumentError, ModelError, SolveError, brief, near
+from ...runtime.calls.calling import numbers
+from ...runtime.models.loaded_model import LoadedModel
+from ...schema.blocks import COORDINATES
+from ..identification.data import HEADING, read
+
+TIME = "t"
+
+
+@dataclass(frozen=True)
+class Samples:
+    """What was measured.
+
+    Attributes:
+        t: Times (nt,), ascending [s].
+        formulas: What each channel measures, in names of the model.
+        values: (nt, channels); NaN where nothing was measured.
+        noise: Standard deviation of every channel, as far as it is known, else 1.
+    """
+
+    t: Array
+    formulas: tuple[str, ...]
+    values: Array
+    noise: Array
+
+    @property
+    def present(self) -> Array:
+        """True where there is a number (nt, channels)."""
+        return np.isfinite(self.values)
+
+
+def samples_of(
+    model: LoadedModel,
+    data: object,
+    measured: Mapping[str, object] | None,
+    noise: float | Mapping[str, float] | None,
+) -> Samples:
+    """Samples as they are given to ``fit``.
+
+    Raises:
+        ArgumentError: no times, columns that do not fit together, unknown names.
+    """
+    table = _table(data)
+    if TIME not in table:
+        raise ArgumentError(f"fit: data has no column '{TIME}', the times [s]")
+    t = numbers("fit: data: t", table[TIME])
+    if t.ndim != 1 or len(t) < 2 or not np.isfinite(t).all() or not (np.diff(t) > 0).all():
+        raise ArgumentError("fit: data: t: give two times or more, ascending and finite")
+    channels: dict[str, object] = {}
+    if measured is None:
+        names = {*model.coordinates, *model.speeds, *model.internals, *_outputs(model)}
+        channels = {name: values for name, values in table.items() if name in names}
+        if not channels:
+            raise ArgumentError(
+                "fit: no column of data is a coordinate, speed or output of the model; say what "
+                "they are by measured={'hand.x - 0.1*elbow': 'column'}"
+            )
+    for formula, source in (measured or {}).items():
+        if isinstance(source, str):
+            if source not in table:
+                raise ArgumentError(f"fit: data has no column '{source}'.{near(source, table)}")
+            source = table[source]
+        channels[formula] = source
+    values = np.empty((len(t), len(channels)))
+    for k, (formula, column) in enumerate(channels.items()):
+        array = numbers(f"fit: measured '{formula}'", column)
+        if array.shape != t.shape:
+            raise ArgumentError(
+                f"fit: measured '{formula}' has shape {array.shape}, expected ({len(t)},)"
+            )
+        values[:, k] = array
+    return Samples(t, tuple(channels), values, _noise(tuple(channels), noise))
+
+
+def _table(data: object) -> dict[str, object]:
+    """Columns by name, without units behind them."""
+    if isinstance(data, str | Path):
+        columns = read(Path(data))
+        units = {name: HEADING.fullmatch(name) for name in columns}
+        return {(m[1] if (m := units[name]) else name): x for name, x in columns.items()}
+    if isinstance(data, Mapping):
+        return {str(name): value for name, value in data.items()}
+    raise ArgumentError(
+        f"fit: data={brief(data)}: give a mapping with t and columns, or a file .csv"
+    )
+
+
+def _outputs(model: LoadedModel) -> list[str]:
+    return [str(row.name) for row in model.manifest.outputs]
+
+
+def _noise(formulas: tuple[str, ...], noise: float | Mapping[str, float] | None) -> Array:
+    stated = {} if noise is None else noise
+    if not isinstance(stated, Mapping):
+        stated = dict.fromkeys(formulas, stated)
+    unknown = [name for name in stated if name not in formulas]
+    if unknown:
+        raise ArgumentError(
+            f"fit: noise of '{unknown[0]}': it is not measured.{near(unknown[0], formulas)}"
+        )
+    values = numbers("fit: noise", [stated.get(name, 1.0) for name in formulas])
+    if not ((values > 0) & np.isfinite(values)).all():
+        raise ArgumentError("fit: noise: standard deviations are positive numbers")
+    return values
+
+
+class Channels:
+    """What a model has in the place of measurements, with derivatives.
+
+    Args:
+        model: The model, with parameters of the time.
+        formulas: What is measured.
+        parameters: Names of those that it is differentiated by.
+    """
+
+    def __init__(
+        self, model: LoadedModel, formulas: tuple[str, ...], parameters: tuple[str, ...]
+    ) -> None:
+        self.model, self.formulas = model, formulas
+        blocks = {COORDINATES: model.nq, "u": model.nu, "z": model.nz}
+        wrt = (*[block for block, size in blocks.items() if size], *parameters)
+        try:
+            self._values = [model._function("expression", one) for one in formulas]
+            self._slopes = [model.derivative(("expression", one), wrt=wrt) for one in formulas]
+        except ModelError as problem:
+            raise ModelError(f"fit: measured: {problem}") from problem
+        self._state_blocks = len(wrt) - len(parameters)
+
+    def __call__(
+        self, t: Array, x: Array, r: Array, s: Array, changes: Array, by_parameters: Array
+    ) -> tuple[Array, Array]:
+        """Values (m, channels) and their changes (m, channels, k).
+
+        Args:
+            t, x, r, s: Times (m,), states (m, nx), inputs (m, nr) and modes (ns,).
+            changes: Of the states along k directions (m, k, nx).
+            by_parameters: Of the parameters along them (k, parameters).
+        """
+        q, u, z = self.model.parts_of(x)
+        shape = (len(t), len(self.formulas))
+        values, slopes = np.empty(shape), np.empty((*shape, changes.shape[1]))
+        for k, (function, slope) in enumerate(zip(self._values, self._slopes, strict=True)):
+            values[:, k] = function.caller(None, t, q, u, r, z, s)
+            parts = slope(q=q, u=u, z=z, s=s, t=t, r=r)
+            by_x = np.concatenate(parts[: self._state_blocks], axis=-1)
+            slopes[:, k] = np.einsum("mki,mi->mk", changes, by_x)
+            if len(parts) > self._state_blocks:
+                by_p = np.stack(parts[self._state_blocks :], axis=-1)
+                slopes[:, k] += by_p @ by_parameters.T
+        if not np.isfinite(values).all():
+            raise SolveError("fit: a measured quantity has no finite value along the motion")
+        return values, slopes

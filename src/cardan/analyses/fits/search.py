@@ -1,0 +1,237 @@
+"""The search of a fit: Gauss-Newton steps until nodes meet and nothing changes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ModelError, SolveError, SolveWarning, warn
+from ..gradients.unknowns import BLOCKS, start_places
+from ..simulation.progress import showing
+from ..simulation.simulate import simulate
+from .estimate import Condensed, Solved, condensed, solved
+from .record import Fit
+from .shooting import Segment, Shooting
+
+CLOSED = 1e-8  # gaps between nodes that are none
+EXACT = 1e-10  # of the units of the unknowns: a step that changes nothing
+FLAT = 1e-12  # of the cost: a step that improves nothing
+HUBER = 1.345  # in standard deviations: beyond, residuals count by their size alone
+TURN, PART = 1.0, 0.5  # largest step of a coordinate [rad], and of a parameter, as a part of it
+HALVINGS = 12
+
+
+@dataclass(frozen=True)
+class _Point:
+    """Unknowns with what they miss."""
+
+    states: list[Array]
+    values: Array
+    segments: list[Segment]
+    gaps: list[Array]
+
+    @property
+    def residuals(self) -> Array:
+        return np.concatenate([one.residuals for one in self.segments])
+
+    @property
+    def gap(self) -> float:
+        return max((float(np.abs(gap).max(initial=0.0)) for gap in self.gaps), default=0.0)
+
+
+class Search:
+    """The search for the minimum."""
+
+    def __init__(
+        self,
+        shooting: Shooting,
+        places: Mapping[str, slice],
+        limits: Array,
+        loss: str,
+        values: Array,
+    ) -> None:
+        self.shooting, self.limits, self.loss = shooting, limits, loss
+        # of parameters: what they begin with, so that one which becomes small may grow again
+        self.units = np.where(values != 0, np.abs(values), 1.0)
+        model = shooting.model
+        self.n, self.count = 2 * model.nu + model.nz, len(shooting.parameters)
+        free = np.zeros(self.n, dtype=bool)
+        for place in places.values():
+            free[place] = True
+        self.free = np.flatnonzero(free)
+        self.first = np.hstack([np.eye(self.n)[:, self.free], np.zeros((self.n, self.count))])
+
+    def run(
+        self,
+        states: list[Array],
+        values: Array,
+        most: int,
+        progress: bool | Callable[[float], None] | None,
+    ) -> Fit:
+        """The fit from first nodes and parameters."""
+        point = self._point(states, values)
+        converged, message, iterations = False, f"not converged after {most} iterations", 0
+        with showing(progress, self.shooting.model.name) as show:
+            for iterations in range(1, most + 1):
+                problem, step = self._step(point)
+                point, size, change = self._along(point, problem, step)
+                show(min(0.99, iterations / most))
+                if size <= EXACT or (change <= FLAT and point.gap <= CLOSED):
+                    converged, message = True, f"converged after {iterations} iterations"
+                    break
+                if size == np.inf:
+                    message = f"the motion breaks down along the step of iteration {iterations}"
+                    break
+        return self._fit(point, converged, message, iterations)
+
+    def _point(self, states: list[Array], values: Array) -> _Point:
+        segments = self.shooting.every(states, values)
+        pairs = zip(segments[:-1], states[1:], strict=True)
+        gaps = [self.shooting.gap(one.end, node) for one, node in pairs]
+        return _Point(states, values, segments, gaps)
+
+    def _weights(self, residuals: Array) -> Array:
+        if self.loss == "linear":
+            return np.ones(len(residuals))
+        deviation = np.median(np.abs(residuals)) / 0.6745 or 1.0
+        return np.minimum(1.0, HUBER * deviation / np.maximum(np.abs(residuals), 1e-300))
+
+    def _step(self, point: _Point) -> tuple[Condensed, Solved]:
+        problem = condensed(point.segments, point.gaps, self.first, self.count)
+        fixed = np.zeros(len(self.free) + self.count, dtype=bool)
+        weights = self._weights(point.residuals)
+        units = np.concatenate([np.ones(len(self.free)), self.units])
+        while True:
+            result = solved(problem, units, fixed, weights)
+            step = result.step[len(self.free) :]
+            low, high = self.limits.T
+            at_low, at_high = point.values <= low, point.values >= high
+            pushed = (at_low & (step < 0)) | (at_high & (step > 0))
+            if not pushed.any():
+                return problem, result
+            # at a bound: it stays there, and the others are found anew
+            fixed[len(self.free) :] |= pushed
+
+    def _along(
+        self, point: _Point, problem: Condensed, step: Solved
+    ) -> tuple[_Point, float, float]:
+        """The next point, the size of the step and the part by which the cost fell."""
+        # increments of every node, with what closes the gaps to it
+        moves = problem.nodes @ step.step + problem.offsets
+        change = step.step[len(self.free) :]
+        units = self.units
+        far = max(
+            float(np.abs(moves).max(initial=0.0)) / TURN / 10,
+            float(np.abs(moves[:, : self.shooting.model.nu]).max(initial=0.0)) / TURN,
+            float(np.abs(change / units).max(initial=0.0)) / PART,
+        )
+        part = min(1.0, 1.0 / far) if far > 0 else 1.0
+        size = max(
+            float(np.abs(moves).max(initial=0.0)), float(np.abs(change / units).max(initial=0.0))
+        )
+        # a step that leads where no motion exists is shortened
+        before = self._merit(point)
+        for _ in range(HALVINGS):
+            values = np.clip(point.values + part * change, *self.limits.T)
+            states = [
+                self.shooting.moved(x, part * move)
+                for x, move in zip(point.states, moves, strict=True)
+            ]
+            try:
+                there = self._point(states, values)
+            except (SolveError, ModelError):
+                part /= 2
+                continue
+            # steps are limited by their length alone: costs of motions that do not hold together
+            # yet say little, and shorter steps because of them would take very many
+            fallen = before - self._merit(there)
+            return there, size * part, abs(fallen) / max(before, 1e-300)
+        return point, np.inf, 0.0
+
+    def _merit(self, point: _Point) -> float:
+        return float(np.sum(self._weights(point.residuals) * point.residuals**2)) + sum(
+            float(gap @ gap) for gap in point.gaps
+        )
+
+    def _fit(self, point: _Point, converged: bool, message: str, iterations: int) -> Fit:
+        shooting, samples = self.shooting, self.shooting.samples
+        # the last problem once more: its covariance is that at the answer
+        _, last = self._step(point)
+        residuals = point.residuals
+        freedom = max(1, len(residuals) - len(last.step))
+        variance = float(residuals @ residuals) / freedom
+        names = tuple(self._names())
+        values = dict(zip(shooting.parameters, map(float, point.values), strict=True))
+        model = shooting.model.with_parameters(values)
+        # in one run, as somebody would simulate it
+        t = samples.t
+        motion = simulate(
+            model, (float(t[0]), float(t[-1])), x0=point.states[0], inputs=shooting.inputs,
+            **shooting.options,  # type: ignore[arg-type]
+        )  # fmt: skip
+        by_channel = self._by_channel(residuals)
+        with np.errstate(invalid="ignore"):
+            covariance = variance * last.covariance
+        untold = tuple(self._combination(names, one, point.values) for one in last.untold)
+        if untold or not converged:
+            said = "; ".join(", ".join(one) for one in untold)
+            warn(
+                f"fit of '{model.name}': {message}"
+                + (f"; the data do not tell combinations of {said}" if said else ""),
+                SolveWarning,
+            )
+        return Fit(
+            model=model,
+            parameters=values,
+            start=point.states[0],
+            standard_errors=dict(zip(names, np.sqrt(np.diag(covariance)).tolist(), strict=True)),
+            names=names,
+            covariance=covariance,
+            residuals=by_channel,
+            sigma=float(np.sqrt(variance)),
+            durbin_watson={name: _durbin_watson(x) for name, x in by_channel.items()},
+            undetermined=untold,
+            motion=motion,
+            cost=float(residuals @ residuals) / 2,
+            iterations=iterations,
+            converged=converged,
+            message=message,
+        )
+
+    def _combination(
+        self, names: tuple[str, ...], direction: Array, values: Array
+    ) -> dict[str, float]:
+        """A combination by name: changes of starts, and of parameters as parts of their values."""
+        sizes = np.where(values != 0, np.abs(values), 1.0)
+        parts = direction.copy()
+        parts[len(self.free) :] *= self.units / sizes
+        parts /= np.linalg.norm(parts)
+        return {name: float(x) for name, x in zip(names, parts, strict=True) if abs(x) > 1e-6}
+
+    def _names(self) -> list[str]:
+        model, nu = self.shooting.model, self.shooting.model.nu
+        entries = [f"q0 along {name}" for name in model.speeds]
+        for name, place in start_places(model).items():
+            if name not in BLOCKS and place.stop - place.start == 1 and place.start < nu:
+                entries[place.start] = name
+        entries += [f"u0.{name}" for name in model.speeds]
+        entries += [f"z0.{name}" for name in model.internals]
+        return [*(entries[k] for k in self.free), *self.shooting.parameters]
+
+    def _by_channel(self, residuals: Array) -> dict[str, Array]:
+        """Residuals in the units of the channels (nt,)."""
+        samples = self.shooting.samples
+        full = np.full(samples.values.shape, np.nan)
+        full[samples.present] = residuals
+        full *= samples.noise
+        return {name: full[:, k] for k, name in enumerate(samples.formulas)}
+
+
+def _durbin_watson(residuals: Array) -> float:
+    """Source: J. Durbin, G. S. Watson, Biometrika 37 (1950), 409-428."""
+    present = residuals[np.isfinite(residuals)]
+    size = float(present @ present)
+    return float(np.sum(np.diff(present) ** 2) / size) if size > 0 else 2.0
