@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.analyses.simulation.driving import runner_of
 from cardan.analyses.simulation.run_record import UNSOLVED
 from cardan.analyses.simulation.settings import settings
 from cardan.analyses.simulation.signals import signals
-from cardan.analyses.simulation.simulate import runner_of
 from cardan.errors import ModelError, SolveWarning
 from mechanisms.closed import CLOSED
 from mechanisms.rolling import ROLLING

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses.simulation import simulate as simulating
+from cardan.analyses.simulation import driving
 from mechanisms.chain import chain
 from mechanisms.closed import CLOSED
 
@@ -51,7 +51,7 @@ def test_same_motion(method: str, scene: str, monkeypatch: pytest.MonkeyPatch) -
     build, start = SCENES[scene]
     how: dict[str, Any] = {"method": method, "rtol": 1e-7, "atol": 1e-9, **start}
     model = cd.compile(build())
-    monkeypatch.setattr(simulating, "LARGE", 0)
+    monkeypatch.setattr(driving, "LARGE", 0)
     found = model.simulate(0.5, **how)
     assert "by differences" in repr(found)
     monkeypatch.undo()
@@ -64,9 +64,9 @@ def test_same_motion(method: str, scene: str, monkeypatch: pytest.MonkeyPatch) -
 
 def test_what_counts_as_large() -> None:
     manifest = cd.compile(chain(10)).manifest
-    assert simulating.speed_pairs(manifest) == 10 * 10
+    assert driving.speed_pairs(manifest) == 10 * 10
     # a slide and a ball
-    assert simulating.speed_pairs(cd.compile(pushed()).manifest) == 4 * 4
+    assert driving.speed_pairs(cd.compile(pushed()).manifest) == 4 * 4
 
 
 @pytest.mark.parametrize("method", ["Radau", "HHT"])

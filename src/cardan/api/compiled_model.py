@@ -74,6 +74,7 @@ class CompiledModel(LoadedModel):
     statics = verb("cardan.analyses.statics.statics:statics")
     continuation = verb("cardan.analyses.continuation.continuation:continuation")
     stability_chart = verb("cardan.analyses.continuation.stability_chart:stability_chart")
+    gradient = verb("cardan.analyses.gradients.gradient:gradient")
     cycle = verb("cardan.analyses.cycles.cycle:cycle")
     trim = verb("cardan.analyses.linear.trim:trim")
     linearize = verb("cardan.analyses.linear.linearize:linearize")

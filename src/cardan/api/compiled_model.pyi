@@ -9,6 +9,8 @@ from numpy.typing import ArrayLike
 from ..analyses.continuation.stability_chart import StabilityChartRecord
 from ..analyses.cycles.cycle_record import CycleRecord
 from ..analyses.ensembles.sampling import Plan
+from ..analyses.gradients.cost import Cost
+from ..analyses.gradients.gradient import Gradient
 from ..analyses.identification.base_parameters import Base
 from ..analyses.linear.first_order import Choice
 from ..analyses.linear.sensitivity import Sensitivity
@@ -93,6 +95,7 @@ class CompiledModel(LoadedModel):
         checkpoint: str | Path | None = None,
         every: float = 10.0,
         check: bool = False,
+        sensitivity: str | Sequence[str] = (),
         progress: bool | Callable[[float], None] | None = None,
     ) -> Trajectory:
         """Integrate the equations of motion.
@@ -125,6 +128,8 @@ class CompiledModel(LoadedModel):
             checkpoint: A file that keeps what is computed, ``every`` so many seconds; the same call
                 goes on from there, to the bit.
             check: Raise instead of warn, see below and ``docs/integrators.md``.
+            sensitivity: Starts, parameters and inputs by name, as :meth:`gradient` takes them: the
+                motion has ``motion.sensitivity["m"]``, what it changes by them.
             progress: True, False or a function of the fraction done; None: a bar in long runs.
 
         Returns:
@@ -797,6 +802,49 @@ class CompiledModel(LoadedModel):
 
         Raises:
             ModelError: unknown names, or none. SolveError: no equilibrium at any start.
+        """
+    def gradient(
+        self,
+        t: float | Sequence[float],
+        cost: Cost,
+        *,
+        wrt: str | Sequence[str] = ('x0', 'p'),
+        x0: ArrayLike | None = None,
+        q: Values | ArrayLike | None = None,
+        u: Values | ArrayLike | None = None,
+        z: Values | ArrayLike | None = None,
+        events: Mapping[str, object] | None = None,
+        method: str = "auto",
+        rtol: float = 1e-09,
+        atol: float | None = None,
+        step: float | None = None,
+        max_step: float | None = None,
+        inputs: Inputs | None = None,
+        parameters: Values | None = None,
+        progress: bool | Callable[[float], None] | None = None,
+    ) -> Gradient:
+        """The gradient of a cost of a motion, through its events, by whatever many unknowns.
+
+        ``value, slope = model.gradient(2.0, cd.cost(final="(hand.x - 0.4)^2"), wrt=("q0", "m"))``
+
+        Args:
+            t: End time (from 0), or ``(start, end)`` [s].
+            cost: The cost, see :func:`cardan.cost`.
+            wrt: ``"x0"``, ``"q0"``, ``"u0"``, ``"z0"``: the start; ``"q0.elbow"``, ``"u0.elbow"``: of a
+                joint, along its speeds; ``"p"``: all parameters; names of parameters and inputs. Of an
+                input ``(times, values)`` the gradient is by the values.
+            x0, q, u, z, events, rtol, atol, step, max_step, inputs, parameters, progress: As
+                :meth:`simulate` takes them.
+            method: ``"DOP853"``, ``"RK45"`` or ``"RK4"``; ``"auto"`` takes the first of them.
+
+        Returns:
+            A :class:`cardan.Gradient`: ``value``, ``slope`` by name, ``motion``. It is exact for the
+            steps that were taken: its error is that of the motion.
+
+        Raises:
+            ModelError, ArgumentError: as :meth:`simulate`, and a method or an input whose derivative is
+                not known. SolveError: the run ends early, or has no derivative: two events at one time,
+                an event that happens by a touch.
         """
     def cycle(
         self,

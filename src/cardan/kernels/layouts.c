@@ -34,6 +34,9 @@ const size_t cardan_lane_method_layout[4] = {
 };
 #else
 #include "run.h"
+#include "steps.h"
+#include "adjoint.h"
+#include "tangent.h"
 #include "input_functions.h"
 #include "ensemble.h"
 #include "mesh.h"
@@ -116,6 +119,42 @@ extern const size_t cardan_tick_layout[6];
 const size_t cardan_tick_layout[6] = {
     sizeof(cardan_tick), offsetof(cardan_tick, event), offsetof(cardan_tick, period),
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
+};
+
+extern const size_t cardan_steps_layout[14];
+const size_t cardan_steps_layout[14] = {
+    sizeof(cardan_steps), offsetof(cardan_steps, run), offsetof(cardan_steps, stages),
+    offsetof(cardan_steps, nodes), offsetof(cardan_steps, weights), offsetof(cardan_steps, matrix),
+    offsetof(cardan_steps, rows), offsetof(cardan_steps, count), offsetof(cardan_steps, failed),
+    offsetof(cardan_steps, states), offsetof(cardan_steps, slopes), offsetof(cardan_steps, end),
+    offsetof(cardan_steps, place), offsetof(cardan_steps, work)
+};
+
+extern const size_t cardan_adjoint_layout[22];
+const size_t cardan_adjoint_layout[22] = {
+    sizeof(cardan_adjoint), offsetof(cardan_adjoint, steps), offsetof(cardan_adjoint,
+    rates.function), offsetof(cardan_adjoint, rates.w), offsetof(cardan_adjoint,
+    close_position.function), offsetof(cardan_adjoint, close_position.w), offsetof(cardan_adjoint,
+    close_velocity.function), offsetof(cardan_adjoint, close_velocity.w), offsetof(cardan_adjoint,
+    integrand.function), offsetof(cardan_adjoint, integrand.w), offsetof(cardan_adjoint,
+    integrand_value.function), offsetof(cardan_adjoint, integrand_value.w), offsetof(cardan_adjoint,
+    np), offsetof(cardan_adjoint, lam), offsetof(cardan_adjoint, by_p), offsetof(cardan_adjoint,
+    by_s), offsetof(cardan_adjoint, by_r), offsetof(cardan_adjoint, by_coefficients),
+    offsetof(cardan_adjoint, cost), offsetof(cardan_adjoint, pulled), offsetof(cardan_adjoint, v),
+    offsetof(cardan_adjoint, out)
+};
+
+extern const size_t cardan_tangent_layout[19];
+const size_t cardan_tangent_layout[19] = {
+    sizeof(cardan_tangent), offsetof(cardan_tangent, steps), offsetof(cardan_tangent,
+    rates.function), offsetof(cardan_tangent, rates.w), offsetof(cardan_tangent,
+    close_position.function), offsetof(cardan_tangent, close_position.w), offsetof(cardan_tangent,
+    close_velocity.function), offsetof(cardan_tangent, close_velocity.w), offsetof(cardan_tangent,
+    columns), offsetof(cardan_tangent, named), offsetof(cardan_tangent, by_named),
+    offsetof(cardan_tangent, by_input), offsetof(cardan_tangent, by_coefficients),
+    offsetof(cardan_tangent, by_s), offsetof(cardan_tangent, segments), offsetof(cardan_tangent,
+    changes), offsetof(cardan_tangent, moved), offsetof(cardan_tangent, rising),
+    offsetof(cardan_tangent, out)
 };
 
 extern const size_t cardan_input_function_layout[6];

@@ -92,7 +92,7 @@ ABI_ORDER = tuple(block for block in ORDER if block not in ("w", "zdot"))
 # q as it is stored, where "q" stands for columns along the speeds
 COORDINATES = "coordinates"
 # those that functions are differentiated by; of one number there is no axis of columns
-DIRECTIONS = ("t", "q", COORDINATES, "u", "z", "r", "p", "udot", "tau")
+DIRECTIONS = ("t", "q", COORDINATES, "u", "z", "s", "r", "p", "udot", "tau")
 SLOT = {name: k for k, name in enumerate(ORDER)}
 
 

@@ -32,6 +32,9 @@ RECORDS = {
     "cardan_method": "run.h",
     "cardan_signal": "run.h",
     "cardan_tick": "run.h",
+    "cardan_steps": "steps.h",
+    "cardan_adjoint": "adjoint.h",
+    "cardan_tangent": "tangent.h",
     "cardan_input_function": "input_functions.h",
     "cardan_input_functions": "input_functions.h",
     "cardan_run_pointer": "ensemble.h",
@@ -204,6 +207,27 @@ class InputFunction(ctypes.Structure):
 
     __slots__ = ()
     _fields_ = fields("cardan_input_function")
+
+
+class Steps(ctypes.Structure):
+    """``cardan_steps``: steps of a run that are computed again."""
+
+    __slots__ = ()
+    _fields_ = fields("cardan_steps")
+
+
+class Tangent(ctypes.Structure):
+    """``cardan_tangent``: a sweep forward over the steps of a run."""
+
+    __slots__ = ()
+    _fields_ = fields("cardan_tangent")
+
+
+class Adjoint(ctypes.Structure):
+    """``cardan_adjoint``: a sweep backward over the steps of a run."""
+
+    __slots__ = ()
+    _fields_ = fields("cardan_adjoint")
 
 
 class InputFunctions(ctypes.Structure):

@@ -18,12 +18,12 @@ from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ...schema.blocks import ORDER, SLOT
 from ..simulation import run_record as abi
 from ..simulation.discontinuities import jumps, stops_of
+from ..simulation.driving import driven, runner_of
 from ..simulation.events import EventTable
 from ..simulation.outcome import explain
 from ..simulation.run import Runner
 from ..simulation.settings import Settings, Start
 from ..simulation.signals import Signals, signals
-from ..simulation.simulate import driven, runner_of
 from ..simulation.times import Span
 
 FEW = 6  # calls with parameters of their own, behind which a model is bound to them

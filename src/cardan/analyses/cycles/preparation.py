@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from ...arrays import Array
-from ...errors import ModelError, SolveError
+from ...errors import ArgumentError, ModelError, SolveError
+from ...runtime.calls.calling import numbers
 from ..systems.dynamic_system import DynamicSystem
 from .cycle_problem import RESOLUTION, CycleProblem, CycleState
 from .named_states import blocks_of
@@ -35,7 +36,11 @@ def first_state(
     """
     named = isinstance(start, Mapping)
     blocks = blocks_of(problem.model, start if isinstance(start, Mapping) else {})
-    x0 = None if named else np.asarray(start, dtype=np.float64)
+    x0 = None if named else numbers("cycle: start", start)
+    if x0 is not None and x0.shape != (problem.model.nx,):
+        raise ArgumentError(
+            f"cycle: start has shape {x0.shape}, expected ({problem.model.nx},), or values by name"
+        )
     q, u, z = (blocks[letter] or None for letter in "quz")
     at = system.state(x0, q, u, z, problem.t, values, None)
     return CycleState(np.concatenate([at.q, at.u, at.z]), system.modes, 0.0)

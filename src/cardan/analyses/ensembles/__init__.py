@@ -20,12 +20,12 @@ from ...arguments import Count, Inputs, Seed, checked
 from ...errors import CardanError, ModelError, SolveWarning, brief, collected_warnings, warn
 from ...runtime.calls.batch import threads as threads_of
 from ...runtime.models.loaded_model import LoadedModel
+from ..simulation.driving import case_of, chosen
 from ..simulation.events import event_table_of
 from ..simulation.files.append_log import build_key, digest, model_key
 from ..simulation.method_choice import Limited
 from ..simulation.progress import showing
 from ..simulation.settings import settings, watched
-from ..simulation.simulate import case_of, chosen
 from ..simulation.times import Span, span
 from .checkpoint import Checkpoint
 from .collection import UNFINISHED, Gathered, PartResults

@@ -10,12 +10,12 @@ from ...runtime.calls.parameters import Parameters
 from ...runtime.models.constraint_projection import Closing
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ..simulation.driving import driven, runner_of
 from ..simulation.events import EventTable
 from ..simulation.method_choice import Case
 from ..simulation.run import Runner
 from ..simulation.settings import Settings, Start, start
 from ..simulation.signals import Signals
-from ..simulation.simulate import driven, runner_of
 from ..simulation.starts.start import closed_start
 from ..simulation.times import Span
 from .lane_runner import NUMBERS, Ends

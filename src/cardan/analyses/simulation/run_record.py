@@ -9,11 +9,14 @@ from typing import Any
 from ...schema.records import (
     POINTER,
     REAL,
+    Adjoint,
     InputFunction,
     InputFunctions,
     Method,
     Run,
     Signal,
+    Steps,
+    Tangent,
     Tick,
     check,
 )
@@ -54,6 +57,9 @@ RECORDS = {
     "method": Method,
     "signal": Signal,
     "tick": Tick,
+    "steps": Steps,
+    "adjoint": Adjoint,
+    "tangent": Tangent,
     "input_function": InputFunction,
     "input_functions": InputFunctions,
 }
@@ -72,6 +78,8 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     for name in ("cardan_run_start", "cardan_run_drive", "cardan_refresh", "cardan_segment"):
         getattr(library, name).argtypes = [record]
     library.cardan_run_at.argtypes = [record, REAL, POINTER]
+    library.cardan_adjoint_sweep.argtypes = [ctypes.POINTER(Adjoint)]
+    library.cardan_tangent_sweep.argtypes = [ctypes.POINTER(Tangent)]
     rooms = [ctypes.c_size_t, ctypes.c_size_t]
     library.cardan_run_length.argtypes = [record, *rooms]
     library.cardan_run_length.restype = ctypes.c_size_t

@@ -214,7 +214,7 @@ def stepper(
     Raises:
         ModelError, ArgumentError, SolveError: as for ``simulate``.
     """
-    from .simulate import case_of, chosen, runner_of
+    from .driving import case_of, chosen, runner_of
 
     how: Settings = settings(method, rtol, atol, step, max_step, None)
     for name, value in (inputs or {}).items():

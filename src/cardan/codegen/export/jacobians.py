@@ -12,7 +12,7 @@ from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
 from ...schema.request import Request
 
 Pair = tuple[str, str | None]
-# what functions may take that has no derivative: modes are whole numbers
+# what is a constant to those that call: modes change at events alone
 CONSTANT = ("s",)
 
 
@@ -112,7 +112,8 @@ def _readable(equations: EquationRecord, name: str) -> list[str]:
     letters = {*FUNCTIONS[name].reads.replace("x", "q u z").split(), "p"}
     present = {block for block in letters if len(equations.blocks[block])}
     present |= {COORDINATES} if "q" in present else set()
-    return [block for block in DIRECTIONS if block in present and block != "q"]
+    left_out = ("q", *CONSTANT)
+    return [block for block in DIRECTIONS if block in present and block not in left_out]
 
 
 def _check(language: str, name: str) -> None:
@@ -121,7 +122,7 @@ def _check(language: str, name: str) -> None:
     Raises:
         DerivationError: it has none.
     """
-    odd = [b for b in FUNCTIONS[name].arguments if b not in (*DIRECTIONS, *CONSTANT, "x")]
+    odd = [b for b in FUNCTIONS[name].arguments if b not in (*DIRECTIONS, "x")]
     if name in DIFFERENTIABLE and not odd:
         return
     why = f": it reads {', '.join(odd)}" if odd else ""

@@ -165,7 +165,7 @@ def _motion(c: Context) -> dict[int, Scalar]:
 @recipe
 def outputs(c: Context) -> tuple[Output, ...]:
     system = c.k.system
-    _give_accelerations(c)
+    give_accelerations(c)
     values = [(o.name, c.k.resolve([o.node])[0], o.unit) for o in system.outputs]
     named = driving_outputs(system)
     for i, force in _motion(c).items():
@@ -174,7 +174,7 @@ def outputs(c: Context) -> tuple[Output, ...]:
     return _list("outputs", values)
 
 
-def _give_accelerations(c: Context) -> None:
+def give_accelerations(c: Context) -> None:
     """Accelerations may stand in outputs: they follow from udot."""
     if any(atom.quantity == "acceleration" for atom in c.k.system.atoms.values()):
         udot = c.d.forward(Matrix.zeros(c.k.graph, c.k.system.nu))

@@ -14,7 +14,7 @@ from ...topology.system import System
 # to import them is to know their recipes
 from ..constraints import constraint_functions  # noqa: F401
 from ..constraints.reaction_friction import friction_forces
-from . import blocks, canonical, functions, products, regressor, residuals, rhs_jacobian  # noqa: F401
+from . import blocks, canonical, expression, functions, products, regressor, residuals, rhs_jacobian  # noqa: F401  # noqa: F401
 from .context import RECIPES as RECIPES
 from .derivatives import request_of
 from .element_forces import named_forces
@@ -33,6 +33,8 @@ def c_name(system: System, name: str, of: str | None) -> str:
         return name
     if FUNCTIONS[name].of == "function":
         return _derivative_name(name, of)
+    if FUNCTIONS[name].of == "formula":
+        return f"{name}__{hashlib.sha256(of.encode()).hexdigest()[:12]}"
     if FUNCTIONS[name].of == "joint":
         names = [*system.moving_joints, *system.fixed]
     else:

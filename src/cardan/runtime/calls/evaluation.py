@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, near
+from ...errors import ArgumentError, ModelError, brief, near
 from ...schema.functions import FUNCTIONS, STANDARD
 from ...schema.manifest import Manifest
 from .objects import Key
@@ -70,7 +70,9 @@ class Evaluation(ABC):
         names = self.joints if kind == "joint" else self.frames
         if kind in ("joint", "frame") and of is None:
             raise ModelError(f"{name}: {kind}=None: give the name of a {kind}.{near('', names)}")
-        if kind != "function" and of is not None and of not in names:
+        if kind == "formula" and not isinstance(of, str):
+            raise ModelError(f"{name}: give a formula as text, such as 'x^2', not {brief(of)}")
+        if kind not in ("function", "formula") and of is not None and of not in names:
             what = kind or "frame"
             raise ModelError(f"{name}: {what} '{of}' does not exist.{near(of, names)}")
 

@@ -597,6 +597,39 @@ class Functions(Evaluation, metaclass=ABCMeta):
             (..., ny) [as declared]
         """
 
+    def expression(
+        self,
+        formula: str,
+        q: State,
+        u: State,
+        *,
+        r: State | None = None,
+        z: State | None = None,
+        s: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """Value of a formula in names of the model.
+
+        Of coordinates, speeds, internal states, inputs, parameters, outputs and t, as formulas in
+        scene files are: ``"(hand.x - 0.4)^2 + 1e-3*tau^2"``.
+
+        Args:
+            formula: such as ``"x^2 + 0.1*hand.z"``
+            q: coordinates, (..., nq)
+            u: speeds, (..., nu)
+            r: inputs, (..., nr); by default those of the model
+            z: internal states of elements, (..., nz); by default those at the start
+            s: modes of elements, (..., ns); by default those at the start
+            t: time [s], (...)
+            parameters: name -> value (...); by default those of the model
+            out: array that is filled and returned
+
+        Returns:
+            (...) [as its entries have it]
+        """
+
     def element_forces(
         self,
         q: State,

@@ -50,6 +50,7 @@ SYMBOLS = {"udot", "tau", "h", "f", "g", "qdot", "lam", "phi", "p", "q", "d", "d
 OPTIONS = ("in_", "tau", "wrenches", "r", "z", "s", "t", "parameters", "out")
 # of arguments that are not blocks: annotation, and what it is
 HANDWRITTEN = {
+    "formula": ("str", 'such as ``"x^2 + 0.1*hand.z"``'),
     "frame": ("str", "name of a frame"),
     "joint": ("str", "name of a joint, with motion, cut or fixed"),
     "in_": ("Axes", 'axes of the result, ``"ground"`` or ``"frame"``'),

@@ -50,6 +50,8 @@ class TrajectoryRecord:
             its superelements.
         ledger: Residuals of the constraints over the run, None without loops.
         event_log: The discrete states along the run, and its events; see :attr:`events`.
+        sensitivity: What the motion changes by, by name, as ``simulate(sensitivity=...)`` was
+            asked; empty without.
     """
 
     t: Array
@@ -66,6 +68,7 @@ class TrajectoryRecord:
     numbers: Mapping[str, Array] = field(default_factory=dict)
     ledger: Ledger | None = None
     event_log: EventLog = field(default_factory=EventLog)
+    sensitivity: Any = field(default_factory=dict)
 
     @classmethod
     def of_states(

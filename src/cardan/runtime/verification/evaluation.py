@@ -64,8 +64,11 @@ class Trial:
                 -1, 1, (n, len(self.model.manifest.multipliers))
             ),
         }
+        # one event after the other, state by state
+        events = np.arange(len(layout.events)) == np.arange(n)[:, None] % max(1, len(layout.events))
         return {
             **state_blocks,
+            "e": events.astype(float),
             "r": np.broadcast_to(reference.r, (n, reference.r.shape[-1])),
             **defaults,
         }

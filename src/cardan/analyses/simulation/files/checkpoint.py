@@ -19,11 +19,11 @@ from ....number_file import packed, plain, unpacked
 from ....runtime.models.loaded_model import LoadedModel
 from ....schema.integrators import INTEGRATORS
 from ....version import STEPPER, VERSION, written_by
+from ..driving import runner_of
 from ..events import event_table_of
 from ..run import Runner, Saved
 from ..settings import Settings, settings
 from ..signals import signals
-from ..simulate import runner_of
 from .append_log import model_key
 from .saved_record import impossible, record_of, saved_of, sound, ticks_of
 

@@ -1,0 +1,1 @@
+"""Gradients of motions: sensitivities and adjoints of what a run has computed."""

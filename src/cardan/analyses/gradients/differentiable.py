@@ -1,0 +1,66 @@
+"""Which runs have derivatives, and their rows."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ModelError, SolveError
+from ...runtime.trajectory.solver_info import EVENT, FINISHED
+from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ..simulation.driving import RunSetup
+from .jumps import EventInstant
+from .steps import TABLES
+
+
+def refuse(setup: RunSetup) -> None:
+    """Refuse what has no gradient.
+
+    Raises:
+        ModelError: with the cure.
+    """
+    model, method = setup.model, setup.how.method.name
+    if model.manifest.absolute:
+        raise ModelError(
+            f"gradient: '{model.name}' has finite elements, through whose steps there is no sweep "
+            "yet. Take differences of simulate at a tight tolerance"
+        )
+    if method not in TABLES:
+        why = (
+            "the Jacobian stands in its steps, which would need second derivatives. Take "
+            if method == "Rosenbrock"
+            else "there is no sweep through its steps. Take "
+        )
+        raise ModelError(f"gradient: method '{method}': {why}{', '.join(TABLES)}")
+    if setup.input_signals.functions:
+        names = [model.inputs[k] for k in setup.input_signals.functions]
+        raise ModelError(
+            f"gradient: input '{names[0]}' is a function, whose derivative is not known. Give it "
+            "as (times, values), or write it into the scene as a force"
+        )
+
+
+def check_complete(motion: TrajectoryRecord) -> None:
+    """Refuse a motion that has no derivative.
+
+    Raises:
+        SolveError: it ended early, or passes a place where branches meet.
+    """
+    if motion.solver_info.status not in (FINISHED, EVENT):
+        raise SolveError(f"gradient: the motion is not complete: {motion.message}")
+    if motion.solver_info.statistics.get("passed"):
+        raise SolveError(
+            "gradient: the motion passes a place where branches meet, at which it has no "
+            "derivative. Change the start or the parameters a little"
+        )
+
+
+def rows_of(motion: TrajectoryRecord) -> Array:
+    """Rows t, y, r, s of a motion that has one at the end of every step."""
+    modes = motion.event_log.s.reshape(len(motion.t), -1)
+    return np.hstack([motion.t[:, None], motion.x, motion.work_done, motion.r, modes])
+
+
+def row_behind(t: Array, end: int, at: EventInstant) -> int:
+    """The first row behind an event: the last one at its time, before row ``end``."""
+    return int(np.searchsorted(t[:end], at.t, side="right")) - 1

@@ -1,0 +1,145 @@
+"""Gradients of costs of motions, by one sweep backward whatever they are by."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from numpy.typing import ArrayLike
+
+from ...arguments import Inputs, checked
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.trajectory.solver_info import EVENT
+from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ..simulation.driving import RunSetup, chosen, driven, reported, run_setup, runner_of
+from ..simulation.run import Runner
+from ..simulation.settings import Values
+from .adjoint import Sweep
+from .cost import Cost
+from .differentiable import check_complete, refuse, row_behind, rows_of
+from .jumps import Jumps, event_instants
+from .start import NamedStart
+from .unknowns import InputSlopes, Slope, Unknowns, unknowns
+
+
+@dataclass(frozen=True)
+class Gradient:
+    """A cost of a motion and its gradient; ``value, slope = gradient`` takes both.
+
+    Attributes:
+        value: The cost.
+        slope: Gradient by name: a number, or an array of the size of what it is by. Of ``"q0"`` and
+            ``"x0"`` along the speeds: (nu,) and (2 nu + nz,).
+        motion: The motion.
+    """
+
+    value: float
+    slope: Mapping[str, Slope]
+    motion: TrajectoryRecord = field(repr=False)
+
+    def __iter__(self) -> Iterator[object]:
+        return iter((self.value, self.slope))
+
+
+@checked
+def gradient(
+    model: LoadedModel,
+    t: float | Sequence[float],
+    cost: Cost,
+    *,
+    wrt: str | Sequence[str] = ("x0", "p"),
+    x0: ArrayLike | None = None,
+    q: Values | ArrayLike | None = None,
+    u: Values | ArrayLike | None = None,
+    z: Values | ArrayLike | None = None,
+    events: Mapping[str, object] | None = None,
+    method: str = "auto",
+    rtol: float = 1e-9,
+    atol: float | None = None,
+    step: float | None = None,
+    max_step: float | None = None,
+    inputs: Inputs | None = None,
+    parameters: Values | None = None,
+    progress: bool | Callable[[float], None] | None = None,
+) -> Gradient:
+    """The gradient of a cost of a motion, through its events, by whatever many unknowns.
+
+    ``value, slope = model.gradient(2.0, cd.cost(final="(hand.x - 0.4)^2"), wrt=("q0", "m"))``
+
+    Args:
+        model: The compiled model.
+        t: End time (from 0), or ``(start, end)`` [s].
+        cost: The cost, see :func:`cardan.cost`.
+        wrt: ``"x0"``, ``"q0"``, ``"u0"``, ``"z0"``: the start; ``"q0.elbow"``, ``"u0.elbow"``: of a
+            joint, along its speeds; ``"p"``: all parameters; names of parameters and inputs. Of an
+            input ``(times, values)`` the gradient is by the values.
+        x0, q, u, z, events, rtol, atol, step, max_step, inputs, parameters, progress: As
+            :meth:`simulate` takes them.
+        method: ``"DOP853"``, ``"RK45"`` or ``"RK4"``; ``"auto"`` takes the first of them.
+
+    Returns:
+        A :class:`cardan.Gradient`: ``value``, ``slope`` by name, ``motion``. It is exact for the
+        steps that were taken: its error is that of the motion.
+
+    Raises:
+        ModelError, ArgumentError: as :meth:`simulate`, and a method or an input whose derivative is
+            not known. SolveError: the run ends early, or has no derivative: two events at one time,
+            an event that happens by a touch.
+    """
+    named_inputs = dict(inputs or {})
+    state = {"x0": x0, "q": q, "u": u, "z": z}
+    method = "DOP853" if method == "auto" else method
+    options = (method, rtol, atol, step, max_step)
+    setup = run_setup(model, (t, None), state, events, options, inputs, parameters)
+    names = unknowns(setup.model, wrt, {str(k): v for k, v in named_inputs.items()})
+    refuse(setup)
+    runner = runner_of(setup.model, chosen(setup.how, None), setup.input_signals, setup.event_table)
+    motion = driven(runner, setup.over, setup.begin, progress, dense=False)
+    check_complete(motion)
+    return _swept(setup, runner, reported(motion, False), cost, names, state)
+
+
+def _swept(
+    setup: RunSetup,
+    runner: Runner,
+    motion: TrajectoryRecord,
+    cost: Cost,
+    names: Unknowns,
+    state: Mapping[str, object],
+) -> Gradient:
+    """The gradient by a sweep over the steps of a motion."""
+    model, log = setup.model, motion.event_log
+    sweep = Sweep(runner, cost, names.parameters)
+    jumps = Jumps(sweep, cost, setup.event_table, setup.over.start)
+    instants = event_instants(log.log, setup.event_table, model.nx, model.ns)
+    value, final_rate = _final(sweep, motion, cost)
+    rows = rows_of(motion)
+    end = len(rows)
+    halted = motion.solver_info.status == EVENT
+    # backward: the steps behind an event, the event, and so on to the start
+    for number, at in enumerate(reversed(instants)):
+        last = halted and number == 0
+        # the row behind what happened, at the same time as that before it
+        first = row_behind(motion.t, end, at)
+        if not last:
+            sweep.over(rows[first:end])
+            end = first
+        jumps.pull(at, final_rate if last else None)
+    sweep.over(rows[:end])
+    # what was not named at the start followed from what was
+    begin = NamedStart.of(setup, sweep, state, log.s[0], names.parameters)
+    start, by_r, by_p = begin.backward(sweep.lam)
+    if by_r.size:
+        sweep.add_inputs(setup.over.start, by_r)
+    if by_p.size:
+        sweep.by_p += by_p
+    slopes = InputSlopes(model, sweep.by_r, sweep.by_coefficients)
+    by_name = names.slopes(start, sweep.by_p, setup.input_signals, slopes)
+    return Gradient(value + sweep.cost, by_name, motion)
+
+
+def _final(sweep: Sweep, motion: TrajectoryRecord, cost: Cost) -> tuple[float, float]:
+    """The final cost, whose gradient the sweep begins with, and its derivative by the time."""
+    if cost.final is None:
+        return 0.0, 0.0
+    return sweep.begin(cost.final, float(motion.t[-1]), motion.x[-1], motion.event_log.s[-1])

@@ -1,0 +1,211 @@
+"""Sensitivities along motions: forward, at every time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+
+from ...arguments import Inputs, Times, checked
+from ...arrays import Array
+from ...errors import ModelError, SolveError, near
+from ...runtime.trajectory.solver_info import EVENT
+from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ..simulation.driving import RunSetup, chosen, driven, reported, runner_of
+from ..simulation.run import Runner
+from ..simulation.signals import signals
+from .differentiable import check_complete, refuse, row_behind, rows_of
+from .jumps import event_instants
+from .start import NamedStart
+from .tangent import Directions, Tangents, columns_of, directions_of
+from .tangent_jumps import TangentJumps
+from .unknowns import Unknowns, start_places, unknowns
+
+
+@dataclass(frozen=True, eq=False)
+class Sensitivities(Mapping[str, Array]):
+    """What a motion changes by: ``motion.sensitivity["m"]``, (nt, nx) along ``motion.t``.
+
+    Of what consists of several numbers, such as ``"x0"`` or the values of an input, (nt, nx, k). At
+    an event the last entry before it is at its time, the first one behind it: times do not move.
+
+    Attributes:
+        names: What it is differentiated by.
+    """
+
+    names: tuple[str, ...]
+    _changes: Array = field(repr=False)
+    _parts: dict[str, tuple[slice, bool]] = field(repr=False)
+    _rows: Array = field(repr=False)
+    _tangents: Tangents = field(repr=False)
+    _modes: tuple[tuple[int, Array], ...] = field(repr=False)
+
+    def __getitem__(self, name: str) -> Array:
+        return self._part(name, self._changes)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.names)
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def _part(self, name: str, changes: Array) -> Array:
+        if name not in self._parts:
+            raise ModelError(f"sensitivity: '{name}' was not asked for.{near(name, self.names)}")
+        place, single = self._parts[name]
+        part = np.moveaxis(changes[:, place], 1, 2)
+        return part[..., 0] if single else part
+
+    @checked
+    def at(self, t: Times) -> dict[str, Array]:
+        """The same at times (m,) inside the motion, by name: (m, nx), or (m, nx, k).
+
+        Raises:
+            SolveError: a time outside of the motion.
+        """
+        times = np.atleast_1d(np.asarray(t, dtype=np.float64))
+        rows, first, last = self._rows, self._rows[0, 0], self._rows[-1, 0]
+        sign = 1.0 if last >= first else -1.0
+        outside = (times - first) * sign < 0
+        if (outside | ((last - times) * sign < 0)).any():
+            raise SolveError(f"sensitivity: the motion goes from {first:g} s to {last:g} s")
+        changes = np.zeros((len(times), *self._changes.shape[1:]))
+        for k, time in enumerate(times):
+            row = int(np.searchsorted(sign * rows[:, 0], sign * time, side="right")) - 1
+            changes[k] = self._changes[row]
+            if time != rows[row, 0]:
+                # one step from the row before, as long as it takes
+                step = np.vstack([rows[row], rows[row]])
+                step[1, 0] = time
+                self._tangents.by_s[:] = next(s for at, s in reversed(self._modes) if at <= row)
+                changes[k] = self._inside(step, self._changes[row])
+        return {name: self._part(name, changes) for name in self.names}
+
+    def _inside(self, step: Array, first: Array) -> Array:
+        tangents = self._tangents
+        tangents.over(step, first)
+        # the state there is where that step leads: projections are differentiated at it
+        nx = tangents.model.nx
+        step[1, 1 : 1 + nx] = tangents.rooms["end"]
+        return np.asarray(tangents.over(step, first)[1])
+
+
+def differentiated(
+    setup: RunSetup,
+    names: str | Sequence[str],
+    state: Mapping[str, object],
+    inputs: Inputs | None,
+    checkpoint: str | Path | None,
+    check: bool,
+    progress: bool | Callable[[float], None] | None,
+) -> TrajectoryRecord:
+    """A motion with its sensitivities.
+
+    Args:
+        setup: The run.
+        names: What it is differentiated by.
+        state: x0, q, u and z as they were given.
+        inputs, checkpoint, check, progress: As ``simulate`` takes them.
+
+    Raises:
+        ModelError, ArgumentError, SolveError: as :func:`.gradient.gradient`.
+    """
+    if checkpoint is not None:
+        raise ModelError("sensitivity= goes without checkpoint=")
+    if setup.over.times is not None:
+        raise ModelError(
+            "sensitivity= goes with an end time or a pair: motion.sensitivity.at(times) gives it "
+            "at any times"
+        )
+    setup = replace(setup, how=chosen(setup.how, None), case=None)
+    listed = unknowns(setup.model, names, {str(k): v for k, v in (inputs or {}).items()})
+    refuse(setup)
+    runner = runner_of(setup.model, setup.how, setup.input_signals, setup.event_table)
+    motion = reported(driven(runner, setup.over, setup.begin, progress), check)
+    check_complete(motion)
+    return replace(motion, sensitivity=_sensitivities(setup, runner, motion, listed, state))
+
+
+def _sensitivities(
+    setup: RunSetup,
+    runner: Runner,
+    motion: TrajectoryRecord,
+    listed: Unknowns,
+    state: Mapping[str, object],
+) -> Sensitivities:
+    """Changes along a motion."""
+    model, log = setup.model, motion.event_log
+    directions, parts = _directions(setup, listed)
+    tangents = Tangents(runner, directions)
+    begin = NamedStart.of(setup, tangents, state, log.s[0], bool(directions.moved))
+    by_r = tangents.input_changes(setup.over.start)
+    by_p = directions.p if directions.moved else np.zeros((len(by_r), 0))
+    first = np.array(
+        [begin.forward(*one) for one in zip(directions.start, by_r, by_p, strict=True)]
+    ).reshape(len(by_r), model.nx)
+    jumps = TangentJumps(tangents, setup.event_table, setup.over.start)
+    rows, changes = rows_of(motion), list[Array]()
+    modes, start = [(0, tangents.by_s.copy())], 0
+    instants = event_instants(log.log, setup.event_table, model.nx, model.ns)
+    # where an event ends the run, times do not move
+    for at in instants[: -1 if motion.solver_info.status == EVENT else None]:
+        behind = row_behind(motion.t, len(rows), at)
+        # where modes alone change, one row stands for both sides
+        one_row = behind == start or motion.t[behind - 1] != at.t
+        part = tangents.over(rows[start : behind + one_row], first)
+        # at its time before it; the row behind it begins the next part
+        changes.append(part[: behind - start])
+        first, start = jumps.push(at, part[-1]), behind
+        modes.append((behind, tangents.by_s.copy()))
+    changes.append(tangents.over(rows[start:], first))
+    return Sensitivities(listed.names, np.concatenate(changes), parts, rows, tangents, tuple(modes))
+
+
+def _directions(
+    setup: RunSetup, listed: Unknowns
+) -> tuple[Directions, dict[str, tuple[slice, bool]]]:
+    """Directions of everything by name, and which belong to which name."""
+    model, tabulated = setup.model, setup.input_signals.tabulated
+    nu, names = model.nu, list(model.parameters)
+    blocks = {"x0": slice(0, 2 * nu + model.nz), "q0": slice(0, nu), "u0": slice(nu, 2 * nu)}
+    places = {**start_places(model), **blocks, "z0": slice(2 * nu, 2 * nu + model.nz)}
+    tables = {name: listed.table(name) for name in listed.names if name in model.inputs}
+    sizes, single = [], []
+    for name in listed.names:
+        table = tables.get(name)
+        if name in places:
+            size = places[name].stop - places[name].start
+        else:
+            size = len(names) if name == "p" else 1 if table is None else len(table[0])
+        sizes.append(size)
+        single.append(size == 1 and name not in (*blocks, "z0", "p") and table is None)
+    columns = columns_of(sizes)
+    directions = directions_of(model, sum(len(one.coefficients) for one in tabulated), sum(sizes))
+    for name, column in zip(listed.names, columns, strict=True):
+        table = tables.get(name)
+        if name in places:
+            directions.start[column, places[name]] = np.eye(column.stop - column.start)
+        elif name == "p":
+            directions.p[column] = np.eye(len(names))
+        elif name in names:
+            directions.p[column, names.index(name)] = 1.0
+        elif table is None:
+            directions.r[column, model.inputs.index(name)] = 1.0
+        else:
+            directions.coefficients[column] = _coefficients(setup, name, table[0])
+    return directions, dict(zip(listed.names, zip(columns, single, strict=True), strict=True))
+
+
+def _coefficients(setup: RunSetup, name: str, times: Array) -> Array:
+    """Coefficients (n, segments, 4) of all tabulated inputs per unit of each value of one."""
+    tabulated, result = setup.input_signals.tabulated, []
+    for unit in np.eye(len(times)):
+        span = (float(times[0]), float(times[-1]))
+        rows = signals(setup.model.manifest.inputs, {name: (times, unit)}, None, span).tabulated
+        by_input = {one.input: one.coefficients for one in rows}
+        result.append(
+            np.concatenate([by_input.get(x.input, 0 * x.coefficients) for x in tabulated])
+        )
+    return np.array(result)

@@ -1,0 +1,152 @@
+"""How the start of a run follows from what was named.
+
+Where loops are closed, what was not named follows from what was, and from parameters and inputs: by
+the shortest change that keeps the loops closed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arrays import Array
+from ...runtime.calls.methods import ByName
+from ...runtime.models.loaded_model import LoadedModel
+from ..simulation.driving import RunSetup
+from .steps import StepsAgain
+
+RANK = 1e-9  # of the largest singular value: rows that say nothing new
+
+
+@dataclass(frozen=True)
+class Level:
+    """Constraints of positions or of speeds at the start: their derivatives.
+
+    Attributes:
+        rows: Along what they determine (m, nu).
+        by_q: Along coordinates (m, nu), of those of speeds; None of those of positions.
+        by_r, by_p: By inputs (m, nr) and parameters (m, np).
+        named: Entries (nu,) that are held.
+    """
+
+    rows: Array
+    by_q: Array | None
+    by_r: Array
+    by_p: Array
+    named: NDArray[np.bool_]
+
+    @property
+    def inverse(self) -> Array:
+        """Changes (nu, m) of what is free, by which each row is met."""
+        inverse = np.zeros(self.rows.T.shape)
+        inverse[~self.named] = np.linalg.pinv(self.rows[:, ~self.named], rcond=RANK)
+        return inverse
+
+
+@dataclass(frozen=True)
+class NamedStart:
+    """Derivatives of the start of a run by what was named, by parameters and by inputs.
+
+    Attributes:
+        model: The model.
+        kinematic: N (nq, nu): rates of the coordinates by the speeds.
+        positions, speeds: Constraints there; None without.
+    """
+
+    model: LoadedModel
+    kinematic: Array
+    positions: Level | None
+    speeds: Level | None
+
+    @classmethod
+    def of(
+        cls, setup: RunSetup, steps: StepsAgain, state: Mapping[str, object], s: Array, wide: bool
+    ) -> NamedStart:
+        """The derivatives at the start of a run.
+
+        Args:
+            setup: The run.
+            steps: Its steps.
+            state: x0, q, u and z as they were given.
+            s: Modes (ns,) at the start.
+            wide: Whether derivatives by parameters are asked for.
+        """
+        model = setup.model
+        q, u, z = model.parts_of(setup.begin.x)
+        at: ByName = {"t": setup.over.start, "r": steps.inputs_at(setup.over.start)[0]}
+        N = model.derivative("qdot", wrt="u")(q, u, **at) if model.nu else np.zeros((model.nq, 0))
+        closing, levels = steps.runner.closing, dict[str, Level]()
+        blocks = ["r"] * (model.nr > 0) + ["p"] * (wide and len(model.parameters) > 0)
+        empty = {"r": model.nr, "p": len(model.parameters) if wide else 0}
+        functions = {"u": "constraint_rates" if closing.rates else ""}
+        functions["q"] = "constraints" if closing.positions else ""
+        for letter, function in functions.items():
+            if not function:
+                continue
+            speeds = letter == "u"
+            wrt = ("q", *["u"] * speeds, *blocks)
+            states: ByName = {"u": u, "z": z, "s": s} if speeds else {}
+            columns = dict(
+                zip(wrt, model.derivative(function, wrt=wrt)(q=q, **states, **at), strict=True)
+            )
+            rows = columns[letter]
+            by_r, by_p = (
+                columns.get(name, np.zeros((len(rows), size))) for name, size in empty.items()
+            )
+            by_q = columns["q"] if speeds else None
+            levels[letter] = Level(rows, by_q, by_r, by_p, _named(model, letter, state[letter]))
+        return cls(model, N, levels.get("q"), levels.get("u"))
+
+    def backward(self, lam: Array) -> tuple[Array, Array, Array]:
+        """Gradients by the named start (2 nu + nz,), by inputs and by parameters.
+
+        Args:
+            lam: Gradient by the state (nx,).
+        """
+        nq, nu = self.model.nq, self.model.nu
+        by_q, by_u = self.kinematic.T @ lam[:nq], lam[nq : nq + nu].copy()
+        by_r = by_p = np.zeros(0)
+        for level, bars in ((self.speeds, by_u), (self.positions, by_q)):
+            if level is None:
+                continue
+            # what is named is held: the rest makes up for it
+            weights = level.inverse.T @ bars
+            bars -= weights @ level.rows
+            if level.by_q is not None:
+                by_q -= weights @ level.by_q
+            by_r = by_r - weights @ level.by_r if by_r.size else -weights @ level.by_r
+            by_p = by_p - weights @ level.by_p if by_p.size else -weights @ level.by_p
+        return np.concatenate([by_q, by_u, lam[nq + nu :]]), by_r, by_p
+
+    def forward(self, start: Array, by_r: Array, by_p: Array) -> Array:
+        """Change of the state (nx,) by one of what was named (2 nu + nz,), inputs, parameters."""
+        nu = self.model.nu
+        q, u = start[:nu].copy(), start[nu : 2 * nu].copy()
+        for level, change in ((self.positions, q), (self.speeds, u)):
+            if level is None:
+                continue
+            missed = level.rows @ change + level.by_r @ by_r + level.by_p @ by_p
+            if level.by_q is not None:
+                missed = missed + level.by_q @ q
+            change -= level.inverse @ missed
+        return np.concatenate([self.kinematic @ q, u, start[2 * nu :]])
+
+
+def _named(model: LoadedModel, block: str, values: object) -> NDArray[np.bool_]:
+    """Speeds (nu,) whose coordinates, or which themselves, were named."""
+    mask = np.zeros(model.nu, dtype=bool)
+    if not isinstance(values, Mapping):
+        return mask
+    for joint in model.manifest.joints:
+        if joint.u is None:
+            continue
+        first, size = joint.u
+        place = joint.q if block == "q" else joint.u
+        names = model.coordinates if block == "q" else model.speeds
+        entries = names[place[0] : place[0] + place[1]] if place is not None else ()
+        if joint.name in values or any(name in values for name in entries):
+            mask[first : first + size] = True
+    return mask

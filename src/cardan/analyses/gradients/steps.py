@@ -1,0 +1,114 @@
+"""Steps of a run computed again, as sweeps over them need: ``kernels/sensitivity/steps.c``."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import SolveError
+from ...runtime.calls.loaded_function import LoadedFunction
+from ...runtime.trajectory.input_history import PiecewiseInput
+from ...schema.blocks import COORDINATES
+from ...schema.records import Steps
+from ..simulation.run import Runner
+
+# what derivatives are along, as far as a model has any of it
+BLOCKS = (COORDINATES, "u", "z", "s", "r")
+CLOSING = ("close_position", "close_velocity")
+MOST_STAGES = 16
+# methods whose steps are known as a table of coefficients
+TABLES = ("RK4", "RK45", "DOP853")
+
+
+class StepsAgain:
+    """Steps of a run that is over.
+
+    Attributes:
+        runner: What took them.
+        model: Its model.
+        steps: Their record.
+    """
+
+    def __init__(self, runner: Runner) -> None:
+        self.runner, self.model = runner, runner.model
+        self._references: list[Array] = []
+        steps = self.steps = Steps()
+        steps.run = ctypes.addressof(runner.record)
+        tableau = getattr(runner.library, f"cardan_{runner.settings.method.kernel}_tableau")
+        tableau.restype = ctypes.c_ssize_t
+        tables = [np.zeros(size) for size in (MOST_STAGES, MOST_STAGES, MOST_STAGES**2)]
+        steps.stages = tableau(*(ctypes.c_void_p(table.ctypes.data) for table in tables))
+        nx = self.model.nx
+        rooms = dict(zip(("nodes", "weights", "matrix"), tables, strict=True))
+        rooms |= {"states": np.zeros(steps.stages * nx), "slopes": np.zeros(steps.stages * nx)}
+        rooms |= {"end": np.zeros(nx), "place": np.zeros(nx)}
+        self.rooms = rooms
+        for name, room in rooms.items():
+            setattr(steps, name, self.pointer(room))
+
+    def pointer(self, array: Array) -> int:
+        """Address of an array that must live as long as this."""
+        self._references.append(array)
+        return array.ctypes.data
+
+    def sizes(self) -> dict[str, int]:
+        """Number of columns along every block that the model has."""
+        model = self.model
+        numbers = (model.nq, model.nu, model.nz, model.ns, model.nr)
+        return {name: n for name, n in zip(BLOCKS, numbers, strict=True) if n}
+
+    def call(self, record: ctypes.Structure, functions: dict[str, LoadedFunction]) -> None:
+        """Let a record call functions, by the names of its fields."""
+        for name, function in functions.items():
+            setattr(record, name, function.address)
+            setattr(record, f"{name}_w", self.pointer(function.w))
+        # one room serves all of them, one after the other
+        called = [*functions.values(), self.runner.functions[0]]
+        room = np.zeros(max(function.work_size for function in called) + 1)
+        self.steps.work = self.pointer(room)
+
+    def swept(self, rows: Array, sweep: Callable[..., int], record: ctypes.Structure) -> None:
+        """Sweep over the steps between rows (count, width) as the run wrote them.
+
+        Raises:
+            SolveError: a function has no value at a stage of a step.
+        """
+        table = np.ascontiguousarray(rows)
+        self.steps.rows, self.steps.count = table.ctypes.data, len(table)
+        record.steps = ctypes.addressof(self.steps)
+        if sweep(record):
+            at = float(table[self.steps.failed, 0])
+            raise SolveError(
+                f"gradient: a derivative has no finite value within the step from t = {at:.6g} s"
+            )
+
+    def inputs_at(self, t: float) -> tuple[Array, Array]:
+        """Inputs and their rates (nr,) at a time, as they are before it."""
+        constants, rates = self.runner.signals.constants.copy(), np.zeros(self.model.nr)
+        for one in self.runner.signals.tabulated:
+            powers, slopes = powers_at(one, t)
+            segment = segment_at(one, t)[0]
+            constants[one.input] = float(one.coefficients[segment] @ powers)
+            rates[one.input] = float(one.coefficients[segment] @ slopes)
+        return constants, rates
+
+    @property
+    def segment_counts(self) -> Sequence[int]:
+        """Numbers of pieces of the inputs that are tabulated."""
+        return [len(one.coefficients) for one in self.runner.signals.tabulated]
+
+
+def segment_at(signal: PiecewiseInput, t: float) -> tuple[int, float]:
+    """Piece of an input before a time, and the time since it began."""
+    segment = int(np.searchsorted(signal.breaks, t, side="left")) - 1
+    segment = min(max(segment, 0), len(signal.coefficients) - 1)
+    return segment, t - float(signal.breaks[segment])
+
+
+def powers_at(signal: PiecewiseInput, t: float) -> tuple[Array, Array]:
+    """Derivatives (4,) of an input and of its rate at a time by its coefficients there."""
+    d = segment_at(signal, t)[1]
+    return np.array([1.0, d, d * d, d * d * d]), np.array([0.0, 1.0, 2 * d, 3 * d * d])

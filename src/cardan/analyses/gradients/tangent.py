@@ -1,0 +1,144 @@
+"""The sweep of ``kernels/sensitivity/tangent.c`` forward over the steps of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import final
+
+import numpy as np
+
+from ...arrays import Array
+from ...runtime.models.loaded_model import LoadedModel
+from ...schema.records import Tangent
+from ...schema.request import Request
+from ..simulation.run import Runner
+from .steps import CLOSING, StepsAgain, powers_at, segment_at
+
+
+@dataclass(frozen=True)
+class Directions:
+    """Directions of change, one in each row.
+
+    Attributes:
+        start: Of the start as it was named, along the speeds: (k, 2 nu + nz).
+        p: Of the parameters (k, np).
+        r: Of inputs that are constant (k, nr).
+        coefficients: Of tabulated inputs: of their coefficients (k, segments, 4).
+    """
+
+    start: Array
+    p: Array
+    r: Array
+    coefficients: Array
+
+    @property
+    def moved(self) -> list[int]:
+        """Parameters that change along some direction."""
+        return [int(k) for k in np.flatnonzero((self.p != 0).any(axis=0))]
+
+
+@final
+class Tangents(StepsAgain):
+    """Changes of a motion along directions.
+
+    Attributes:
+        directions: What changes.
+        by_s: Changes of the modes (k, ns) since the last event.
+    """
+
+    def __init__(self, runner: Runner, directions: Directions) -> None:
+        super().__init__(runner)
+        model, record, k = runner.model, Tangent(), len(directions.start)
+        self.record, self.directions = record, directions
+        self.by_s = np.zeros((k, model.ns))
+        names = list(model.parameters)
+        # one column of C for each parameter that changes: all of a large robot would cost more
+        named = sorted(names[k] for k in directions.moved)
+        self._named = tuple(named)
+        by_named = directions.p[:, [names.index(name) for name in named]]
+        closing = runner.closing
+        keys = {"rates": ("derivative", self.request("rhs"))}
+        keys |= {
+            name: ("derivative", self.request(name))
+            for name in closing.functions
+            if name in CLOSING
+        }
+        functions = dict(zip(keys, model._load(list(keys.values())), strict=True))
+        self.call(record, functions)
+        record.columns, record.named = k, len(named)
+        record.segments = directions.coefficients.shape[1]
+        longest = max(function.entry.output_size for function in functions.values())
+        rooms = {
+            "by_named": by_named, "by_input": directions.r,
+            "by_coefficients": directions.coefficients,
+            "by_s": self.by_s, "moved": np.zeros(model.nx + model.ns + model.nr + 1),
+            "rising": np.zeros(self.steps.stages * k * model.nx), "out": np.zeros(longest),
+        }  # fmt: skip
+        for name, room in rooms.items():
+            setattr(record, name, self.pointer(_filled(room)))
+        if self.by_s.size:
+            record.by_s = self.pointer(self.by_s)
+
+    def request(self, function: str, time: bool = False) -> str:
+        """Derivative of a function along state, modes, inputs and parameters that change."""
+        blocks = [*["t"] * time, *self.sizes()]
+        return str(Request(function, None, (*blocks, *self._named)))
+
+    def over(self, rows: Array, first: Array) -> Array:
+        """Changes (count, k, nx) at rows (count, width) from those at the first one (k, nx).
+
+        Raises:
+            SolveError: a function has no value at a stage of a step.
+        """
+        changes = np.zeros((len(rows), *first.shape))
+        changes[0] = first
+        self.record.changes = changes.ctypes.data
+        self.swept(rows, self.runner.library.cardan_tangent_sweep, self.record)
+        return changes
+
+    def input_changes(self, t: float) -> Array:
+        """Changes of the inputs (k, nr) at a time, as they are before it."""
+        changes, start = self.directions.r.copy(), 0
+        for one in self.runner.signals.tabulated:
+            segment = start + segment_at(one, t)[0]
+            changes[:, one.input] = self.directions.coefficients[:, segment] @ powers_at(one, t)[0]
+            start += len(one.coefficients)
+        return changes
+
+    def along(
+        self, function: str, at: dict[str, object], times: Array, x: Array, s: Array, r: Array
+    ) -> Array:
+        """Changes (k, size) of the result of a function.
+
+        Args:
+            function: Which.
+            at: Its arguments by letter.
+            times, x, s, r: Changes of the time (k,), the state, modes and inputs.
+        """
+        from ...schema.request import reads
+
+        request, model = self.request(function, time=True), self.model
+        names = list(model.parameters)
+        named = self.directions.p[:, [names.index(name) for name in self._named]]
+        v = np.hstack([times[:, None], x, s, r, named])
+        values = tuple({**at, "v": v}[one] for one in reads("jvp", request))
+        return np.asarray(model._evaluate(("jvp", request), values, None, None))
+
+
+def _filled(room: Array) -> Array:
+    """An array that has an address, contiguous."""
+    return np.ascontiguousarray(room) if room.size else np.zeros(1)
+
+
+def directions_of(model: LoadedModel, segments: int, count: int) -> Directions:
+    """Directions that change nothing yet."""
+    start = np.zeros((count, 2 * model.nu + model.nz))
+    p, r = np.zeros((count, len(model.parameters))), np.zeros((count, model.nr))
+    return Directions(start, p, r, np.zeros((count, segments, 4)))
+
+
+def columns_of(sizes: Sequence[int]) -> list[slice]:
+    """Where parts of these sizes are, one after the other."""
+    ends = np.cumsum(sizes)
+    return [slice(int(end - size), int(end)) for end, size in zip(ends, sizes, strict=True)]

@@ -1,0 +1,295 @@
+"""Runs from their arguments to the motion: their setup, their runner, its way to the end."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+from ...arguments import Inputs
+from ...errors import FunctionError, ModelError, SolveError, SolveWarning, warn
+from ...runtime.calls.interpreted import CURE
+from ...runtime.models.constraint_projection import Closing
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ...schema.functions import OF_ELEMENTS
+from ...schema.integrators import INTEGRATORS
+from ...schema.manifest import Manifest
+from . import run_record as abi
+from .alpha_methods import Alpha, GeneralizedAlpha
+from .discontinuities import stops_of
+from .energy_accounting import excess
+from .events import NOTHING, EventTable, check_start, event_table_of
+from .files.run_file import RunFile
+from .linear_limits import excesses
+from .method_choice import JACOBIAN, Case, choose, reconsider
+from .method_requirements import suited
+from .outcome import explain
+from .progress import showing
+from .recorder import Recorder
+from .run import Runner
+from .settings import Settings, Start, Values, blocks, settings, start, watched
+from .signals import Signals, signals
+from .spare_runners import spare
+from .starts.start import closed_start
+from .starts.strain_limits import folded
+from .times import Span, span
+
+LARGE = 1600  # pairs of speeds, as in a chain of 40: more are derived for minutes
+
+
+@dataclass(frozen=True)
+class RunSetup:
+    """A run that is about to begin.
+
+    Attributes:
+        model, how, input_signals, event_table, over, begin: What runs, from when to when.
+        case: Facts for the choice of the method, where nobody chose one.
+    """
+
+    model: LoadedModel
+    how: Settings
+    input_signals: Signals
+    event_table: EventTable
+    over: Span
+    begin: Start
+    case: Case | None
+
+    @property
+    def run(self) -> tuple[LoadedModel, Settings, Signals, EventTable, Span, Start]:
+        """Everything but the case."""
+        return (
+            *(self.model, self.how, self.input_signals, self.event_table),
+            *(self.over, self.begin),
+        )
+
+
+def run_setup(
+    model: LoadedModel,
+    times: tuple[object, object],
+    state: Mapping[str, object],
+    events: Mapping[str, object] | None,
+    options: tuple[str | GeneralizedAlpha | Alpha, float, float | None, float | None, float | None],
+    inputs: Inputs | None,
+    parameters: Values | None,
+    sample: float | None = None,
+) -> RunSetup:
+    """The run that arguments of :func:`simulate` speak of.
+
+    Args:
+        model, events, inputs, parameters, sample: As there.
+        times: t and t_eval.
+        state: x0, q, u and z by name.
+        options: method, rtol, atol, step and max_step.
+    """
+    x0, q, u, z = (state[name] for name in ("x0", "q", "u", "z"))
+    method, rtol, atol, step, max_step = options
+    model = model if parameters is None else model.with_parameters(parameters)
+    over = span(*times)
+    begin = start(model, x0, q, u, z)
+    event_table = event_table_of(model, events)
+    event_table.forward(over.start, over.end)
+    input_signals = signals(model.manifest.inputs, inputs, sample, (over.start, over.end))
+    how = settings(method, rtol, atol, step, max_step, over.length)
+    how = watched(how, input_signals, over.length, max_step)
+    begin_inputs = over.start, input_signals.first(over.start)
+    begin = closed_start(model, begin, *blocks(x0, q, u), *begin_inputs)
+    check_start(model, begin.x, *begin_inputs)
+    case = case_of(model, rtol, over, input_signals, event_table) if method == "auto" else None
+    return RunSetup(model, how, input_signals, event_table, over, begin, case)
+
+
+def case_of(
+    model: LoadedModel,
+    rtol: float,
+    over: Span | None,
+    input_signals: Signals,
+    event_table: EventTable,
+) -> Case:
+    """Facts from which ``method="auto"`` chooses, for a run of some length, or of none known."""
+    periods = [float(tick.period) for tick in event_table.ticks]
+    if input_signals.functions and input_signals.sample is not None:
+        periods.append(input_signals.sample)
+    return Case(
+        rtol=rtol,
+        period=min(periods, default=None),
+        length=None if over is None else over.length,
+        derived=JACOBIAN in model.manifest.available,
+        input_functions=bool(input_signals.functions),
+        elements=model.manifest.absolute,
+        flexible=bool(model.manifest.beams or model.manifest.superelements),
+    )
+
+
+def chosen(how: Settings, case: Case | None) -> Settings:
+    """Settings with the method of a choice, if there is one."""
+    if case is None:
+        return how
+    rule = choose(case)
+    return replace(how, method=INTEGRATORS[rule.method], reason=rule.why)
+
+
+def runner_of(
+    model: LoadedModel, how: Settings, input_signals: Signals, event_table: EventTable = NOTHING
+) -> Runner:
+    """The runner of a model.
+
+    Raises:
+        ModelError: the model lacks a function that the method or its events need.
+    """
+    method, description = suited(model, how.method)
+    how = replace(
+        how,
+        method=method,
+        description=f"{description}, {how.description}" if description else how.description,
+    )
+    how = _without_costly(model, how)
+    # an idle runner with the same settings saves allocating and connecting one
+    left = spare(model, how, input_signals, event_table)
+    if left is not None:
+        return left
+    available = model.manifest.available
+    power = "power" in available
+    needs = [(f"method '{how.method.name}'", name) for name in how.method.needs]
+    needs += [("a run with events", name) for name in event_table.functions]
+    for what, name in needs:
+        if name not in available:
+            cure = f"cd.compile(..., functions=[..., '{name}'])"
+            cure = model.manifest.absent.get(name, cure)
+            if model.manifest.absolute and name not in OF_ELEMENTS:
+                cure = "absolute coordinates offer none; method='GeneralizedAlpha' needs none"
+            raise ModelError(
+                f"{what} needs the function '{name}', which model '{model.name}' lacks: {cure}"
+            )
+    called = ["rhs", *(["power"] if power else []), *Closing.of(model).functions]
+    called += [name for _, name in needs]
+    # side by side, as all must be compiled; by energy is told what the run cannot account for
+    model.prepare(*called, *(["energy"] if power and "energy" in available else []))
+    runner = Runner(model, how, input_signals, power, event_table)
+    if runner.interpreted:
+        description = f"{how.description}, the model in Python as there is no C compiler: {CURE}"
+        runner.settings = replace(how, description=description)
+    return runner
+
+
+def driven(
+    runner: Runner,
+    over: Span,
+    begin: Start,
+    progress: bool | Callable[[float], None] | None,
+    case: Case | None = None,
+    file: RunFile | None = None,
+    dense: bool = True,
+) -> TrajectoryRecord:
+    """Drive the run to its end and collect what came out.
+
+    Raises:
+        Limited: another method would be chosen, and less than half of the run is done.
+        FunctionError: a function of the caller raised; it has the motion until then.
+        SolveError: there is no memory for its rows.
+    """
+    recorder, problem, full = Recorder(runner), None, False
+    runner.loosen(begin.closure_tol)
+    runner.want(over.times, dense=dense and over.times is None)
+    clock = time.perf_counter()
+    with showing(progress, runner.model.name) as show, runner.interruptible():
+        try:
+            answer = _loop(runner, over, begin, recorder, show, case, file)
+        except FunctionError as raised:
+            answer, problem = abi.INPUT, raised
+            recorder.take()
+        except MemoryError:
+            # told below, where what was half done has gone
+            answer, full = abi.SIZE, True
+    milliseconds = 1e3 * (time.perf_counter() - clock)
+    outcome = ("function_failed", str(problem)) if problem else explain(runner, answer, over)
+    if file is not None and answer == abi.STOPPED:
+        outcome = outcome[0], f"{outcome[1]} in {file.path}, and the same call goes on from there"
+    motion = None
+    # out of memory: drop rows until what was computed fits
+    while motion is None:
+        outcome = recorder.halt(over) if full else outcome
+        try:
+            motion = recorder.motion(over, begin, outcome, milliseconds)
+        except MemoryError:
+            full = True
+    missed = excess(motion, runner.settings, begin.closure_tol)
+    motion = (
+        replace(motion, solver_info=replace(motion.solver_info, warning=missed))
+        if missed
+        else motion
+    )
+    if problem is not None:
+        problem.motion = motion
+        raise problem
+    return motion
+
+
+def _loop(
+    runner: Runner,
+    over: Span,
+    begin: Start,
+    recorder: Recorder,
+    show: Callable[[float], None],
+    case: Case | None,
+    file: RunFile | None,
+) -> int:
+    """Go on until the run is over. Returns the last answer of the kernels."""
+    stops = stops_of(runner.model, runner.signals, over.start, over.end)
+    answer = runner.start(over.start, begin.x, stops)
+    if file is not None and answer >= 0:
+        answer_saved = file.go_on(runner, recorder)
+        if answer_saved in (abi.DONE, abi.EVENT):
+            return answer_saved
+    for said in runner.slices() if answer >= 0 and answer != abi.STOPPED else ():
+        answer = said
+        if answer != abi.MORE:
+            recorder.take()
+        if file is not None:
+            file.note(runner, recorder, answer)
+        done = abs(runner.record.t - over.start) / over.length
+        if case is not None and done < 0.5:
+            reconsider(case, runner, over, begin.x)
+        show(min(1.0, done))
+    return answer
+
+
+def speed_pairs(manifest: Manifest) -> int:
+    """Pairs of speeds of which one moves what the other moves: entries of M that are not 0."""
+    size = {row.child: row.u[1] for row in manifest.joints if row.u is not None}
+    parent = {row.child: row.parent for row in manifest.joints}
+    count = 0
+    for body, speeds in size.items():
+        count += speeds * speeds
+        above, visited = parent.get(body), {body}
+        while above is not None and above not in visited:
+            visited.add(above)
+            count += 2 * speeds * size.get(above, 0)
+            above = parent.get(above)
+    return count
+
+
+def _without_costly(model: LoadedModel, how: Settings) -> Settings:
+    """Settings of a method that differences what a large model would derive for minutes."""
+    costly = [name for name in how.method.differenced if name in how.method.needs]
+    if not costly or speed_pairs(model.manifest) <= LARGE:
+        return how
+    needs = tuple(name for name in how.method.needs if name not in costly)
+    description = f"{how.description}, {' and '.join(costly)} by differences as the model is large"
+    return replace(how, method=replace(how.method, needs=needs), description=description)
+
+
+def reported(motion: TrajectoryRecord, check: bool) -> TrajectoryRecord:
+    """The motion, with warnings of an early end and of what it cannot account for."""
+    said = [] if motion.success else [motion.message]
+    said += [motion.solver_info.warning] if motion.solver_info.warning else []
+    bent = folded(motion.model, motion.x) if said and motion.model else ""
+    said = [f"{text}. {bent}" if bent else text for text in said]
+    if said and check:
+        raise SolveError("; ".join(said))
+    for text in said:
+        warn(text, SolveWarning)
+    # which is no matter of the tolerance
+    for text in excesses(motion):
+        warn(text, SolveWarning)
+    return motion

@@ -1,0 +1,147 @@
+/* Gradient of a cost along a motion: see adjoint.h.
+ *
+ * Part of cardan. Caller owns all memory.
+ */
+#include "adjoint.h"
+#include <math.h>
+
+/* Add gradients by inputs (nr) at t, times a factor, to those by constants and by pieces. */
+static void add_inputs(const cardan_adjoint *adjoint, real t, real factor, const real *by_r)
+{
+    const cardan_run *run = adjoint->steps->run;
+    real *block = adjoint->by_coefficients;
+
+    for (ptrdiff_t i = 0; i < run->nr; i++)
+        adjoint->by_r[i] += factor * by_r[i];
+    for (ptrdiff_t k = 0; k < run->signal_count; k++) {
+        const cardan_signal *s = run->signals + k;
+        const real d = t - s->breaks[s->where];
+        real power = factor * by_r[s->input];
+        for (int j = 0; j < 4; j++, power *= d)
+            block[4 * s->where + j] += power;
+        block += s->pieces * 4;
+    }
+}
+
+/* A product at t, x: weights in `v`; the result in `out`, of which discrete states, inputs and
+ * parameters are added up, times a factor. */
+static int product(const cardan_adjoint *adjoint, const cardan_call *call, real t, const real *x,
+                   real factor)
+{
+    const cardan_run *run = adjoint->steps->run;
+    const real *by_s = adjoint->out + run->nx, *by_r = by_s + run->ns, *by_p = by_r + run->nr;
+    cardan_in in = cardan_step_in(adjoint->steps, &t, x);
+
+    in.v = adjoint->v;
+    in.w = call->w;
+    if (call->function(&in, adjoint->out, adjoint->steps->work) != 0)
+        return CARDAN_MODEL;
+    add_inputs(adjoint, t, factor, by_r);
+    for (ptrdiff_t i = 0; i < run->ns; i++)
+        adjoint->by_s[i] += factor * by_s[i];
+    for (ptrdiff_t i = 0; i < adjoint->np; i++)
+        adjoint->by_p[i] += factor * by_p[i];
+    return 0;
+}
+
+/* The running cost at t, x counts with a share, and so does its gradient by x, added to by_x. */
+static int add_cost(const cardan_adjoint *adjoint, real t, const real *x, real share, real *by_x)
+{
+    cardan_in in = cardan_step_in(adjoint->steps, &t, x);
+    real cost;
+
+    in.w = adjoint->integrand_value.w;
+    if (adjoint->integrand_value.function(&in, &cost, adjoint->steps->work) != 0)
+        return CARDAN_MODEL;
+    *adjoint->cost += share * cost;
+    adjoint->v[0] = 1;
+    if (product(adjoint, &adjoint->integrand, t, x, share) != 0)
+        return CARDAN_MODEL;
+    for (ptrdiff_t i = 0; i < adjoint->steps->run->nx; i++)
+        by_x[i] += share * adjoint->out[i];
+    return 0;
+}
+
+/* lam by the state before the projections of a step from that behind them: speeds first, at the
+ * positions behind, then positions, then lengths of quaternions. */
+static int pull_projection(const cardan_adjoint *adjoint, real t)
+{
+    const cardan_run *run = adjoint->steps->run;
+    const ptrdiff_t nq = run->nq, nu = run->nu, nx = run->nx;
+    const real *end = adjoint->steps->end, *out = adjoint->out;
+    real *lam = adjoint->lam, *v = adjoint->v;
+
+    if (adjoint->close_velocity.function) {
+        for (ptrdiff_t i = 0; i < nu + run->rates; i++)
+            v[i] = i < nu ? lam[nq + i] : 0;
+        if (product(adjoint, &adjoint->close_velocity, t, adjoint->steps->place, 1) != 0)
+            return CARDAN_MODEL;
+        for (ptrdiff_t i = 0; i < nx; i++)
+            lam[i] = out[i] + (i < nq || i >= nq + nu ? lam[i] : 0);
+    }
+    if (adjoint->close_position.function) {
+        for (ptrdiff_t i = 0; i < nq + run->positions; i++)
+            v[i] = i < nq ? lam[i] : 0;
+        if (product(adjoint, &adjoint->close_position, t, end, 1) != 0)
+            return CARDAN_MODEL;
+        for (ptrdiff_t i = 0; i < nx; i++)
+            lam[i] = out[i] + (i < nq ? 0 : lam[i]);
+    }
+    for (ptrdiff_t k = 0; k < run->quaternion_count; k++) {
+        const real *q = end + run->quaternions[k];
+        real *by_q = lam + run->quaternions[k];
+        const real square = cardan_dot(q, q, 4), along = cardan_dot(q, by_q, 4) / square;
+        for (int j = 0; j < 4; j++)
+            by_q[j] = (by_q[j] - along * q[j]) / sqrt(square);
+    }
+    return 0;
+}
+
+/* lam by the start of a step from that by its end. */
+static int pull_stages(const cardan_adjoint *adjoint, real t, real h)
+{
+    const cardan_steps *steps = adjoint->steps;
+    const ptrdiff_t nx = steps->run->nx, count = steps->stages;
+    real *lam = adjoint->lam;
+
+    for (ptrdiff_t s = count - 1; s >= 0; s--) {
+        const real *x = steps->states + s * nx;
+        const real time = t + steps->nodes[s] * h, share = h * steps->weights[s];
+        real *by_x = adjoint->pulled + s * nx;
+        for (ptrdiff_t i = 0; i < nx; i++) {
+            real sum = steps->weights[s] * lam[i];
+            for (ptrdiff_t j = s + 1; j < count; j++)
+                sum += steps->matrix[j * count + s] * adjoint->pulled[j * nx + i];
+            adjoint->v[i] = h * sum;
+        }
+        if (product(adjoint, &adjoint->rates, time, x, 1) != 0)
+            return CARDAN_MODEL;
+        for (ptrdiff_t i = 0; i < nx; i++)
+            by_x[i] = adjoint->out[i];
+        if (adjoint->integrand.function && share != 0
+            && add_cost(adjoint, time, x, share, by_x) != 0)
+            return CARDAN_MODEL;
+    }
+    for (ptrdiff_t s = 0; s < count; s++)
+        for (ptrdiff_t i = 0; i < nx; i++)
+            lam[i] += adjoint->pulled[s * nx + i];
+    return 0;
+}
+
+/* Sweep over all steps between the rows, the last one first. Returns 0 or CARDAN_MODEL. */
+int cardan_adjoint_sweep(cardan_adjoint *adjoint)
+{
+    cardan_steps *steps = adjoint->steps;
+    const ptrdiff_t width = cardan_row_width(steps->run);
+
+    steps->failed = -1;
+    for (ptrdiff_t k = steps->count - 2; k >= 0; k--) {
+        const real *row = steps->rows + k * width;
+        if (cardan_step_again(steps, k) != 0 || pull_projection(adjoint, row[width]) != 0
+            || pull_stages(adjoint, row[0], row[width] - row[0]) != 0) {
+            steps->failed = k;
+            return CARDAN_MODEL;
+        }
+    }
+    return 0;
+}

@@ -1,0 +1,35 @@
+/* Sensitivities of a motion: a sweep forward over the steps that a run has taken.
+ *
+ * Part of cardan. Caller owns all memory.
+ *
+ * Every column is the change of the state along one direction of starts, parameters and inputs. Steps
+ * are differentiated as they were taken, see adjoint.h: this is the same derivative the other way
+ * round.
+ */
+#ifndef CARDAN_TANGENT_H
+#define CARDAN_TANGENT_H
+
+#include "steps.h"
+
+/* Derivatives below are along coordinates, u, z, s and r, as far as there are any of them, a matrix
+ * for each with a row for every result, then along `named` parameters, a vector for each. */
+typedef struct cardan_tangent {
+    struct cardan_steps *steps;
+    cardan_call rates;          /* derivative of rhs (nx) */
+    cardan_call close_position; /* of close_position (nq + positions), NULL without constraints */
+    cardan_call close_velocity; /* of close_velocity (nu + rates) */
+    ptrdiff_t columns, named;
+    const real *by_named;  /* (columns, named) change of the parameters */
+    const real *by_input;  /* (columns, nr) of inputs that are constant */
+    const real *by_coefficients; /* (columns, pieces, 4) of the coefficients of all signals */
+    const real *by_s;      /* (columns, ns) of the discrete states at all steps */
+    ptrdiff_t segments;
+    real *changes;  /* (count, columns, nx) of the state at every row; the first one is given */
+    real *moved;    /* (nx + ns + nr) of what a function reads */
+    real *rising;   /* (stages, columns, nx) */
+    real *out;      /* longest result */
+} cardan_tangent;
+
+int cardan_tangent_sweep(cardan_tangent *tangent);
+
+#endif
