@@ -1,5 +1,8 @@
 """An arm of two links with a motor, a spring and a stop: every function of its model."""
 
+import importlib.util
+
+import jax
 import numpy as np
 
 import cardan as cd
@@ -189,6 +192,14 @@ print(model.verify().worst)
 # Verification.worst, Verification.checked, Verification.unchecked
 verification = model.verify()
 print(verification.worst, verification.checked, verification.unchecked)
+
+# CompiledModel.to_jax
+jax.config.update("jax_enable_x64", True)
+slope = jax.jacrev(model.to_jax("bias"), argnums=1)(q, u)
+
+# CompiledModel.to_torch
+if importlib.util.find_spec("torch"):
+    bias = model.to_torch("bias")(q, u)  # takes tensors, and numbers as here
 
 # CompiledModel.prepare
 model.prepare("rhs", ("pose", "hand"))  # compile these now

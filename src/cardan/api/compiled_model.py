@@ -98,6 +98,11 @@ class CompiledModel(LoadedModel):
     excitation = verb("cardan.analyses.identification.excitation:excitation")
     identify = verb("cardan.analyses.identification.identify:identify")
 
+    # programs that differentiate
+
+    to_jax = verb("cardan.analyses.autodiff.jax_function:to_jax")
+    to_torch = verb("cardan.analyses.autodiff.torch_function:to_torch")
+
     # builds
 
     verify = verb("cardan.runtime.verification.verify:verify_model")

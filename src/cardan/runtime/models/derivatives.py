@@ -152,11 +152,11 @@ class Derivative:
 
     def __call__(
         self,
-        *states: Any,
+        *states: object,
         wrenches: Values | None = None,
         parameters: Values | None = None,
         out: Any = None,
-        **keywords: Any,
+        **keywords: object,
     ) -> Any:
         """The derivatives at states of any leading shape.
 

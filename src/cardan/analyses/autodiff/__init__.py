@@ -1,0 +1,1 @@
+"""Functions of a model in programs that differentiate: JAX and PyTorch."""
