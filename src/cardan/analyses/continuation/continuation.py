@@ -128,7 +128,7 @@ def _refuse_unnamed(*arguments: object) -> None:
 
 
 def _start(model: LoadedModel, of: str, request: PathRequest) -> PathStart:
-    """Where a path of some kind starts.
+    """The start of a path of some kind.
 
     Raises:
         ModelError: the kind does not exist, or as its start says.

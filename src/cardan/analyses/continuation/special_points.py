@@ -262,7 +262,7 @@ def _searched(
 def _around_fold(
     family: Family, number: int, watch: Watch, step: Step, interval: Interval, part: float
 ) -> Iterator[Special]:
-    """What lies on either side of a fold, which explains but one direction that changes."""
+    """Special points on either side of a fold, which explains but one direction that changes."""
     for low, high in ((interval.low, part - AROUND), (part + AROUND, interval.high)):
         try:
             ends = (step.at(family, low), step.at(family, high)) if low < high else None

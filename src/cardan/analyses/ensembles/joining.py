@@ -44,7 +44,7 @@ ALIKE = {"cardan": "another version of cardan computed it"} | {
 
 
 class Place(NamedTuple):
-    """Where a block is, and the shapes of the values that each of its runs has."""
+    """The place of a block, and the shapes of the values that each of its runs has."""
 
     first: int
     last: int

@@ -150,7 +150,7 @@ def unknowns(model: LoadedModel, wrt: object, given: Mapping[str, object]) -> Un
     for name in names:
         if name not in known:
             raise ModelError(
-                f"gradient: wrt: '{name}' is no start (x0, q0, u0, z0, or one such as "
+                f"gradient: wrt: '{name}' is not a start (x0, q0, u0, z0, or one such as "
                 f"'q0.{model.joints[0] if model.joints else 'elbow'}'), parameter or input."
                 f"{near(name, known)}"
             )
