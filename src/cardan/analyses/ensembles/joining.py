@@ -232,7 +232,7 @@ def _reader_of(path: Path) -> Iterator[LogReader]:
     try:
         file = regular_file.open_regular(path, LARGEST)
     except OSError as error:
-        raise ModelError(f"join: {path} cannot be opened: {error.strerror}") from error
+        raise ModelError(f"join: parts: {path} cannot be opened: {error.strerror}") from error
     with file:
         yield LogReader(file.fileno(), path, ENSEMBLE_FILE)
 
