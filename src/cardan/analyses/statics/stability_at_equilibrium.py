@@ -123,11 +123,11 @@ def _stand(problem: Problem, point: Point, load: Load, constrained: Load) -> Sta
     circulatory = not potential or bool(system.internals)
     sign = 0.0
     if circulatory and constrained.u is None and nu <= MANY:
-        sign = _sign_at_rest(dense(K), dense(G), nu)
+        sign = _static_determinant_sign(dense(K), dense(G), nu)
     return _by_eigenvalues(stability, values, circulatory, sign)
 
 
-def _sign_at_rest(K: Array, G: Array, nu: int) -> float:
+def _static_determinant_sign(K: Array, G: Array, nu: int) -> float:
     """Sign of the determinant of the stiffness once internal states have come to rest.
 
     It is 0 where the stiffness is singular up to rounding, as of what only lags behind.
@@ -188,8 +188,8 @@ def _by_eigenvalues(
     many = int(np.sum(grows))
     # oscillations grow in pairs, so that the sign tells of one real motion whose growth is as
     # small as rounding: next to a fold, over a wide range where something else moves fast
-    known = sign != 0 and not stability.free_motions
-    slow = int(known and (many % 2 == 1) != (sign < 0))
+    definite = sign != 0 and not stability.free_motions
+    slow = int(definite and (many % 2 == 1) != (sign < 0))
     return replace(stability, side=many, signed=many + slow, frequency=float(frequency))
 
 
