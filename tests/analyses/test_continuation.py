@@ -336,6 +336,8 @@ def test_budget_is_told() -> None:
         (lambda m: m.continuation(P=(0, np.nan)), SolveError, "finite"),
         (lambda m: m.continuation(P=(0, 1), step=0), ArgumentError, "a length above 0"),
         (lambda m: m.continuation(P=(0, 1), step=-0.1), ArgumentError, "a length above 0"),
+        (lambda m: m.continuation(P=(0, 1), step=1e-300), ArgumentError, "step=1e-300"),
+        (lambda m: m.continuation(P=(0, 1), step=float("inf")), ArgumentError, "step=inf"),
         (lambda m: m.continuation(P=(0, 1), branches=-1), ArgumentError, "0 or more, or True"),
         (lambda m: m.continuation(P=(0, 1), until={"up": np.nan}), ArgumentError, "a number"),
         (lambda m: m.continuation(P=(0, 1), events={"up": np.inf}), ArgumentError, "a number"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -90,6 +91,15 @@ def test_a_stewart_platform_has_none() -> None:
     assert found.directions == ()
 
 
+@pytest.mark.parametrize("step", [0.01, 0.5, 1.0, 3.0])
+def test_longest_steps_do_not_matter(bars: cd.CompiledModel, step: float) -> None:
+    """Steps are halved until they follow the curve."""
+    over = (0.2, 0.2 + 2 * math.pi)
+    found = bars.singular_positions("A", over, driver="D", branch={"D": "+"}, step=step)
+    plain = bars.singular_positions("A", over, driver="D", branch={"D": "+"})
+    assert found.values() == pytest.approx(plain.values(), abs=1e-9)
+
+
 def test_mistakes(bars: cd.CompiledModel) -> None:
     with pytest.raises(cd.ModelError, match="no coordinate 'E'"):
         bars.singular_positions("E", (0, 1))
@@ -99,6 +109,11 @@ def test_mistakes(bars: cd.CompiledModel) -> None:
         bars.singular_positions("A", (0, math.inf))
     with pytest.raises(cd.ArgumentError, match="positive steps"):
         bars.singular_positions("A", (0, 1), step=-1)
+    for step in (1e-300, 1e30, math.inf):
+        with pytest.raises(cd.ArgumentError, match=re.escape(f"step={step:g}")):
+            bars.singular_positions("A", (0, 1), step=step)
+    with pytest.raises(cd.ModelError, match=r"driver: there is no coordinate ''\. Known: A, B"):
+        bars.singular_positions("A", (0, 1), driver="")
     with pytest.raises(cd.ModelError, match="no frame 'tip'"):
         bars.workspace("tip")
     with pytest.raises(cd.ArgumentError, match=r"give \(low, high\)"):

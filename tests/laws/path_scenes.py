@@ -122,8 +122,13 @@ def bars(scene: cd.Scene, apex: Any, variant: Variant, span: float = 1.0) -> Non
         scene.force(name, bar)
 
 
-def truss(variant: Variant, stop: bool = False, lag: bool = False) -> cd.Scene:
-    """Two bars that snap through; with a stop below, or a strut that gives way in time."""
+def truss(variant: Variant, stop: bool = False, lag: bool = False, tuned: bool = False) -> cd.Scene:
+    """Two bars that snap through; with a stop below, or a strut that gives way in time.
+
+    Args:
+        variant, stop, lag: How it is written, and with what.
+        tuned: Whether stiffness and damping of the strut are parameters.
+    """
     scene = cd.Scene("truss", gravity=(0, 0, 0))
     load, (apex,) = scene.parameter("P", 0.0), variant.bodies(scene, "apex").values()
     foot = scene.ground.at(0, 0, RISE * variant.length)
@@ -133,10 +138,12 @@ def truss(variant: Variant, stop: bool = False, lag: bool = False) -> cd.Scene:
     if stop:
         scene.force("floor", cd.Stop("up", lower=-0.4 * variant.length, restitution=0.0))
     if lag:
+        of: list[Any] = [variant.stiffness] * 2
+        if tuned:
+            of = [scene.parameter(name, variant.stiffness) for name in ("strut_k", "strut_c")]
         strut = cd.Maxwell(
-            scene.ground.at(0, 0, 2 * variant.length), apex, variant.stiffness,
-            variant.stiffness, rest_length=1.5 * variant.length,
-        )  # fmt: skip
+            scene.ground.at(0, 0, 2 * variant.length), apex, *of, rest_length=1.5 * variant.length
+        )
         scene.force("strut", strut)
     return scene
 

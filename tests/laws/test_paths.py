@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from laws.path_scenes import SCENES, PathScene, Variant
+from laws.path_scenes import SCENES, PathScene, Variant, truss
 from laws.test_equilibria import allowed, unbalanced
 from spread import some
 
@@ -162,6 +162,34 @@ def test_lengths_of_steps_do_not_matter(name: str, step: float) -> None:
     scene = SCENES[name]
     path = scene.follow(PLAIN, model_of(name), step=step, points=3000)
     same(special(path, scene), special(path_of(name), scene))
+
+
+FAST = [1e-3, 1.0, 1e3]  # stiffnesses of the strut, that of the bars being 1
+VISCOUS = [1e-4, 1e-2, 1.0, 1e2, 1e4]
+
+
+@cache
+def lagging(coordinates: str) -> cd.CompiledModel:
+    """The truss with a strut that gives way in time, of any stiffness and viscosity."""
+    variant = Variant(coordinates=coordinates)
+    return cd.compile(truss(variant, lag=True, tuned=True), coordinates=coordinates)
+
+
+LAGS = list(product(("relative", "absolute"), FAST, VISCOUS, (0.25, 0.03)))
+
+
+@pytest.mark.parametrize(("coordinates", "stiffness", "damping", "step"), some(LAGS, 11))
+def test_what_gives_way_in_time_holds_no_load(
+    coordinates: str, stiffness: float, damping: float, step: float
+) -> None:
+    """A Maxwell strut has come to rest without force: special points are those without it.
+
+    One motion grows between the folds, next to those as slowly as rounding, the more so beside
+    what moves fast.
+    """
+    model = lagging(coordinates).with_parameters(strut_k=stiffness, strut_c=damping)
+    path = SCENES["lag"].follow(PLAIN, model, step=step, points=2000)
+    same(special(path, SCENES["lag"]), special(path_of("truss"), SCENES["truss"]))
 
 
 def rows(branch: Any, load: str, size: float) -> np.ndarray:

@@ -442,12 +442,12 @@ class CompiledModel(LoadedModel):
             driver: Coordinate that drives; the same if left out.
             locked: Coordinates and frames that keep their values.
             start, branch: As ``assemble`` takes them.
-            step: Along the path, in radians and sizes of the mechanism.
+            step: Along the path, in radians and sizes of the mechanism, up to pi.
             t, r: Time [s] and inputs, where something is prescribed.
 
         Raises:
             ModelError: unknown names, more than one freedom, no position at the start of the range.
-            ArgumentError: no range, a step that is not positive.
+            ArgumentError: no range, a step that no path can have.
         """
     def workspace(
         self,
@@ -786,7 +786,7 @@ class CompiledModel(LoadedModel):
         points: Count = 300,
         progress: bool | Callable[[float], None] | None = None,
     ) -> StabilityChartRecord:
-        """Where equilibria lose their stability, over two parameters.
+        """Boundaries at which equilibria lose their stability, over two parameters.
 
         ``model.stability_chart({"P": (0, 10)}, {"damping": np.linspace(0, 1, 20)})`` follows the
         equilibria over P at every value of the damping.
@@ -1003,7 +1003,7 @@ class CompiledModel(LoadedModel):
     ) -> LinearModel:
         """x' = A x + B r, y = C x + D r about a state, constraints eliminated.
 
-        About a state that is no equilibrium and in no steady motion the matrices are those of the
+        About a state that is neither an equilibrium nor in steady motion the matrices are those of the
         motion that starts there by itself, as of ``equations.linearize(..., udot="free")``.
 
         Args:

@@ -176,7 +176,7 @@ def limit_rows(
 
 
 def _key(row: LimitRow) -> tuple[object, ...]:
-    """What limits that say the same of a parameter have in common."""
+    """The common part of limits that say the same of a parameter."""
     least = row.times / row.scale if isinstance(row.least, str) else (row.least or 0.0) / row.scale
     other = row.least if isinstance(row.least, str) else row.least is None
     return (row.parameter, row.message, other, least, (row.most or 0.0) / row.scale, row.scale > 0)

@@ -154,7 +154,7 @@ class HasElements(Protocol):
 
     @property
     def elements(self) -> int:
-        """How many."""
+        """The number of them."""
 
 
 def chosen_options(with_auto: Mapping[str, object], with_none: Mapping[str, object]) -> list[str]:

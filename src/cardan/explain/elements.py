@@ -128,7 +128,7 @@ ENDS = (
 
 
 def _formulas(scene: FiniteElementRecord, book: BookNotation) -> d.Section:
-    """What every kind of element computes."""
+    """Formulas of every kind of element."""
     ends = ENDS.format(**book.texts, x=book.local("x"))
     blocks: list[d.Block] = [d.Paragraph((ends,), quiet=True)]
     shared: dict[tuple[tuple[str, str], ...], list[Kind]] = {}

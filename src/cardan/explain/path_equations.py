@@ -159,7 +159,7 @@ def _(of: CycleSolutions) -> Iterator[d.Block]:
 
 
 def _load() -> d.Block:
-    """What is swept, as an unknown."""
+    """The swept quantity, as an unknown."""
     said = (
         ": what is swept has its first values where σ = 0 and its last ones where σ = 1, and goes "
         "straight on beyond. σ is an unknown like the others, so that it may turn back. There is "

@@ -107,7 +107,7 @@ def stewart_platform(
 
 
 def _angle(k: int, half_angle: Value, above: bool) -> Value:
-    """Where leg k stands: pairs at 0, 120, 240 degrees, above at 60, 180, 300."""
+    """The direction of an end of leg k: pairs at 0, 120, 240 degrees, above at 60, 180, 300."""
     from sympy import Rational, pi
 
     side = 1 if k % 2 else -1

@@ -140,7 +140,7 @@ def _check_numbers(who: str, cells: Integers, nodes: int) -> None:
 
 
 def _more(count: int, noun: str) -> str:
-    """How many more have the same fault."""
+    """The number of others with the same fault."""
     return f" (and {counted(count - 1, 'more ' + noun)})" if count > 1 else ""
 
 

@@ -1,4 +1,4 @@
-"""What a file of a mesh has, before it is checked: merging nodes, leaving out unused ones."""
+"""Contents of a file of a mesh, before it is checked: merging nodes, leaving out unused ones."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..errors import ModelError, ModelWarning, counted, warn
 
 @dataclass
 class Contents:
-    """What a file has, in its numbering of nodes.
+    """Contents of a file, in its numbering of nodes.
 
     Attributes:
         points: Positions (nodes, 3), in the unit of the file.

@@ -25,7 +25,7 @@ GEOMETRY = "gmsh:"  # sets that describe the geometry of Gmsh, not names of the 
 
 
 def contents(path: Path) -> Contents:
-    """What a file has that meshio reads.
+    """Contents of a file that meshio reads.
 
     Raises:
         ModuleNotFoundError: meshio is not installed (extra ``fem``).

@@ -49,7 +49,7 @@ class Group:
 
 @dataclass(frozen=True, eq=False)
 class Pattern:
-    """Which nodes share a cell, in compressed rows.
+    """Pairs of nodes that share a cell, in compressed rows.
 
     Attributes:
         first: Where the list of a row begins (rows + 1,).
@@ -363,7 +363,7 @@ def _numbers(mesh: Mesh, material: AnyMaterial) -> SolidMaterial:
 
 
 def _pattern(mesh: Mesh) -> Pattern:
-    """Which nodes share a cell: the product of the incidence matrix with itself."""
+    """Pairs of nodes that share a cell: the product of the incidence matrix with itself."""
     from scipy.sparse import csr_matrix
 
     lists, lengths = [], []

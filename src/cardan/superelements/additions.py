@@ -1,4 +1,4 @@
-"""What users add to the matrices of a component: damping, loads, stress, geometric stiffness."""
+"""Additions to the matrices of a component: damping, loads, stress, geometric stiffness."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a reduction costs: coordinates that are left, frequencies that are lost, and errors."""
+"""The cost of a reduction: coordinates that are left, frequencies that are lost, and errors."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MAX_PRINTED = 6
 
 @dataclass(frozen=True, eq=False)
 class ReductionCost:
-    """What a reduction costs.
+    """The cost of a reduction.
 
     Attributes:
         method: Of the reduction.
@@ -64,7 +64,7 @@ class ReductionCost:
 
 
 def cost(record: SuperelementRecord) -> ReductionCost:
-    """What the reduction of a component costs."""
+    """The cost of the reduction of a component."""
     highest = float(record.frequencies.max()) if len(record.frequencies) else np.nan
     modes = {}
     for name in ("", *(frame.name for frame in record.interfaces)):

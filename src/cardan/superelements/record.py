@@ -127,7 +127,7 @@ class SuperelementRecord:
 
     @property
     def cost(self) -> ReductionCost:
-        """What the reduction costs: coordinates, frequencies that are left out, errors."""
+        """The cost of the reduction: coordinates, frequencies that are left out, errors."""
         return cost(self)
 
     def interface(self, name: str) -> InterfaceFrame:

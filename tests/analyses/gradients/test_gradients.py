@@ -313,7 +313,7 @@ def test_what_has_no_gradient_is_refused_with_the_cure() -> None:
     for method in ("Rosenbrock", "RKMK853"):
         with pytest.raises(ModelError, match=rf"{method}.*DOP853"):
             model.gradient(1.0, cost, method=method)
-    with pytest.raises(ModelError, match=r"'c' is no start.*parameter or input"):
+    with pytest.raises(ModelError, match=r"'c' is not a start.*parameter or input"):
         model.gradient(1.0, cost, wrt=("x0", "c"))
     with pytest.raises(ModelError, match="not known"):
         cd.compile(_with_input()).gradient(1.0, cd.cost(final="x"), inputs={"f": lambda t: t})

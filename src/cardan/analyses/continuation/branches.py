@@ -93,7 +93,7 @@ def _started(solutions: Solutions, *places: Place) -> tuple[Solutions, Curve]:
 
 
 def _outside(name: str, family: Family) -> Iterator[Test]:
-    """Where branches end that leave the range at its start, or begin at its end and go on."""
+    """The ends of branches that leave the range at its start, or begin at its end and go on."""
     if name.startswith(OTHER):
         # no path leads there from the start of the range
         yield Test.at("the start", 0.0, family)
@@ -103,7 +103,7 @@ def _outside(name: str, family: Family) -> Iterator[Test]:
 
 
 def _noted(of: Solutions, curve: Curve) -> str:
-    """What users should know of a curve besides why it ended."""
+    """Facts that users should know of a curve besides why it ended."""
     moving = of.moving(curve.places[-1].tangent)
     if curve.status == "singular" and moving:
         return f"; most of all it moves along {moving} there"

@@ -18,7 +18,7 @@ from ..cycles import cycle_solutions
 from ..simulation.progress import showing
 from . import equilibrium_solutions, position_solutions
 from .branches import MAIN, Tracer
-from .follow import Reach
+from .follow import SHORTEST, Reach
 from .record import ContinuationRecord
 from .solutions import PathRequest, PathStart, Solutions
 from .special_points import Test
@@ -128,7 +128,7 @@ def _refuse_unnamed(*arguments: object) -> None:
 
 
 def _start(model: LoadedModel, of: str, request: PathRequest) -> PathStart:
-    """Where a path of some kind starts.
+    """The start of a path of some kind.
 
     Raises:
         ModelError: the kind does not exist, or as its start says.
@@ -176,8 +176,10 @@ def _refuse_nonsense(
         raise ArgumentError(f"continuation: search={search}: give the number of loads, 0 or more")
     if points < 2:
         raise ArgumentError(f"continuation: points={points}: a path has 2 at least")
-    if step is not None and not step > 0:
-        raise ArgumentError(f"continuation: step={step}: give a length above 0, such as 0.1")
+    if step is not None and not SHORTEST <= step < math.inf:
+        raise ArgumentError(
+            f"continuation: step={step}: give a length above 0, such as 0.1, from {SHORTEST:g} on"
+        )
     for said, values in (("until", until), ("events", events)):
         for name, value in (values or {}).items():
             if not math.isfinite(value):

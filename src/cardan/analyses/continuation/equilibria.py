@@ -170,7 +170,7 @@ class EquilibriumFamily:
 
     @property
     def _core(self) -> SparseSaddle | None:
-        """What factors sparse matrices; None of a system with arrays."""
+        """The solver that factors sparse matrices; None of a system with arrays."""
         saddle = self.problem.system.saddle
         factored = saddle.factored if isinstance(saddle, Sparse) else None
         return factored if isinstance(factored, SparseSaddle) else None

@@ -237,13 +237,15 @@ class Step:
     def at_parameter(self, family: Family, value: float) -> tuple[Place, float] | None:
         """The place at a value of the parameter, and at which part of the step it lies.
 
-        None where Newton's method does not lead there.
+        None where Newton's method does not lead there, or the value is rounding of an end.
         """
         start, cubic = family.parameter(self.before.point), self._cubic(family)
 
         def parameter(part: float) -> float:
             return start + float(cubic(part)[-1]) - value
 
+        if not parameter(0.0) * parameter(1.0) <= 0:
+            return None
         part = float(brentq(parameter, 0.0, 1.0))
         along = np.zeros((1, len(self.before.tangent)))
         along[0, -1] = 1.0

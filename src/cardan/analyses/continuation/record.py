@@ -275,7 +275,7 @@ class ContinuationRecord:
 
     @property
     def message(self) -> str:
-        """How the main branch ended."""
+        """The end of the main branch, in words."""
         return self.main.message
 
     def __len__(self) -> int:

@@ -13,7 +13,7 @@ Bifurcation Theory 1 (1985), chapter 7 (Liapunov-Schmidt reduction).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
@@ -219,6 +219,31 @@ def half_branches(at: SingularPoint) -> list[HalfBranch]:
     if not most:
         raise SolveError("the curves that meet at a singular point could not be told apart")
     return [_half_branch(at, most, i) for i in range(len(most[0]))]
+
+
+def other_curves(
+    at: SingularPoint, before: Array, switches: bool
+) -> tuple[Sequence[HalfBranch], Array]:
+    """Curves that leave a singular point other than one that leads there, and the tangent of that.
+
+    Args:
+        at: The point.
+        before: Tangent (N,) of the one in front of it.
+        switches: Whether the others are looked for.
+    """
+    family = at.family
+    tangent = at.V @ (at.V.T @ (family.weights * before))
+    tangent = tangent / length(family, tangent)
+    try:
+        halves = half_branches(at) if switches else []
+    except SolveError:
+        halves = []
+    if len(halves) < 2:
+        return (), tangent
+    along = [float(before @ (family.weights * half.tangent)) for half in halves]
+    forward, backward = int(np.argmax(along)), int(np.argmin(along))
+    remaining = [half for i, half in enumerate(halves) if i not in (forward, backward)]
+    return tuple(remaining), halves[forward].tangent
 
 
 def _levels(at: SingularPoint, radius: float) -> list[list[Array]]:

@@ -95,7 +95,7 @@ class Solutions(Protocol):
 
     @property
     def ends(self) -> Sequence[Test]:
-        """Where curves end besides their range."""
+        """Ends of curves besides their range."""
 
     def beginning(self, special: Special) -> tuple[Solutions, Place] | None:
         """Solutions of another kind that begin at a point, such as those of twice the period.
@@ -143,7 +143,7 @@ class PathRequest:
 
 @dataclass(frozen=True)
 class PathStart:
-    """Where a path starts.
+    """The start of a path.
 
     Attributes:
         solutions: What it consists of.

@@ -23,7 +23,7 @@ from .family import Family, length
 from .follow import EXACT, Place, Step
 from .hidden_points import SMALL, UNDAMPED, oscillation_inside, turn_inside
 from .interval import Interval
-from .singular_point import HalfBranch, SingularPoint, half_branches, singular_point
+from .singular_point import HalfBranch, SingularPoint, other_curves, singular_point
 
 FOLD, BRANCH, HOPF, EVENT = "fold", "branch point", "Hopf point", "event"
 NARROW, THIN = 0.05, 2.0**-30  # of a step: where points are looked for, and given up
@@ -32,7 +32,7 @@ NEAR = 2.0  # widths of a bracket within which a point must lie
 MOST_LOST = 3  # of the rank
 # length of increments that rounding leaves of a singular point; halvings that tell it better
 UNCERTAIN, BISECTED = 1e-10, 40
-AROUND = 1e-5  # of a step: places on either side of a fold
+AROUND = 1e-5, 1e-4, 1e-3, 1e-2  # of a step: places on either side of a fold
 JUMP = 2.0  # distance of the ends of a part of a step, over its length
 SURE = 1e-5  # steps that are not shortened where they seem to lead to another curve
 Count = Callable[[Place], int | None]
@@ -75,6 +75,8 @@ class Test:
             return step.after, 1.0
         if self.parameter is not None and (there := step.at_parameter(family, self.parameter)):
             return there
+        if not self.value(step.before) * last <= 0:
+            raise SolveError(f"{self.name} does not change its sign within a step")
         part = float(brentq(lambda part: self.value(step.at(family, part)), 0.0, 1.0, xtol=EXACT))
         return step.at(family, part), part
 
@@ -262,16 +264,30 @@ def _searched(
 def _around_fold(
     family: Family, number: int, watch: Watch, step: Step, interval: Interval, part: float
 ) -> Iterator[Special]:
-    """What lies on either side of a fold, which explains but one direction that changes."""
-    for low, high in ((interval.low, part - AROUND), (part + AROUND, interval.high)):
+    """Special points on either side of a fold, which explains but one direction that changes."""
+    first, last = interval.counts
+    for around in AROUND:
+        low, high = part - around, part + around
         try:
-            ends = (step.at(family, low), step.at(family, high)) if low < high else None
+            before = step.at(family, low) if low > interval.low else interval.before
+            after = step.at(family, high) if high < interval.high else interval.after
         except SolveError:
             continue
-        if ends is not None:
-            counts = watch.count(ends[0]), watch.count(ends[1])
-            onsets = _signs(watch, ends[0]), _signs(watch, ends[1])
-            side = Interval.of(family, (low, high), *ends, counts, onsets)
+        counts = watch.count(before), watch.count(after)
+        # one real motion begins or ends to grow at a fold, others in pairs: an even change tells
+        # that growth next to the fold is rounding still
+        if counts[0] is None or counts[1] is None or (counts[1] - counts[0]) % 2:
+            break
+    else:
+        return
+    sides = (
+        (interval.low, low, interval.before, before, (first, counts[0]), interval.onsets[0]),
+        (high, interval.high, after, interval.after, (counts[1], last), _signs(watch, after)),
+    )
+    for start, end, here, there, both, signs in sides:
+        if start < end:
+            onsets = (signs, _signs(watch, there))
+            side = Interval.of(family, (start, end), here, there, both, onsets)
             if not side.folds:
                 yield from _searched(family, number, watch, step, side)
 
@@ -312,7 +328,7 @@ def _crossing(
         width = interval.high - interval.low
         if not interval.low - NEAR * width <= part <= interval.high + NEAR * width:
             continue
-        halves, tangent = _other_curves(family, singular, step, watch.switches)
+        halves, tangent = other_curves(singular, step.before.tangent, watch.switches)
         place = Place(singular.point, tangent, float(tangent[-1]), 0.0)
         if singular.uncertainty > UNCERTAIN:
             part, place = _bisected(family, watch, step, interval, place)
@@ -339,25 +355,6 @@ def _bisected(
         low, high = (low, middle) if behind else (middle, high)
         place = replace(there, tangent=place.tangent, parameter_rate=place.parameter_rate)
     return high, place
-
-
-def _other_curves(
-    family: Family, singular: SingularPoint, step: Step, switches: bool
-) -> tuple[Sequence[HalfBranch], Array]:
-    """Curves that leave a singular point other than the one of a step, and the tangent of that."""
-    before = step.before.tangent
-    tangent = singular.V @ (singular.V.T @ (family.weights * before))
-    tangent = tangent / length(family, tangent)
-    try:
-        halves = half_branches(singular) if switches else []
-    except SolveError:
-        halves = []
-    if len(halves) < 2:
-        return (), tangent
-    along = [float(before @ (family.weights * half.tangent)) for half in halves]
-    forward, backward = int(np.argmax(along)), int(np.argmin(along))
-    remaining = [half for i, half in enumerate(halves) if i not in (forward, backward)]
-    return tuple(remaining), halves[forward].tangent
 
 
 def _hopf(family: Family, watch: Watch, step: Step, interval: Interval, number: int) -> Special:

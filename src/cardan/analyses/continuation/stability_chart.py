@@ -44,7 +44,7 @@ class ChartPoint(NamedTuple):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class StabilityChartRecord:
-    """Where equilibria lose their stability, over two parameters.
+    """Boundaries at which equilibria lose their stability, over two parameters.
 
     Attributes:
         model: The model.
@@ -129,7 +129,7 @@ def stability_chart(
     points: Count = POINTS,
     progress: bool | Callable[[float], None] | None = None,
 ) -> StabilityChartRecord:
-    """Where equilibria lose their stability, over two parameters.
+    """Boundaries at which equilibria lose their stability, over two parameters.
 
     ``model.stability_chart({"P": (0, 10)}, {"damping": np.linspace(0, 1, 20)})`` follows the
     equilibria over P at every value of the damping.

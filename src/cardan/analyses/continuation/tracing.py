@@ -230,6 +230,9 @@ def _singular_end(curve: Curve, test: Test, step: Step) -> tuple[float, Place]:
             nearest, smallest = (part, place), abs(off)
         return 0.0 if abs(off) <= 0.5 * small else off
 
+    # a step that begins nearer to it than where it is looked for: nothing lies in front
+    if value(0.0) * value(1.0) > 0:
+        return nearest
     try:
         brentq(value, 0, 1, xtol=EXACT)
     except SolveError:

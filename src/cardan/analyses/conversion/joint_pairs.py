@@ -1,4 +1,4 @@
-"""Which joint of a model is which joint of another program."""
+"""Pairs of joints: one of a model, and the same joint in another program."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where paths of cycles start: at a cycle, at rest, at a period doubling."""
+"""Starts of paths of cycles: at a cycle, at rest, at a period doubling."""
 
 from __future__ import annotations
 

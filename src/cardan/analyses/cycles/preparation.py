@@ -1,4 +1,4 @@
-"""Where the search for a cycle begins: its first lap, and the units of its motion."""
+"""The start of a search for a cycle: its first lap, and the units of its motion."""
 
 from __future__ import annotations
 

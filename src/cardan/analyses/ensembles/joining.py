@@ -44,7 +44,7 @@ ALIKE = {"cardan": "another version of cardan computed it"} | {
 
 
 class Place(NamedTuple):
-    """Where a block is, and the shapes of the values that each of its runs has."""
+    """The place of a block, and the shapes of the values that each of its runs has."""
 
     first: int
     last: int
@@ -232,7 +232,7 @@ def _reader_of(path: Path) -> Iterator[LogReader]:
     try:
         file = regular_file.open_regular(path, LARGEST)
     except OSError as error:
-        raise ModelError(f"join: {path} cannot be opened: {error.strerror}") from error
+        raise ModelError(f"join: parts: {path} cannot be opened: {error.strerror}") from error
     with file:
         yield LogReader(file.fileno(), path, ENSEMBLE_FILE)
 

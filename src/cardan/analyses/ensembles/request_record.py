@@ -64,7 +64,7 @@ def read(arrays: Mapping[str, Array]) -> tuple[Request, Share, Sizes]:
     notes = RequestNotes.read(json.loads(arrays["request"].tobytes()))
     share = Share(*notes.share)
     if not (1 <= share.number <= share.count and 0 <= share.first < share.last <= share.runs):
-        raise ValueError("it is no part of anything")
+        raise ValueError("it is not a part of anything")
     times = arrays["times"]
     if times.dtype != np.float64 or times.ndim != 1:
         raise ValueError("its output times are damaged")

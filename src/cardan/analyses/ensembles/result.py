@@ -296,7 +296,7 @@ def _summary(ensemble: EnsembleRecord) -> str:
 
 
 def _part(share: Share | None) -> list[str]:
-    """Which part of all runs an ensemble is, as a line."""
+    """The part of all runs that an ensemble is, as a line."""
     if share is None or share.undivided:
         return []
     return [f"  {share}: runs {share.first} to {share.last - 1} of {share.runs}"]

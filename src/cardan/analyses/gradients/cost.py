@@ -32,7 +32,7 @@ def cost(final: str | float | None = None, running: str | float | None = None) -
         running: Formula whose integral over time counts, such as ``"1e-3*tau^2"``.
 
     Raises:
-        ArgumentError: neither is given, or one is no formula.
+        ArgumentError: neither is given, or one is not a formula.
     """
     texts = []
     for name, formula in (("final", final), ("running", running)):

@@ -151,7 +151,7 @@ def unknowns(model: LoadedModel, wrt: object, values: Mapping[str, object]) -> U
     for name in names:
         if name not in available:
             raise ModelError(
-                f"gradient: wrt: '{name}' is no start (x0, q0, u0, z0, or one such as "
+                f"gradient: wrt: '{name}' is not a start (x0, q0, u0, z0, or one such as "
                 f"'q0.{model.joints[0] if model.joints else 'elbow'}'), parameter or input."
                 f"{near(name, available)}"
             )

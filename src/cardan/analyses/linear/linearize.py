@@ -49,7 +49,7 @@ def linearize(
 ) -> LinearModelRecord:
     """x' = A x + B r, y = C x + D r about a state, constraints eliminated.
 
-    About a state that is no equilibrium and in no steady motion the matrices are those of the
+    About a state that is neither an equilibrium nor in steady motion the matrices are those of the
     motion that starts there by itself, as of ``equations.linearize(..., udot="free")``.
 
     Args:

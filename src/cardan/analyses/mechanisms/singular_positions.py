@@ -7,6 +7,7 @@ the constraints alone loses rank.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import final
@@ -21,7 +22,7 @@ from ...runtime.calls.evaluation import State
 from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.configurations import COORDINATE, ConfigurationFamily, Drivers
 from ..continuation.curve import Curve
-from ..continuation.follow import Place, Reach, ahead, place
+from ..continuation.follow import SHORTEST, Place, Reach, ahead, place
 from ..continuation.interval import FLAT
 from ..continuation.special_points import BRANCH, FOLD, Test, Watch
 from ..continuation.tracing import trace
@@ -121,22 +122,27 @@ def singular_positions(
         driver: Coordinate that drives; the same if left out.
         locked: Coordinates and frames that keep their values.
         start, branch: As ``assemble`` takes them.
-        step: Along the path, in radians and sizes of the mechanism.
+        step: Along the path, in radians and sizes of the mechanism, up to pi.
         t, r: Time [s] and inputs, where something is prescribed.
 
     Raises:
         ModelError: unknown names, more than one freedom, no position at the start of the range.
-        ArgumentError: no range, a step that is not positive.
+        ArgumentError: no range, a step that no path can have.
     """
     low, high = _range(over)
-    for name in (coordinate, driver or coordinate):
+    driver = coordinate if driver is None else driver
+    for argument, name in (("coordinate", coordinate), ("driver", driver)):
         if name not in model.coordinates:
             raise ModelError(
-                f"singular_positions: there is no coordinate '{name}'."
+                f"singular_positions: {argument}: there is no coordinate '{name}'."
                 f"{near(name, model.coordinates)}"
             )
-    if not step > 0:
-        raise ArgumentError(f"step={step:g}: the path goes forward by positive steps")
+    # half a turn farther on angles say the same, and a step may lead anywhere
+    if not SHORTEST <= step <= math.pi:
+        raise ArgumentError(
+            f"step={step:g}: the path goes forward by positive steps; give a length from "
+            f"{SHORTEST:g} to pi, such as {STEP:g}"
+        )
     refuse_nodes(model, "singular_positions")
     m = Mechanism(model, t, r)
     targets = locked_values(m, locked)
@@ -156,7 +162,7 @@ def singular_positions(
     curve = Curve(family, [place(family, first, ahead(family, first))])
     watch = Watch(lambda _: None, tests=_tests(m, coordinate, driver), most=MOST, switches=False)
     trace(curve, watch, Reach(first=step, longest=step))
-    return _record(m, targets, curve, coordinate, driver or coordinate, (low, high))
+    return _record(m, targets, curve, coordinate, driver, (low, high))
 
 
 def _range(over: object) -> tuple[float, float]:
@@ -166,13 +172,13 @@ def _range(over: object) -> tuple[float, float]:
     return float(ends[0]), float(ends[1])
 
 
-def _tests(m: Mechanism, coordinate: str, driver: str | None) -> list[Test]:
+def _tests(m: Mechanism, coordinate: str, driver: str) -> list[Test]:
     """Ends of the range, and where a driver other than the coordinate turns back."""
     tests = [
         Test(OUTSIDE, lambda at: at.point.s - 1.0, ends=True),
         Test(OUTSIDE, lambda at: at.point.s, ends=True),
     ]
-    if driver in (None, coordinate):
+    if driver == coordinate:
         return tests
     k = m.model.coordinates.index(driver)
 

@@ -147,11 +147,11 @@ class InputFunctions:
 
     @property
     def address(self) -> int:
-        """Of the record."""
+        """The address of the record."""
         return ctypes.addressof(self.record)
 
     def failure(self) -> str:
-        """What broke a run, in words."""
+        """The error that broke a run, in words."""
         k = self.record.failed
         if k < 0:
             return "the outputs that C functions read cannot be computed"

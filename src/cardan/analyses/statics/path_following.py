@@ -34,7 +34,7 @@ Predictor: TypeAlias = Callable[[Problem, Place, Loading, float], Step]
 
 @dataclass(frozen=True, eq=False)
 class EarlyEnd:
-    """Where a path ended early.
+    """The place where a path ended early.
 
     Attributes:
         last: The last place.

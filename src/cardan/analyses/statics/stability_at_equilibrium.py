@@ -14,13 +14,14 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.linalg import block_diag
 from scipy.sparse import issparse
 from scipy.sparse.linalg import ArpackError
 
 from ...arrays import Array, Complex
 from ..linear.first_order import eigenvalues
 from ..systems.dynamic_system import DynamicSystem, Moment, dense
-from ..systems.saddle_point import FREE_TOL, SKEW, Lowest, Singular, Sparse, near_quadratic
+from ..systems.saddle_point import FREE_TOL, SKEW, Lowest, Singular, Sparse, near_quadratic, split
 from .static_problem import Load, Point, Problem, scaled
 
 SHARE = 0.2  # entries of a motion below this part of the largest are not told
@@ -28,6 +29,7 @@ MOST = 3
 # real parts that count as growth, over the largest modulus: of what rests, of what moves fast.
 # What is known to a part KNOWN of the square of the largest leaves as much of other squares
 UNSTABLE_TOL, RELATIVE_ERROR = 1e-6, 1e-10
+SINGULAR = 1e-12  # of the largest singular value: what rounding leaves of none
 FLUTTER = 1e-3  # imaginary parts over the modulus: below that growth is not an oscillation
 MANY = 300  # speeds up to which all eigenvalues are looked at
 FEEDING = 1e-9  # of the largest entry of the damping: rounding
@@ -118,7 +120,32 @@ def _stand(problem: Problem, point: Point, load: Load, constrained: Load) -> Sta
     if values is None:
         return stability
     # internal states lag behind, and feed a motion that stiffness and damping hold
-    return _by_eigenvalues(stability, values, not potential or bool(system.internals))
+    circulatory = not potential or bool(system.internals)
+    sign = 0.0
+    if circulatory and constrained.u is None and nu <= MANY:
+        sign = _static_determinant_sign(dense(K), dense(G), nu)
+    return _by_eigenvalues(stability, values, circulatory, sign)
+
+
+def _static_determinant_sign(K: Array, G: Array, nu: int) -> float:
+    """Sign of the determinant of the stiffness once internal states have come to rest.
+
+    It is 0 where the stiffness is singular up to rounding, as of what only lags behind.
+
+    Args:
+        K, G: Tangents by speeds and internal states. nu: Number of speeds.
+    """
+    Z = split(G[:, :nu])[2]
+    over = block_diag(Z, np.eye(len(K) - nu))
+    inner = over.T @ K @ over
+    for axis in (1, 0):
+        sizes = np.abs(inner).max(axis=axis, keepdims=True, initial=0.0)
+        inner = inner / np.where(sizes > 0, sizes, 1.0)
+    values = np.linalg.svd(inner, compute_uv=False)
+    if values.min(initial=np.inf) <= SINGULAR * values.max(initial=0.0):
+        return 0.0
+    # rates of internal states stand in the rows against forces in those of speeds
+    return float(np.linalg.slogdet(inner)[0] * (-1) ** (len(K) - nu))
 
 
 def _damped(system: DynamicSystem, at: Moment) -> bool:
@@ -137,8 +164,17 @@ def _margin(lowest: Lowest) -> float:
     return float(firm.min()) if len(firm) else float("nan")
 
 
-def _by_eigenvalues(stability: Stability, values: Complex, circulatory: bool) -> Stability:
-    """Stability by the eigenvalues of the small motions [1/s]."""
+def _by_eigenvalues(
+    stability: Stability, values: Complex, circulatory: bool, sign: float
+) -> Stability:
+    """Stability by the eigenvalues of the small motions [1/s].
+
+    Args:
+        stability: As far as the stiffness tells it.
+        values: The eigenvalues.
+        circulatory: Whether they tell how many motions grow, rather than the stiffness.
+        sign: Of the determinant of the stiffness at rest; 0 where it is not known.
+    """
     sizes = np.abs(values)
     largest = float(sizes.max(initial=0.0)) or 1.0
     off = RELATIVE_ERROR * largest**2 / np.maximum(sizes, RELATIVE_ERROR / UNSTABLE_TOL * largest)
@@ -150,7 +186,11 @@ def _by_eigenvalues(stability: Stability, values: Complex, circulatory: bool) ->
     sways = abs(fastest.imag) > FLUTTER * abs(fastest)
     frequency = abs(fastest.imag) if sways else 0.0
     many = int(np.sum(grows))
-    return replace(stability, side=many, signed=many, frequency=float(frequency))
+    # oscillations grow in pairs, so that the sign tells of one real motion whose growth is as
+    # small as rounding: next to a fold, over a wide range where something else moves fast
+    definite = sign != 0 and not stability.free_motions
+    slow = int(definite and (many % 2 == 1) != (sign < 0))
+    return replace(stability, side=many, signed=many + slow, frequency=float(frequency))
 
 
 def _motions(

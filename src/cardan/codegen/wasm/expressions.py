@@ -163,7 +163,7 @@ class Expressions:
         return self.definition(i) if name is None else self.get(self.locals[name])
 
     def definition(self, i: int) -> Code:
-        """What an operator node is."""
+        """The code of a node by what it computes."""
         node = self.nodes[i]
         op = node[0]
         if op == "const":

@@ -157,7 +157,7 @@ def _needed(name: str, entry: FunctionRow) -> list[str]:
 
 
 def _row(name: str, entry: FunctionRow) -> str:
-    """What a call of a function has to know."""
+    """Facts that a call of a function has to know."""
     takes, needs = (
         _array(blocks, 4) for blocks in (binding.arguments(name, entry), _needed(name, entry))
     )

@@ -19,7 +19,7 @@ _DECLARED = re.compile(r"(\w+) (\w+)(?:\[.*\])?$")
 
 
 def places(record: str) -> dict[str, tuple[int, str]]:
-    """Where the fields of a record begin, and the letters of their formats."""
+    """Offsets of the fields of a record, and the letters of their formats."""
     at, result = 0, {}
     for name, kind in records.kinds(record).items():
         letter = FORMATS[kind]

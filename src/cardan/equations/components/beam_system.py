@@ -258,7 +258,7 @@ class _Cut:
         return [name for name in dict.fromkeys(names) if name in self.scene.bodies]
 
     def _remedy(self, segments: Sequence[Segment]) -> str:
-        """What would connect beams."""
+        """Joints and elements that would connect beams."""
         beams: dict[int, set[str]] = {}
         for segment in segments:
             for number in (segment.frame_a, segment.frame_b):

@@ -1,4 +1,4 @@
-"""Which elements do nothing at rest but withstand a strain."""
+"""Elements that do nothing at rest but withstand a strain."""
 
 from __future__ import annotations
 

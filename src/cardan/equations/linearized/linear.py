@@ -101,7 +101,7 @@ class Linearizable(EquationRecord):
             DerivationError: unknown names, loops that stay open, speeds that constraints forbid.
 
         Warns:
-            ModelWarning: ``udot`` is left out, and a reference of numbers is no motion by itself.
+            ModelWarning: ``udot`` is left out; a reference of numbers is not a motion by itself.
 
         Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), chapter 13.
         """

@@ -315,7 +315,7 @@ class Linearized:
         return [n for n, x in enumerate(values) if abs(x) > NEGLIGIBLE * max(balance, row_sizes[n])]
 
     def _warn_if_forced(self) -> None:
-        """Warn about a reference of numbers that is no motion by itself."""
+        """Warn about a reference of numbers that is not a motion by itself."""
         at = self._reference
         followed = [] if at.assembly is None else at.assembly.names
         if (

@@ -146,7 +146,7 @@ class ParameterLimits:
         self._nonzero = np.array([row.nonzero for row in rows], dtype=bool)
 
     def exceeded(self, values: Array) -> Array:
-        """Which limits are exceeded by any of the vectors (..., np)."""
+        """Limits that are exceeded by any of the vectors (..., np)."""
         if not self._rows:
             return np.zeros(0, dtype=bool)
         bad = self._bad(values)

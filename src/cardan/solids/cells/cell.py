@@ -66,7 +66,7 @@ class Cell:
 
     @property
     def corners(self) -> int:
-        """How many nodes are corners."""
+        """The number of nodes that are corners."""
         return len(self.nodes) - len(self.edges)
 
     @cached_property

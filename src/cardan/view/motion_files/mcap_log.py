@@ -129,7 +129,7 @@ class _Log:
             self._say(channel, at, dict(zip(table.names, row, strict=True)))
 
     def _events(self) -> None:
-        """What happened, as lines of a log."""
+        """Events, as lines of a log."""
         if not self.motion.events:
             return
         channel = self._channel("/events", "foxglove.Log", SCHEMAS["foxglove.Log"])

@@ -1,4 +1,4 @@
-"""Where the matrices of elements go in those of the model: looked up once for all states."""
+"""Places of the matrices of elements in those of the model: looked up once for all states."""
 
 from __future__ import annotations
 

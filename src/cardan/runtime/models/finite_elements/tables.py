@@ -167,7 +167,7 @@ class Tables:
         return rows, self.lines(number) if name == "H" else self.columns(self.groups[number])
 
     def pattern(self, name: str, numbers: tuple[int, ...]) -> AssemblyPattern:
-        """Where the entries of such a matrix of some groups go; looked up once."""
+        """Places of the entries of such a matrix of some groups; looked up once."""
         patterns = self._patterns
         if (name, numbers) not in patterns:
             shape = self.m if name in "RGHL" else self.nu, self.m if name == "H" else self.nu
