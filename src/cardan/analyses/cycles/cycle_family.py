@@ -122,7 +122,11 @@ class CycleFamily:
 
     def _differences(self, point: CyclePoint, rough: bool) -> Array:
         return self.shooting.derivative(
-            point.at, lambda dz: self.residual(self.moved(point, dz)), len(self.weights), rough
+            point.at,
+            lambda dz: self.residual(self.moved(point, dz)),
+            len(self.weights),
+            rough,
+            lambda ds: self.way.values(point.s + ds),
         )
 
     def _matrix(self, point: CyclePoint) -> Array:

@@ -47,9 +47,17 @@ class Tangents(StepsAgain):
         by_s: Changes of the modes (k, ns) since the last event.
     """
 
-    def __init__(self, runner: Runner, directions: Directions) -> None:
+    def __init__(
+        self, runner: Runner, directions: Directions, model: LoadedModel | None = None
+    ) -> None:
+        """Args:
+        runner: What took the steps.
+        directions: What changes.
+        model: Its model with the parameters of the run, where these are others than its own.
+        """
         super().__init__(runner)
-        model, record, k = runner.model, Tangent(), len(directions.start)
+        self.model = model = runner.model if model is None else model
+        record, k = Tangent(), len(directions.start)
         self.record, self.directions = record, directions
         self.by_s = np.zeros((k, model.ns))
         names = list(model.parameters)

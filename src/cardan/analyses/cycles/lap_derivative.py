@@ -1,0 +1,284 @@
+"""Derivatives of laps by sweeps over their steps, through their events.
+
+Increments of a start become those of a state on constraints and section, then changes of that state
+as it is stored, which :class:`.Tangents` takes to the end of the run. Where time ends it, the end
+moves along with the period; where an event does, along with that event. From there the way goes
+back to increments, and through the symmetry to the start of the next lap.
+
+Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), section 7.3 (variational
+equations); P. C. Müller, Chaos, Solitons & Fractals 5 (1995), 1671-1681 (events).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import SolveError
+from ..gradients.jumps import Happening, happenings
+from ..gradients.steps import TABLES
+from ..gradients.tangent import Directions, Tangents, directions_of
+from ..gradients.tangent_jumps import TangentJumps
+from ..simulation import run_record as abi
+from ..systems.central_differences import by_differences
+from .cycle_problem import CycleProblem, CycleState, Values
+from .flow import Course
+
+Sweep: TypeAlias = Callable[[float], Values]  # values behind a part of their range
+WIDE = 0.3  # of the steps of differences: of what takes no run
+
+
+@dataclass(frozen=True, eq=False)
+class LapDerivative:
+    """A lap and its derivatives, of increments in units of the motion.
+
+    Attributes:
+        begun: Its start on the constraints and on the section.
+        end: The start of the next one.
+        onto: Of ``begun`` by the start (n, n).
+        begun_by_value: Of ``begun`` by the place of what is swept (n,).
+        by_start: Of ``end`` by the start (n, n).
+        by_value: Of ``end`` by the place of what is swept (n,).
+        by_period: Of ``end`` by an unknown period (n,), as a part of it.
+    """
+
+    begun: CycleState
+    end: CycleState
+    onto: Array
+    begun_by_value: Array
+    by_start: Array
+    by_value: Array
+    by_period: Array
+
+
+def refusal(problem: CycleProblem) -> str:
+    """Why laps have no derivative but by differences; "" if they have."""
+    method, inputs = problem.how.method.name, problem.flow({}).runner.signals
+    if problem.model.manifest.absolute:
+        return "there is no sweep through steps of finite elements"
+    if method not in TABLES:
+        return f"there is no sweep through steps of {method}"
+    if inputs.functions:
+        names = [problem.model.inputs[k] for k in inputs.functions]
+        return f"input '{names[0]}' is a function, whose derivative is not known"
+    if problem.flow({}).runner.interpreted:
+        return "there is no C compiler"
+    return ""
+
+
+def lap_derivative(
+    problem: CycleProblem, at: CycleState, values: Sweep | None = None
+) -> LapDerivative:
+    """The derivative of all laps from a start.
+
+    Args:
+        problem: What repeats.
+        at: The start.
+        values: What is swept, by the increment of its place; None where nothing is.
+
+    Raises:
+        SolveError: a lap breaks down, or has no derivative.
+    """
+    onto, shift = _of_start(problem, at, values)
+    n, swept = len(problem.units), values is not None
+    # the last columns: of what is swept, and of the period
+    changes = np.column_stack([onto, *[shift] * swept, *[np.zeros(n)] * problem.free_period])
+    begun = problem.closed(replace(at, x=problem.on_section(at)))
+    run, now, spent = _Run(problem, at, values, changes.shape[1]), begun, 0.0
+    for _ in range(problem.laps):
+        changes, now = run.through(changes, now)
+        spent += now.period
+    none = np.zeros(n)
+    return LapDerivative(
+        begun,
+        replace(now, period=spent),
+        onto,
+        shift,
+        changes[:, :n],
+        changes[:, n] if swept else none,
+        changes[:, -1] if problem.free_period else none,
+    )
+
+
+def _of_start(
+    problem: CycleProblem, at: CycleState, values: Sweep | None
+) -> tuple[Array, Array]:
+    """Derivatives of the state that a lap begins at, by the start (n, n) and by what is swept (n,).
+
+    What brings it onto section and constraints is no run: its derivatives are those of a plane, and
+    differences.
+    """
+    n = len(problem.units)
+    onto, shift = np.eye(n), np.zeros(n)
+    if problem.normal is not None:
+        at = replace(at, x=problem.on_section(at))
+
+        def value(dx: Array) -> Array:
+            return np.array([problem.value(replace(at, x=problem.moved(at.x, dx)))])
+
+        slope = by_differences(value, np.full(n, WIDE))[0]
+        normal = problem.normal / float(slope @ problem.normal)
+        onto = onto - np.outer(normal, slope)
+        if values is not None:
+            there = values
+
+            def by_value(ds: Array) -> Array:
+                return np.array([problem.value(replace(at, values=there(float(ds[0]))))])
+
+            shift = -normal * by_differences(by_value, np.full(1, WIDE))[0, 0]
+    tangent = problem.tangent_directions(at)
+    if tangent is not None:
+        ways, parts = tangent
+        onto, shift = ways @ (parts @ onto), ways @ (parts @ shift)
+        if values is not None:
+            swept = values
+
+            def closed(ds: Array) -> Array:
+                moved = problem.closed(replace(at, values=swept(float(ds[0]))))
+                return problem.step(at.x, moved.x)
+
+            shift = shift + by_differences(closed, np.full(1, WIDE))[:, 0]
+    return onto, shift
+
+
+class _Run:
+    """Changes along the runs of laps."""
+
+    def __init__(
+        self, problem: CycleProblem, at: CycleState, values: Sweep | None, count: int
+    ) -> None:
+        self.problem, self.at, self.flow = problem, at, problem.flow(at.values)
+        model = self.model = self.flow.model
+        runner = self.flow.runner
+        self.tangents = Tangents(runner, self._directions(values, count), model)
+        self.jumps = TangentJumps(self.tangents, self.flow.event_table, problem.t)
+        self.period_slope = 0.0
+        if values is not None and problem.period is not None:
+            there = values
+
+            def period(ds: Array) -> Array:
+                return np.array([problem.period_of(replace(at, values=there(float(ds[0]))))])
+
+            self.period_slope = float(by_differences(period, np.full(1, WIDE))[0, 0])
+
+    def _directions(self, values: Sweep | None, count: int) -> Directions:
+        """Directions of everything that changes: what is swept is one of them."""
+        model = self.model
+        # tables of inputs are none of those that are swept
+        pieces = sum(len(one.coefficients) for one in self.flow.runner.signals.tabulated)
+        directions, n = directions_of(model, pieces, count), len(self.problem.units)
+        if values is not None:
+            names = list(model.parameters)
+            ends = values(0.5), values(-0.5)
+            for name, value in ends[0].items():
+                slope = value - ends[1][name]
+                if name in names:
+                    directions.p[n, names.index(name)] = slope
+                elif name in model.inputs:
+                    directions.r[n, model.inputs.index(name)] = slope
+        return directions
+
+    def through(self, changes: Array, at: CycleState) -> tuple[Array, CycleState]:
+        """Increments (n, k) at the start of the next lap, from those at the start of one.
+
+        Raises:
+            SolveError: the lap breaks down, or has no derivative.
+        """
+        problem, flow = self.problem, self.flow
+        t, end = problem.t, problem.lap_end(self.at)
+        course = flow.course(at.x, at.s, t, end, problem.lap_match())
+        if course is None:
+            raise SolveError("cycle: a lap does not come to its section")
+        if flow.runner.record.passed:
+            raise SolveError("cycle: a lap passes a place where branches meet")
+        first = self._stored(changes, at)
+        after = replace(at, x=course.x, s=course.s, period=course.t - t)
+        if problem.section is None:
+            stored = self._swept(course, first)
+            self._delay(stored, course)
+        else:
+            stored = self._to_section(course, first)
+        increments = self._increments(stored, after, course.t)
+        image = problem.mapped(after.x)
+        if problem.symmetry is not None:
+            increments = self._mirror(after.x, image) @ increments
+        return increments, replace(after, x=image)
+
+    def _delay(self, stored: Array, course: Course) -> None:
+        """Add what the end of a lap changes by, as its period does."""
+        n, problem = len(self.problem.units), self.problem
+        inputs = self.tangents.inputs_at(course.t)[0]
+        rate = np.asarray(self.model.rhs(course.t, course.x, inputs, s=course.s))
+        if problem.free_period:
+            # an unknown period is that of all laps, and counts as a part of itself
+            stored[-1] += rate * (course.t - problem.t)
+        elif self.period_slope:
+            stored[n] += rate * self.period_slope
+
+    def _swept(self, course: Course, first: Array, end: float = np.inf) -> Array:
+        """Changes (k, nx) at the last row, from those at the first one, through events before."""
+        rows, log, start, model = course.rows, course.log, 0, self.model
+        log = log[log[:, 0] < end]
+        for at in happenings(log, self.flow.event_table, model.nx, model.ns):
+            before = int(np.searchsorted(rows[:, 0], at.t, side="left"))
+            behind = int(np.searchsorted(rows[:, 0], at.t, side="right")) - 1
+            if not start <= before <= behind:
+                raise SolveError(f"cycle: no step ends at the event at t = {at.t:.6g} s")
+            first = self.tangents.over(rows[start : before + 1], first)[-1]
+            first, start = self.jumps.push(at, first), behind
+        return self.tangents.over(rows[start:], first)[-1]
+
+    def _to_section(self, course: Course, first: Array) -> Array:
+        """The same behind the event that ends a lap, whenever it is."""
+        passage, section, model = course.passage, self.problem.section, self.model
+        assert passage is not None and section is not None
+        rows = course.rows[course.rows[:, 0] < passage.t]
+        last = rows[-1].copy()
+        last[0], last[1 : 1 + model.nx] = passage.t, passage.x
+        before = self._swept(replace(course, rows=np.vstack([rows, last])), first, passage.t)
+        table, nx = self.flow.event_table, model.nx
+        log, start = course.log[course.log[:, 0] == passage.t], 1 + len(table.rows)
+        counted = np.array([kind != abi.MARK for kind in table.kinds])
+        counted[list(section.numbers)] = True
+        fired = (log[:, 1:start] != 0) & counted
+        log, fired = log[fired.any(axis=1)], fired[fired.any(axis=1)]
+        x, s = log[:, start : start + nx], log[:, start + nx : start + nx + model.ns]
+        at = Happening(passage.t, fired, x, s, passage.x_after, passage.s_after)
+        return self.jumps.arrive(at, before)[0]
+
+    # increments and states
+
+    def _kinematic(self, at: CycleState, t: float) -> Array | None:
+        """N (nq, nu): how coordinates change with increments; None where they are these."""
+        system = self.problem.system
+        if system.increments == system.coordinates:
+            return None
+        moment = self.problem.moment(replace(at, values=self.at.values))
+        return system.kinematic_matrix(replace(moment, t=t))
+
+    def _stored(self, changes: Array, at: CycleState) -> Array:
+        """Changes of a state (k, nx) along increments (n, k)."""
+        steps, nu = changes * self.problem.units[:, None], self.model.nu
+        N = self._kinematic(at, self.problem.t)
+        return np.vstack([steps[:nu] if N is None else N @ steps[:nu], steps[nu:]]).T
+
+    def _increments(self, stored: Array, at: CycleState, t: float) -> Array:
+        """Increments (n, k) of changes of a state (k, nx)."""
+        nq, N = self.model.nq, self._kinematic(at, t)
+        places = stored[:, :nq].T
+        if N is not None:
+            places = np.linalg.lstsq(N, places)[0]
+        return np.vstack([places, stored[:, nq:].T]) / self.problem.units[:, None]
+
+    def _mirror(self, x: Array, image: Array) -> Array:
+        """Derivative of the symmetry (n, n)."""
+        problem = self.problem
+
+        def mapped(dx: Array) -> Array:
+            return problem.step(image, problem.mapped(problem.moved(x, dx)))
+
+        return by_differences(mapped, np.full(len(problem.units), WIDE))
