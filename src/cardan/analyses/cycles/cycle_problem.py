@@ -123,11 +123,7 @@ class CycleProblem:
             Those increments (n, d), and the parts of them (d, n) that any increment moves the start
             of a run by.
         """
-        return None if self.normal is not None else self.tangent_directions(at)
-
-    def tangent_directions(self, at: CycleState) -> tuple[Array, Array] | None:
-        """Same as :meth:`allowed`, whether or not starts have to lie on a section too."""
-        if not self.constrained:
+        if not self.constrained or self.normal is not None:
             return None
         nu, n = self.model.nu, len(self.units)
         G = dense(self.system.tangents(self.moment(at)).G) / self.system.rows[:, None]

@@ -30,6 +30,8 @@ from .flow import Course
 
 Sweep: TypeAlias = Callable[[float], Values]  # values behind a part of their range
 WIDE = 0.3  # of the steps of differences: of what takes no run
+COARSER = 1  # steps beside within one, up to which it is short enough
+NEIGHBOR = 1e-3  # increments to the motion beside, whose steps tell what changes need
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,78 +85,63 @@ def lap_derivative(
     Raises:
         SolveError: a lap breaks down, or has no derivative.
     """
-    onto, shift = _of_start(problem, at, values)
-    n, swept = len(problem.units), values is not None
-    # the last columns: of what is swept, and of the period
-    changes = np.column_stack([onto, *[shift] * swept, *[np.zeros(n)] * problem.free_period])
+    run, n = _Run(problem, at, values), len(problem.units)
     begun = problem.closed(replace(at, x=problem.on_section(at)))
-    run, now, spent = _Run(problem, at, values, changes.shape[1]), begun, 0.0
+    first = run.begun(_of_section(problem, at, values, run.columns), begun)
+    changes, now, spent = first, begun, 0.0
     for _ in range(problem.laps):
         changes, now = run.through(changes, now)
         spent += now.period
-    none = np.zeros(n)
+    none, swept = np.zeros(n), values is not None
     return LapDerivative(
         begun,
         replace(now, period=spent),
-        onto,
-        shift,
+        first[:, :n],
+        first[:, n] if swept else none,
         changes[:, :n],
         changes[:, n] if swept else none,
         changes[:, -1] if problem.free_period else none,
     )
 
 
-def _of_start(
-    problem: CycleProblem, at: CycleState, values: Sweep | None
-) -> tuple[Array, Array]:
-    """Derivatives of the state that a lap begins at, by the start (n, n) and by what is swept (n,).
+def _of_section(
+    problem: CycleProblem, at: CycleState, values: Sweep | None, columns: int
+) -> Array:
+    """Derivative (n, columns) of the state on the section that a start is moved to.
 
-    What brings it onto section and constraints is no run: its derivatives are those of a plane, and
-    differences.
+    No run is in it: its derivatives are those of a plane, whose slope differences give.
     """
     n = len(problem.units)
-    onto, shift = np.eye(n), np.zeros(n)
-    if problem.normal is not None:
-        at = replace(at, x=problem.on_section(at))
+    result = np.eye(n, columns)
+    if problem.normal is None:
+        return result
+    at = replace(at, x=problem.on_section(at))
 
-        def value(dx: Array) -> Array:
-            return np.array([problem.value(replace(at, x=problem.moved(at.x, dx)))])
+    def value(dx: Array) -> Array:
+        return np.array([problem.value(replace(at, x=problem.moved(at.x, dx)))])
 
-        slope = by_differences(value, np.full(n, WIDE))[0]
-        normal = problem.normal / float(slope @ problem.normal)
-        onto = onto - np.outer(normal, slope)
-        if values is not None:
-            there = values
+    slope = by_differences(value, np.full(n, WIDE))[0]
+    normal = problem.normal / float(slope @ problem.normal)
+    result[:, :n] -= np.outer(normal, slope)
+    if values is not None:
+        there = values
 
-            def by_value(ds: Array) -> Array:
-                return np.array([problem.value(replace(at, values=there(float(ds[0]))))])
+        def by_value(ds: Array) -> Array:
+            return np.array([problem.value(replace(at, values=there(float(ds[0]))))])
 
-            shift = -normal * by_differences(by_value, np.full(1, WIDE))[0, 0]
-    tangent = problem.tangent_directions(at)
-    if tangent is not None:
-        ways, parts = tangent
-        onto, shift = ways @ (parts @ onto), ways @ (parts @ shift)
-        if values is not None:
-            swept = values
-
-            def closed(ds: Array) -> Array:
-                moved = problem.closed(replace(at, values=swept(float(ds[0]))))
-                return problem.step(at.x, moved.x)
-
-            shift = shift + by_differences(closed, np.full(1, WIDE))[:, 0]
-    return onto, shift
+        result[:, n] = -normal * by_differences(by_value, np.full(1, WIDE))[0, 0]
+    return result
 
 
 class _Run:
-    """Changes along the runs of laps."""
+    """Changes along the runs of laps: of the start, of what is swept, of the period."""
 
-    def __init__(
-        self, problem: CycleProblem, at: CycleState, values: Sweep | None, count: int
-    ) -> None:
+    def __init__(self, problem: CycleProblem, at: CycleState, values: Sweep | None) -> None:
         self.problem, self.at, self.flow = problem, at, problem.flow(at.values)
+        self.columns = len(problem.units) + (values is not None) + problem.free_period
         model = self.model = self.flow.model
         runner = self.flow.runner
-        self.tangents = Tangents(runner, self._directions(values, count), model)
+        self.tangents = Tangents(runner, self._directions(values, self.columns), model)
         self.jumps = TangentJumps(self.tangents, self.flow.event_table, problem.t)
         self.period_slope = 0.0
         if values is not None and problem.period is not None:
@@ -164,6 +151,7 @@ class _Run:
                 return np.array([problem.period_of(replace(at, values=there(float(ds[0]))))])
 
             self.period_slope = float(by_differences(period, np.full(1, WIDE))[0, 0])
+        self.times = np.zeros(0)
 
     def _directions(self, values: Sweep | None, count: int) -> Directions:
         """Directions of everything that changes: what is swept is one of them."""
@@ -182,6 +170,23 @@ class _Run:
                     directions.r[n, model.inputs.index(name)] = slope
         return directions
 
+    def begun(self, changes: Array, at: CycleState) -> Array:
+        """Increments (n, k) on the constraints, from those of a start that is moved onto them."""
+        if not self.problem.constrained:
+            return changes
+        tangents, model, t = self.tangents, self.model, self.problem.t
+        nq, nu, x = model.nq, model.nu, self._stored(changes, at)
+        q, u, z = model.parts_of(at.x)
+        values: dict[str, object] = {"t": t, "q": q, "u": u, "z": z, "s": at.s}
+        values["r"] = self.flow.inputs(t)
+        none, by_r = np.zeros(len(x)), tangents.input_changes(t)
+        places = {"close_position": slice(0, nq), "close_velocity": slice(nq, nq + nu)}
+        for function, place in places.items():
+            if function in self.flow.runner.closing.functions:
+                moved = tangents.along(function, values, none, x, tangents.by_s, by_r)
+                x[:, place] = moved[:, : place.stop - place.start]
+        return self._increments(x, at, t)
+
     def through(self, changes: Array, at: CycleState) -> tuple[Array, CycleState]:
         """Increments (n, k) at the start of the next lap, from those at the start of one.
 
@@ -197,6 +202,7 @@ class _Run:
             raise SolveError("cycle: a lap passes a place where branches meet")
         first = self._stored(changes, at)
         after = replace(at, x=course.x, s=course.s, period=course.t - t)
+        self.times = self._times_beside(at, course.t)
         if problem.section is None:
             stored = self._swept(course, first)
             self._delay(stored, course)
@@ -228,9 +234,41 @@ class _Run:
             behind = int(np.searchsorted(rows[:, 0], at.t, side="right")) - 1
             if not start <= before <= behind:
                 raise SolveError(f"cycle: no step ends at the event at t = {at.t:.6g} s")
-            first = self.tangents.over(rows[start : before + 1], first)[-1]
+            first = self._over(rows[start : before + 1], first)
             first, start = self.jumps.push(at, first), behind
-        return self.tangents.over(rows[start:], first)[-1]
+        return self._over(rows[start:], first)
+
+    def _times_beside(self, at: CycleState, end: float) -> Array:
+        """Times at which the steps of a motion beside that from a start end.
+
+        Where a part of the motion is at rest, its steps are no measure for changes of that part.
+        """
+        problem = self.problem
+        if not problem.how.method.adaptive:
+            return np.zeros(0)
+        aside = NEIGHBOR * np.cos(1.0 + np.arange(len(problem.units)))
+        x = problem.moved(at.x, aside)
+        course = self.flow.course(x, at.s, problem.t, end, None)
+        return np.zeros(0) if course is None else np.unique(course.rows[:, 0])
+
+    def _over(self, rows: Array, first: Array) -> Array:
+        """Changes at the last row, from those at the first one, by steps that are short enough."""
+        parts = np.diff(np.searchsorted(self.times, rows[:, 0])) - 1
+        start = 0
+        for k in np.flatnonzero(parts > COARSER):
+            first = self.tangents.over(rows[start : k + 1], first)[-1]
+            first, start = self._in_parts(rows[k : k + 2], first, int(parts[k]) + 1), k + 1
+        return np.asarray(self.tangents.over(rows[start:], first)[-1])
+
+    def _in_parts(self, rows: Array, first: Array, count: int) -> Array:
+        """Changes at the end of a step, which is taken in several parts."""
+        tangents, step, nx = self.tangents, rows.copy(), self.model.nx
+        for time in np.linspace(rows[0, 0], rows[1, 0], count + 1)[1:-1]:
+            step[1, 0] = time
+            first = tangents.over(step, first)[-1]
+            step[0, 0], step[0, 1 : 1 + nx] = time, tangents.rooms["end"]
+        step[1] = rows[1]
+        return tangents.over(step, first)[-1]
 
     def _to_section(self, course: Course, first: Array) -> Array:
         """The same behind the event that ends a lap, whenever it is."""
