@@ -9,7 +9,9 @@ from typing import final
 import numpy as np
 
 from ...arrays import Array
+from ...errors import ModelError
 from ...runtime.models.loaded_model import LoadedModel
+from ...schema.blocks import DIRECTIONS
 from ...schema.records import Tangent
 from ...schema.request import Request
 from ..simulation.run import Runner
@@ -63,6 +65,7 @@ class Tangents(StepsAgain):
         names = list(model.parameters)
         named = sorted(names[k] for k in directions.moved)
         self._named = tuple(named)
+        self._check_names()
         by_named = directions.p[:, [names.index(name) for name in named]]
         closing = runner.closing
         keys = {"rates": ("derivative", self.request("rhs"))}
@@ -84,6 +87,19 @@ class Tangents(StepsAgain):
             setattr(record, name, self.pointer(_filled(room)))
         if self.by_s.size:
             record.by_s = self.pointer(self.by_s)
+
+    def _check_names(self) -> None:
+        """Refuse parameters that nothing can be differentiated by alone.
+
+        Raises:
+            ModelError: there is one.
+        """
+        for name in self._named:
+            if name in DIRECTIONS:
+                raise ModelError(
+                    f"gradient: parameter '{name}' of '{self.model.name}' is called as the block "
+                    f"'{name}' of all functions is, and cannot be told from it: rename it"
+                )
 
     def request(self, function: str, time: bool = False) -> str:
         """Derivative of a function along state, modes, inputs and parameters that change."""
