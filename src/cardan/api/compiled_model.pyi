@@ -7,7 +7,6 @@ from typing import Any, final
 from numpy.typing import ArrayLike
 
 from ..analyses.continuation.stability_chart import StabilityChartRecord
-from ..analyses.cycles.cycle_record import CycleRecord
 from ..analyses.ensembles.sampling import Plan
 from ..analyses.gradients.cost import Cost
 from ..analyses.gradients.gradient import Gradient
@@ -41,6 +40,7 @@ from .results import (
     Assembly,
     Campbell,
     Continuation,
+    Cycle,
     Ensemble,
     Equilibrium,
     Excitation,
@@ -866,7 +866,7 @@ class CompiledModel(LoadedModel):
         rtol: float = 1e-13,
         atol: float = 1e-15,
         check: bool = False,
-    ) -> CycleRecord:
+    ) -> Cycle:
         """A motion that repeats, next to a start: ``model.cycle({"x": 1.0}, period=2 * np.pi / 1.4)``.
 
         A lap ends after ``period``, where something forces the motion at known times; at the event

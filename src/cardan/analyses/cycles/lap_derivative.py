@@ -104,9 +104,7 @@ def lap_derivative(
     )
 
 
-def _of_section(
-    problem: CycleProblem, at: CycleState, values: Sweep | None, columns: int
-) -> Array:
+def _of_section(problem: CycleProblem, at: CycleState, values: Sweep | None, columns: int) -> Array:
     """Derivative (n, columns) of the state on the section that a start is moved to.
 
     No run is in it: its derivatives are those of a plane, whose slope differences give.
@@ -255,7 +253,7 @@ class _Run:
         """Changes at the last row, from those at the first one, by steps that are short enough."""
         parts = np.diff(np.searchsorted(self.times, rows[:, 0])) - 1
         start = 0
-        for k in np.flatnonzero(parts > COARSER):
+        for k in map(int, np.flatnonzero(parts > COARSER)):
             first = self.tangents.over(rows[start : k + 1], first)[-1]
             first, start = self._in_parts(rows[k : k + 2], first, int(parts[k]) + 1), k + 1
         return np.asarray(self.tangents.over(rows[start:], first)[-1])
@@ -268,12 +266,13 @@ class _Run:
             first = tangents.over(step, first)[-1]
             step[0, 0], step[0, 1 : 1 + nx] = time, tangents.rooms["end"]
         step[1] = rows[1]
-        return tangents.over(step, first)[-1]
+        return np.asarray(tangents.over(step, first)[-1])
 
     def _to_section(self, course: Course, first: Array) -> Array:
         """The same behind the event that ends a lap, whenever it is."""
         passage, section, model = course.passage, self.problem.section, self.model
-        assert passage is not None and section is not None
+        assert passage is not None
+        assert section is not None
         rows = course.rows[course.rows[:, 0] < passage.t]
         last = rows[-1].copy()
         last[0], last[1 : 1 + model.nx] = passage.t, passage.x
@@ -309,7 +308,7 @@ class _Run:
         nq, N = self.model.nq, self._kinematic(at, t)
         places = stored[:, :nq].T
         if N is not None:
-            places = np.linalg.lstsq(N, places)[0]
+            places = np.asarray(np.linalg.lstsq(N, places)[0], dtype=np.float64)
         return np.vstack([places, stored[:, nq:].T]) / self.problem.units[:, None]
 
     def _mirror(self, x: Array, image: Array) -> Array:
