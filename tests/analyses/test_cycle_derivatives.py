@@ -213,6 +213,25 @@ def test_parts_at_rest_are_resolved() -> None:
     assert cycle.multipliers[2] == pytest.approx(0.000859695063603616, abs=1e-10)
 
 
+@pytest.mark.parametrize("mode", [0, pytest.param(1, marks=pytest.mark.slow)])
+def test_multipliers_of_what_keeps_its_energy_multiply_to_1(mode: int) -> None:
+    """H. Poincare (1892): nonlinear modes of a double pendulum, and the last as a free cycle."""
+    scene = cd.Scene("swing", gravity=(0, 0, -9.81))
+    bar: Any = {"mass": 1.0, "inertia": (0, 0, 0), "com": (0, 0, -1)}
+    upper, lower = scene.body("upper", **bar), scene.body("lower", **bar)
+    scene.joint("upper", cd.Revolute("y"), scene.ground, upper)
+    scene.joint("lower", cd.Revolute("y"), upper.at(0, 0, -1), lower)
+    swing = cd.compile(scene)
+    path: Any = swing.continuation(energy=(0, 10.0), of="cycles", start=swing.modes()[mode])
+    last = path[-1]
+    cycles = [path[k] for k in range(len(path))]
+    cycles.append(swing.cycle(last.state, guess=last.period, check=True))
+    for cycle in cycles:
+        assert cycle.derivatives == "exact"
+        assert abs(np.prod(cycle.multipliers) - 1) < 1e-9
+
+
+@pytest.mark.filterwarnings("ignore:model 'pendulum'. its builds are not checked")
 def test_speeds_that_the_user_chose() -> None:
     """The speeds of a cycle are those of the model; multipliers do not depend on them."""
 

@@ -255,13 +255,14 @@ class _Run:
         start = 0
         for k in map(int, np.flatnonzero(parts > COARSER)):
             first = self.tangents.over(rows[start : k + 1], first)[-1]
-            first, start = self._in_parts(rows[k : k + 2], first, int(parts[k]) + 1), k + 1
+            first, start = self._in_parts(rows[k : k + 2], first), k + 1
         return np.asarray(self.tangents.over(rows[start:], first)[-1])
 
-    def _in_parts(self, rows: Array, first: Array, count: int) -> Array:
+    def _in_parts(self, rows: Array, first: Array) -> Array:
         """Changes at the end of a step, which is taken in several parts."""
         tangents, step, nx = self.tangents, rows.copy(), self.model.nx
-        for time in np.linspace(rows[0, 0], rows[1, 0], count + 1)[1:-1]:
+        inside = (self.times > rows[0, 0]) & (self.times < rows[1, 0])
+        for time in self.times[inside]:
             step[1, 0] = time
             first = tangents.over(step, first)[-1]
             step[0, 0], step[0, 1 : 1 + nx] = time, tangents.rooms["end"]
