@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any, final
+from typing import final, overload
 
-from ..analyses.continuation.record import ContinuationRecord
+from ..analyses.continuation.record import ContinuationRecord, Solution
 from ..analyses.cycles.cycle_record import CycleRecord
 from ..analyses.ensembles.result import EnsembleRecord
 from ..analyses.identification.excitation import ExcitationRecord
@@ -21,6 +21,7 @@ from ..analyses.mechanisms.workspace import WorkspaceRecord
 from ..analyses.simulation.precision.work_precision import PrecisionRecord
 from ..analyses.statics.equilibrium import EquilibriumRecord
 from ..analyses.statics.static_path import StaticPathRecord
+from ..arrays import Array
 from .faces import attribute, face, maker, verb
 
 
@@ -35,7 +36,12 @@ class Continuation(ContinuationRecord):
     save = verb("cardan.analyses.continuation.path_file:save")
     table = verb("cardan.analyses.continuation.path_file:table")
 
-    def __getitem__(self, name: Any) -> Any:
+    @overload
+    def __getitem__(self, name: str) -> Array: ...
+    @overload
+    def __getitem__(self, name: int) -> Solution: ...
+    def __getitem__(self, name: str | int) -> Solution:
+        """The solution of a row of the main branch, or a history (n,)."""
         return face(super().__getitem__(name))
 
 

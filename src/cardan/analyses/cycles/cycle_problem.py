@@ -6,8 +6,7 @@ by increments (rotations in body axes) in units of the motion. A start is brough
 and onto the section first; along what that takes away the derivative of a lap is 0.
 
 Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), chapter 7 (shooting,
-monodromy matrix); P. C. Müller, Chaos, Solitons & Fractals 5 (1995), 1671-1681 (disturbances that
-pass jumps of the state: differences of runs contain them).
+monodromy matrix).
 """
 
 from __future__ import annotations

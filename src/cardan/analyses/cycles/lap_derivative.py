@@ -110,6 +110,7 @@ def _of_section(problem: CycleProblem, at: CycleState, values: Sweep | None, col
     No run is in it: its derivatives are those of a plane, whose slope differences give.
     """
     n = len(problem.units)
+    # starts move as they are told, and what is swept moves none by itself
     result = np.eye(n, columns)
     if problem.normal is None:
         return result
@@ -155,8 +156,8 @@ class _Run:
         """Directions of everything that changes: what is swept is one of them."""
         model = self.model
         # tables of inputs are none of those that are swept
-        pieces = sum(len(one.coefficients) for one in self.flow.runner.signals.tabulated)
-        directions, n = directions_of(model, pieces, count), len(self.problem.units)
+        segments = sum(len(one.coefficients) for one in self.flow.runner.signals.tabulated)
+        directions, n = directions_of(model, segments, count), len(self.problem.units)
         if values is not None:
             names = list(model.parameters)
             ends = values(0.5), values(-0.5)
@@ -198,9 +199,10 @@ class _Run:
             raise SolveError("cycle: a lap does not come to its section")
         if flow.runner.record.passed:
             raise SolveError("cycle: a lap passes a place where branches meet")
+        # time and section move along with changes only behind the run
         first = self._stored(changes, at)
         after = replace(at, x=course.x, s=course.s, period=course.t - t)
-        self.times = self._times_beside(at, course.t)
+        self.times = self._perturbed_times(at, course.t)
         if problem.section is None:
             stored = self._swept(course, first)
             self._delay(stored, course)
@@ -236,7 +238,7 @@ class _Run:
             first, start = self.jumps.push(at, first), behind
         return self._over(rows[start:], first)
 
-    def _times_beside(self, at: CycleState, end: float) -> Array:
+    def _perturbed_times(self, at: CycleState, end: float) -> Array:
         """Times at which the steps of a motion beside that from a start end.
 
         Where a part of the motion is at rest, its steps are no measure for changes of that part.
@@ -275,10 +277,12 @@ class _Run:
         assert passage is not None
         assert section is not None
         rows = course.rows[course.rows[:, 0] < passage.t]
+        # the run went on: its last step here ends at the event instead
         last = rows[-1].copy()
         last[0], last[1 : 1 + model.nx] = passage.t, passage.x
         before = self._swept(replace(course, rows=np.vstack([rows, last])), first, passage.t)
         table, nx = self.flow.event_table, model.nx
+        # marks count if they are what the lap ends at
         log, start = course.log[course.log[:, 0] == passage.t], 1 + len(table.rows)
         counted = np.array([kind != abi.MARK for kind in table.kinds])
         counted[list(section.numbers)] = True

@@ -131,6 +131,7 @@ class Shooting:
             SolveError: a lap breaks down.
         """
         reasons = self.problem.reasons
+        # the last derivative tells where those of a cycle come from
         reasons[:] = [text for text in [refusal(self.problem)] if text]
         if not reasons:
             try:
@@ -170,6 +171,7 @@ class Shooting:
         problem, begun, level = self.problem, lap.begun, self.problem.level
         assert level is not None
         flow, n = problem.flow(at.values), len(problem.units)
+        # three terms: the start brought onto constraints, what is missed, the energy along its slope
         slope = level.gradient(problem.system, flow, begun.x, problem.t) * problem.units
         columns = [by_begun @ lap.onto + by_end @ lap.by_start]
         moved, energy = [lap.onto - np.eye(n)], [slope / level.size @ lap.onto]
@@ -221,14 +223,14 @@ def _of_step(problem: CycleProblem, before: Array, after: Array) -> tuple[Array,
     n, system = len(problem.units), problem.system
     by_before, by_after = -np.eye(n), np.eye(n)
     names = enumerate(system.increments)
-    turning = np.array([k for k, name in names if name not in system.coordinates], dtype=np.intp)
-    if len(turning):
-        whole = np.full(n, WIDE)
-        by_before[:, turning] = by_differences(
-            lambda dx: problem.step(problem.moved(before, dx), after), whole, turning
+    rotations = np.array([k for k, name in names if name not in system.coordinates], dtype=np.intp)
+    if len(rotations):
+        units = np.full(n, WIDE)
+        by_before[:, rotations] = by_differences(
+            lambda dx: problem.step(problem.moved(before, dx), after), units, rotations
         )
-        by_after[:, turning] = by_differences(
-            lambda dx: problem.step(before, problem.moved(after, dx)), whole, turning
+        by_after[:, rotations] = by_differences(
+            lambda dx: problem.step(before, problem.moved(after, dx)), units, rotations
         )
     return by_before, by_after
 
