@@ -171,7 +171,7 @@ class Shooting:
         problem, begun, level = self.problem, lap.begun, self.problem.level
         assert level is not None
         flow, n = problem.flow(at.values), len(problem.units)
-        # three terms: the start brought onto constraints, what is missed, the energy along its slope
+        # the start brought onto constraints, what a lap misses, the energy along its slope
         slope = level.gradient(problem.system, flow, begun.x, problem.t) * problem.units
         columns = [by_begun @ lap.onto + by_end @ lap.by_start]
         moved, energy = [lap.onto - np.eye(n)], [slope / level.size @ lap.onto]

@@ -62,11 +62,13 @@ class Tangents(StepsAgain):
         record, k = Tangent(), len(directions.start)
         self.record, self.directions = record, directions
         self.by_s = np.zeros((k, model.ns))
+        # the C has columns of single names in alphabetical order, behind those of blocks
         names = list(model.parameters)
         named = sorted(names[k] for k in directions.moved)
         self._named = tuple(named)
         self._check_names()
         by_named = directions.p[:, [names.index(name) for name in named]]
+        # what runs project onto constraints by is differentiated like every step
         closing = runner.closing
         keys = {"rates": ("derivative", self.request("rhs"))}
         keys |= {
