@@ -217,11 +217,11 @@ class CycleProblem:
         return CycleState(x, s, spent, at.values)
 
     def _lap(self, flow: Flow, x: Array, s: Array, at: CycleState) -> tuple[Array, Array, float]:
-        t, end, match = self.t, self.lap_end(at), self.lap_match()
+        t, length, match = self.t, self.lap_length(at), self.lap_match()
         if match is None:
-            x, s = flow.end(x, s, t, end)
-            return self.mapped(x), s, end - t
-        passage = flow.passage(x, s, t, end, match)
+            x, s = flow.end(x, s, t, t + length)
+            return self.mapped(x), s, length
+        passage = flow.passage(x, s, t, t + length, match)
         if passage is None:
             assert self.section is not None
             raise SolveError(
@@ -231,14 +231,14 @@ class CycleProblem:
             )
         return self.mapped(passage.x_after), passage.s_after, passage.t - t
 
-    def lap_end(self, at: CycleState) -> float:
-        """Time [s] at which a lap ends, or until which it comes to the section.
+    def lap_length(self, at: CycleState) -> float:
+        """Time [s] that a lap takes, or within which it comes to the section.
 
         Raises:
             SolveError: a period is out of range.
         """
         if self.section is not None:
-            return self.t + self.longest
+            return self.longest
         period = self.period_of(at)
         if self.period is None:
             period /= self.laps
@@ -246,7 +246,7 @@ class CycleProblem:
             raise SolveError(
                 f"cycle: the period became {period:.6g} s, not within longest={self.longest:g}"
             )
-        return self.t + period
+        return period
 
     def lap_match(self) -> Callable[[Passage], bool] | None:
         """What says that an event ends a lap; None where time does."""

@@ -193,15 +193,16 @@ class _Run:
             SolveError: the lap breaks down, or has no derivative.
         """
         problem, flow = self.problem, self.flow
-        t, end = problem.t, problem.lap_end(self.at)
-        course = flow.course(at.x, at.s, t, end, problem.lap_match())
+        t, length = problem.t, problem.lap_length(self.at)
+        course = flow.course(at.x, at.s, t, t + length, problem.lap_match())
         if course is None:
             raise SolveError("cycle: a lap does not come to its section")
         if flow.runner.record.passed:
             raise SolveError("cycle: a lap passes a place where branches meet")
         # time and section move along with changes only behind the run
         first = self._stored(changes, at)
-        after = replace(at, x=course.x, s=course.s, period=course.t - t)
+        took = length if problem.section is None else course.t - t
+        after = replace(at, x=course.x, s=course.s, period=took)
         self.times = self._perturbed_times(at, course.t)
         if problem.section is None:
             stored = self._swept(course, first)
