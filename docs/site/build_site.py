@@ -27,7 +27,7 @@ GUIDE: dict[str, tuple[str, ...]] = {
     ),
     "Equations": (
         *("conventions", "reading_equations", "formalisms", "closed_loops", "coordinates"),
-        *("linear_models", "derivatives"),
+        *("linear_models", "derivatives", "gradients"),
     ),
     "Models and runs": (
         *("functions", "integrators", "events", "ensembles", "pictures", "live"),

@@ -52,6 +52,7 @@ PAGES: dict[str, tuple[str, tuple[str, ...]]] = {
             "page",
             "load_motion",
             "GeneralizedAlpha",
+            "cost",
             "CFunction",
             "stability",
             "Stepper",

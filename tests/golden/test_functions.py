@@ -50,7 +50,7 @@ def test_words_of_the_table() -> None:
     for row in FUNCTIONS.values():
         assert {*row.arguments} <= {*ARGUMENTS}, row.name
         assert {*row.needs} <= NEEDS, row.name
-        assert row.of in ("", "frame", "joint", "function"), row.name
+        assert row.of in ("", "frame", "joint", "function", "formula"), row.name
         assert row.about, row.name
         assert row.shape or row.unit or row.of == "function", row.name
 
@@ -97,7 +97,7 @@ def test_shapes_of_what_is_derived_are_those_of_the_table(name: str) -> None:
     frame, joint = model.frames[0], model.joints[0]
     for function in equations.names():
         row = FUNCTIONS[function]
-        if row.of == "function" or row.for_display or not asked(row.shape):
+        if row.of in ("function", "formula") or row.for_display or not asked(row.shape):
             continue
         of = {"frame": frame, "joint": joint}.get(row.of)
         outputs = equations.function(function, of).outputs

@@ -42,21 +42,21 @@ static int run_{name}(void)
 {{
     real *p = copy(given_p, {np}), *w = room({name}_w_size), *work = room({name}_work_size);
     real *out = room({count} * {name}_out_size);
-    real *block[16] = {{NULL}};
-    const real *at[16] = {{NULL}};
-    size_t stride[16] = {{0}};
+    real *block[{number}] = {{NULL}};
+    const real *at[{number}] = {{NULL}};
+    size_t stride[{number}] = {{0}};
     ptrdiff_t failed;
     int status;
 
     prepare_{name}(p, w);
 {blocks}
-    for (int k = 0; k < 16; k++)
+    for (int k = 0; k < {number}; k++)
         at[k] = block[k];
     at[7] = w;
     status = cardan_map({name}, at, stride, {count}, out, {name}_out_size, work, &failed);
     for (size_t k = 0; k < {count} * (size_t){name}_out_size; k++)
         printf("%.17g\\n", out[k]);
-    for (int k = 0; k < 16; k++)
+    for (int k = 0; k < {number}; k++)
         free(block[k]);
     free(p);
     free(w);
@@ -91,7 +91,7 @@ def program(
             lines.append(f"    block[{k}] = copy(given_{block}, {count} * {size});")
             lines.append(f"    stride[{k}] = {size};")
         blocks = "\n".join(lines)
-        text.append(RUN.format(name=name, np=len(p), count=count, blocks=blocks))
+        text.append(RUN.format(name=name, np=len(p), count=count, blocks=blocks, number=len(ORDER)))
     calls = " | ".join(f"run_{name}()" for name in names)
     return "\n".join([*text, f"int main(void)\n{{\n    return {calls};\n}}\n"])
 

@@ -209,9 +209,9 @@ int main(void)
             if (posix_memalign((void **)&memory, 64, 4 * whole * sizeof(real))) return 1;
             for (size_t i = 0; i < 2 * n * size; ++i) x[i] = (double)(i % 97);
             for (size_t i = 0; i < n * size; ++i) v[i] = (double)(i % 89);
-            const double *blocks[16] = {NULL, x, x + size, [8] = v};
-            const size_t strides[16] = {0, 2 * size, 2 * size, [8] = size};
-            const size_t sizes[16] = {0, size, size, [8] = size};
+            const double *blocks[17] = {NULL, x, x + size, [8] = v};
+            const size_t strides[17] = {0, 2 * size, 2 * size, [8] = size};
+            const size_t sizes[17] = {0, size, size, [8] = size};
             ptrdiff_t failed;
             int finite;
             wrong += cardan_batch(f, NULL, blocks, strides, sizes, n, out, size, memory, &failed,

@@ -11,6 +11,7 @@ import pytest
 from cardan.analyses.simulation import run_record
 from cardan.runtime.build import kernels
 from cardan.runtime.calls import abi, abi_ctypes
+from cardan.schema.blocks import ORDER
 from cardan.schema.records import Run
 from table import each
 
@@ -87,7 +88,7 @@ def test_run_refuses(name: str, size: int) -> None:
 @pytest.mark.parametrize("size", [-1, -(2**62), 2**60, MOST])
 def test_extension_refuses_absurd_work_memory(size: int) -> None:
     with pytest.raises((MemoryError, OverflowError)):
-        abi.run(1, [None] * 16, [0] * 16, 0, np.zeros((0, 1)), size)
+        abi.run(1, [None] * len(ORDER), [0] * len(ORDER), 0, np.zeros((0, 1)), size)
 
 
 @pytest.mark.skipif(abi.NAME != "cython", reason="the extension is not built here")
@@ -101,5 +102,5 @@ def test_extension_refuses_more_states_than_rows() -> None:
 
     address = ctypes.cast(f, ctypes.c_void_p).value
     with pytest.raises(ValueError, match="3 states do not fit into 2 rows"):
-        abi.run(address, [None] * 16, [0] * 16, 3, np.zeros((4, 1))[:2], 0)
+        abi.run(address, [None] * len(ORDER), [0] * len(ORDER), 3, np.zeros((4, 1))[:2], 0)
     assert called == []

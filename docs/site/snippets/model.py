@@ -116,6 +116,12 @@ A, B = model.derivative("forward_dynamics", wrt=("q", "u"))(q, u)
 derivative = model.derivative("forward_dynamics", wrt="q")
 print(derivative.operations, derivative.request)
 
+# CompiledModel.gradient, cost
+value, slope = model.gradient(0.2, cd.cost(final=f"{model.coordinates[0]}^2"), wrt=("x0", "p"))
+
+# CompiledModel.expression
+value = model.expression(f"{model.coordinates[0]}^2 + t", q, u)
+
 # CompiledModel.vjp
 by_q, by_m = model.vjp("forward_dynamics", wrt=("q", "p"))(q, u, np.ones(model.nu))
 

@@ -30,18 +30,20 @@ class Exported(NamedTuple):
         sizes: Length of ``out``, ``work`` and ``w``, as C has them; those without ``w`` read
             elements, which are prepared together.
         outputs: Its results by name and shape, where they are known.
+        vector: Length of the block v, which every function has entries of its own in.
     """
 
     about: str
     inputs: Sequence[str]
     sizes: Mapping[str, int | str]
     outputs: Sequence[ResultRow] = ()
+    vector: int = 0
 
     @staticmethod
     def of(row: FunctionRow) -> Exported:
         """The description from a row of the manifest."""
         sizes = {"out": row.output_size, "work": row.work_size, "w": row.prepared_size}
-        return Exported(row.about, row.inputs, sizes, row.outputs)
+        return Exported(row.about, row.inputs, sizes, row.outputs, len(row.vector))
 
 
 def slots(manifest: Manifest) -> str:
@@ -128,6 +130,7 @@ def prototypes(
     ]
     for symbol, entry in functions.items():
         sizes = [f"    {symbol}_{k}_size = {size}" for k, size in entry.sizes.items()]
+        sizes += [f"    {symbol}_v_size = {entry.vector}"] if entry.vector else []
         reads = ", ".join(entry.inputs) or "nothing"
         lines += ["", f"/* {comment(entry.about or symbol)}; reads {reads} */"]
         lines += ["enum {", ",\n".join(sizes), "};"]

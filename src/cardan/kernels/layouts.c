@@ -136,12 +136,12 @@ const size_t cardan_adjoint_layout[22] = {
     rates.function), offsetof(cardan_adjoint, rates.w), offsetof(cardan_adjoint,
     close_position.function), offsetof(cardan_adjoint, close_position.w), offsetof(cardan_adjoint,
     close_velocity.function), offsetof(cardan_adjoint, close_velocity.w), offsetof(cardan_adjoint,
-    running.function), offsetof(cardan_adjoint, running.w), offsetof(cardan_adjoint,
-    running_cost.function), offsetof(cardan_adjoint, running_cost.w), offsetof(cardan_adjoint, np),
-    offsetof(cardan_adjoint, lam), offsetof(cardan_adjoint, by_p), offsetof(cardan_adjoint, by_s),
-    offsetof(cardan_adjoint, by_r), offsetof(cardan_adjoint, by_pieces), offsetof(cardan_adjoint,
-    cost), offsetof(cardan_adjoint, pulled), offsetof(cardan_adjoint, v), offsetof(cardan_adjoint,
-    out)
+    integrand.function), offsetof(cardan_adjoint, integrand.w), offsetof(cardan_adjoint,
+    integrand_value.function), offsetof(cardan_adjoint, integrand_value.w), offsetof(cardan_adjoint,
+    np), offsetof(cardan_adjoint, lam), offsetof(cardan_adjoint, by_p), offsetof(cardan_adjoint,
+    by_s), offsetof(cardan_adjoint, by_r), offsetof(cardan_adjoint, by_coefficients),
+    offsetof(cardan_adjoint, cost), offsetof(cardan_adjoint, pulled), offsetof(cardan_adjoint, v),
+    offsetof(cardan_adjoint, out)
 };
 
 extern const size_t cardan_tangent_layout[19];
@@ -151,8 +151,8 @@ const size_t cardan_tangent_layout[19] = {
     close_position.function), offsetof(cardan_tangent, close_position.w), offsetof(cardan_tangent,
     close_velocity.function), offsetof(cardan_tangent, close_velocity.w), offsetof(cardan_tangent,
     columns), offsetof(cardan_tangent, named), offsetof(cardan_tangent, by_named),
-    offsetof(cardan_tangent, by_input), offsetof(cardan_tangent, by_pieces),
-    offsetof(cardan_tangent, by_s), offsetof(cardan_tangent, pieces), offsetof(cardan_tangent,
+    offsetof(cardan_tangent, by_input), offsetof(cardan_tangent, by_coefficients),
+    offsetof(cardan_tangent, by_s), offsetof(cardan_tangent, segments), offsetof(cardan_tangent,
     changes), offsetof(cardan_tangent, moved), offsetof(cardan_tangent, rising),
     offsetof(cardan_tangent, out)
 };

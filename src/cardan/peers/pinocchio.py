@@ -186,7 +186,7 @@ def cpp_compilers(options: tuple[str, ...]) -> list[toolchain.Compiler]:
         options: Language, level, processor, headers.
     """
     commands = [(*candidate.command[:-1], "c++") for candidate in toolchain.ziglang()]
-    binaries = [found.binary for found in toolchain.ziglang()]
+    binaries = [located.binary for located in toolchain.ziglang()]
     for name in NAMES:
         path = shutil.which(name)
         if path:

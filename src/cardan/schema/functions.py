@@ -96,8 +96,8 @@ outputs | t q u r z s | ny | as declared | | elements
     like: y
 expression(formula) | t q u r z s | | as its entries have it | | rare
     value of a formula in names of the model
-    Coordinates, speeds, internal states, inputs, parameters, outputs and t, as formulas of scene
-    files have them: ``"(hand.x - 0.4)^2 + 1e-3*tau^2"``.
+    Of coordinates, speeds, internal states, inputs, parameters, outputs and t, as formulas in
+    scene files are: ``"(hand.x - 0.4)^2 + 1e-3*tau^2"``.
 element_forces | t q u r tau z s | nforces | N or N m | element forces | elements rare
     forces of elements by name: along a line or a joint, or on a frame
     like: forces

@@ -19,7 +19,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
-from ..gradients.jumps import Happening, happenings
+from ..gradients.jumps import EventInstant, event_instants
 from ..gradients.steps import TABLES
 from ..gradients.tangent import Directions, Tangents, directions_of
 from ..gradients.tangent_jumps import TangentJumps
@@ -230,7 +230,7 @@ class _Run:
         """Changes (k, nx) at the last row, from those at the first one, through events before."""
         rows, log, start, model = course.rows, course.log, 0, self.model
         log = log[log[:, 0] < end]
-        for at in happenings(log, self.flow.event_table, model.nx, model.ns):
+        for at in event_instants(log, self.flow.event_table, model.nx, model.ns):
             before = int(np.searchsorted(rows[:, 0], at.t, side="left"))
             behind = int(np.searchsorted(rows[:, 0], at.t, side="right")) - 1
             if not start <= before <= behind:
@@ -290,7 +290,7 @@ class _Run:
         fired = (log[:, 1:start] != 0) & counted
         log, fired = log[fired.any(axis=1)], fired[fired.any(axis=1)]
         x, s = log[:, start : start + nx], log[:, start + nx : start + nx + model.ns]
-        at = Happening(passage.t, fired, x, s, passage.x_after, passage.s_after)
+        at = EventInstant(passage.t, fired, x, s, passage.x_after, passage.s_after)
         return self.jumps.arrive(at, before)[0]
 
     # increments and states

@@ -12,7 +12,7 @@ from ...schema.records import Adjoint
 from ...schema.request import Request
 from ..simulation.run import Runner
 from .cost import Cost
-from .steps import CLOSING, StepsAgain, piece_at, powers_at
+from .steps import CLOSING, StepsAgain, powers_at, segment_at
 
 
 class Slopes(NamedTuple):
@@ -41,23 +41,23 @@ class Sweep(StepsAgain):
         by_s: By the modes (ns,) since the last event, which hold numbers of sampled controllers.
         by_p: By the parameters (np,).
         by_r: By the inputs (nr,), as if they were constant.
-        by_pieces: Of every input by pieces: by its coefficients (pieces, 4).
+        by_coefficients: Of every tabulated input: by its coefficients (segments, 4).
     """
 
     def __init__(self, runner: Runner, cost: Cost, parameters: bool) -> None:
         """Args:
         runner: What took the steps.
         cost: Whose gradient.
-        parameters: Whether derivatives by parameters are wanted.
+        parameters: Whether derivatives by parameters are asked for.
         """
         super().__init__(runner)
         model, record = runner.model, Adjoint()
         self.record, self.parameters = record, parameters and len(model.parameters) > 0
         self.lam, self.by_s, self.by_r = np.zeros(model.nx), np.zeros(model.ns), np.zeros(model.nr)
         self.by_p = np.zeros(len(model.parameters) if self.parameters else 0)
-        pieces = np.zeros((sum(self.piece_counts), 4))
-        ends = np.cumsum(self.piece_counts)[:-1]
-        self.by_pieces = np.split(pieces, ends) if len(pieces) else []
+        coefficients = np.zeros((sum(self.segment_counts), 4))
+        ends = np.cumsum(self.segment_counts)[:-1]
+        self.by_coefficients = np.split(coefficients, ends) if len(coefficients) else []
         self._cost = np.zeros(1)
         # products backward, so that parameters cost nothing more
         closing = runner.closing
@@ -66,14 +66,14 @@ class Sweep(StepsAgain):
             if name in CLOSING:
                 keys[name] = ("vjp", self.request(name))
         if cost.running is not None:
-            keys["running"] = ("vjp", self.request("expression", cost.running))
-            keys["running_cost"] = ("expression", cost.running)
+            keys["integrand"] = ("vjp", self.request("expression", cost.running))
+            keys["integrand_value"] = ("expression", cost.running)
         self.call(record, dict(zip(keys, model._load(list(keys.values())), strict=True)))
         record.np = len(self.by_p)
         longest = model.nx + model.ns + model.nr + len(self.by_p)
         rooms = {
             "lam": self.lam, "by_p": self.by_p, "by_r": self.by_r, "by_s": self.by_s,
-            "by_pieces": pieces, "cost": self._cost,
+            "by_coefficients": coefficients, "cost": self._cost,
             "pulled": np.zeros(self.steps.stages * model.nx), "out": np.zeros(longest),
             "v": np.zeros(model.nx + closing.positions + closing.rates + 1),
         }  # fmt: skip
@@ -117,8 +117,8 @@ class Sweep(StepsAgain):
     def add_inputs(self, t: float, by_r: Array) -> None:
         """Add a gradient by the inputs (nr,) at a time."""
         self.by_r += by_r
-        for one, by_piece in zip(self.runner.signals.tabulated, self.by_pieces, strict=True):
-            by_piece[piece_at(one, t)[0]] += by_r[one.input] * powers_at(one, t)[0]
+        for one, by_block in zip(self.runner.signals.tabulated, self.by_coefficients, strict=True):
+            by_block[segment_at(one, t)[0]] += by_r[one.input] * powers_at(one, t)[0]
 
     def over(self, rows: Array) -> None:
         """Sweep over the steps between rows (count, width) as the run wrote them.

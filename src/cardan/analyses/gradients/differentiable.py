@@ -9,7 +9,7 @@ from ...errors import ModelError, SolveError
 from ...runtime.trajectory.solver_info import EVENT, FINISHED
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..simulation.driving import RunSetup
-from .jumps import Happening
+from .jumps import EventInstant
 from .steps import TABLES
 
 
@@ -61,6 +61,6 @@ def rows_of(motion: TrajectoryRecord) -> Array:
     return np.hstack([motion.t[:, None], motion.x, motion.work_done, motion.r, modes])
 
 
-def row_behind(t: Array, end: int, at: Happening) -> int:
-    """The first row behind what happened: the last one at its time, before row ``end``."""
+def row_behind(t: Array, end: int, at: EventInstant) -> int:
+    """The first row behind an event: the last one at its time, before row ``end``."""
     return int(np.searchsorted(t[:end], at.t, side="right")) - 1

@@ -17,7 +17,7 @@ from ..simulation.settings import Values
 from .adjoint import Sweep
 from .cost import Cost
 from .differentiable import check_complete, refuse, row_behind, rows_of
-from .jumps import Jumps, happenings
+from .jumps import Jumps, event_instants
 from .start import NamedStart
 from .unknowns import InputSlopes, Slope, Unknowns, unknowns
 
@@ -86,12 +86,12 @@ def gradient(
             not known. SolveError: the run ends early, or has no derivative: two events at one time,
             an event that happens by a touch.
     """
-    given = dict(inputs or {})
+    named_inputs = dict(inputs or {})
     state = {"x0": x0, "q": q, "u": u, "z": z}
     method = "DOP853" if method == "auto" else method
     options = (method, rtol, atol, step, max_step)
     setup = run_setup(model, (t, None), state, events, options, inputs, parameters)
-    names = unknowns(setup.model, wrt, {str(k): v for k, v in given.items()})
+    names = unknowns(setup.model, wrt, {str(k): v for k, v in named_inputs.items()})
     refuse(setup)
     runner = runner_of(setup.model, chosen(setup.how, None), setup.input_signals, setup.event_table)
     motion = driven(runner, setup.over, setup.begin, progress, dense=False)
@@ -111,12 +111,13 @@ def _swept(
     model, log = setup.model, motion.event_log
     sweep = Sweep(runner, cost, names.parameters)
     jumps = Jumps(sweep, cost, setup.event_table, setup.over.start)
-    happened = happenings(log.log, setup.event_table, model.nx, model.ns)
+    instants = event_instants(log.log, setup.event_table, model.nx, model.ns)
     value, final_rate = _final(sweep, motion, cost)
     rows = rows_of(motion)
     end = len(rows)
     halted = motion.solver_info.status == EVENT
-    for number, at in enumerate(reversed(happened)):
+    # backward: the steps behind an event, the event, and so on to the start
+    for number, at in enumerate(reversed(instants)):
         last = halted and number == 0
         # the row behind what happened, at the same time as that before it
         first = row_behind(motion.t, end, at)
@@ -125,13 +126,14 @@ def _swept(
             end = first
         jumps.pull(at, final_rate if last else None)
     sweep.over(rows[:end])
+    # what was not named at the start followed from what was
     begin = NamedStart.of(setup, sweep, state, log.s[0], names.parameters)
     start, by_r, by_p = begin.backward(sweep.lam)
     if by_r.size:
         sweep.add_inputs(setup.over.start, by_r)
     if by_p.size:
         sweep.by_p += by_p
-    slopes = InputSlopes(model, sweep.by_r, sweep.by_pieces)
+    slopes = InputSlopes(model, sweep.by_r, sweep.by_coefficients)
     by_name = names.slopes(start, sweep.by_p, setup.input_signals, slopes)
     return Gradient(value + sweep.cost, by_name, motion)
 

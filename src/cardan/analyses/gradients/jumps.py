@@ -13,7 +13,6 @@ Source: P. C. Müller, Chaos, Solitons & Fractals 5 (1995) 1671-1681.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -30,7 +29,7 @@ GRAZING = 1e7
 
 
 @dataclass(frozen=True)
-class Happening:
+class EventInstant:
     """What happened at one time.
 
     Attributes:
@@ -48,7 +47,7 @@ class Happening:
     s_after: Array
 
 
-def happenings(log: Array, events: EventTable, nx: int, ns: int) -> list[Happening]:
+def event_instants(log: Array, events: EventTable, nx: int, ns: int) -> list[EventInstant]:
     """What changed a run, in its order; marks change nothing.
 
     Args:
@@ -68,7 +67,7 @@ def happenings(log: Array, events: EventTable, nx: int, ns: int) -> list[Happeni
         part = rows[start:end]
         behind = part[-1, first + nx + ns :]
         result.append(
-            Happening(
+            EventInstant(
                 float(part[0, 0]),
                 masks[start:end],
                 part[:, first : first + nx],
@@ -86,7 +85,7 @@ def event_names(events: EventTable) -> list[str]:
     return [str(row["name"]) for row in events.rows]
 
 
-def root_of(at: Happening, events: EventTable, start: float) -> int | None:
+def root_of(at: EventInstant, events: EventTable, start: float) -> int | None:
     """The event whose value decided when it happened; None where the time was given.
 
     Raises:
@@ -113,7 +112,7 @@ def slope_of_watched(events: EventTable, root: int, nx: int) -> Array:
     """
     signs = [(w, sign) for w in events.watches for sign in DIRECTIONS[w.direction]]
     watch, sign = signs[root - events.model]
-    value: Any = watch.value
+    value = watch.value
     if not isinstance(value, Crossing):
         raise SolveError(
             f"gradient: the run ends by '{watch.name}', a function whose derivative is not known. "
@@ -124,7 +123,7 @@ def slope_of_watched(events: EventTable, root: int, nx: int) -> Array:
     return slope
 
 
-def check_touch(at: Happening, name: str, slope: Array, before: Array, other: float) -> float:
+def check_touch(at: EventInstant, name: str, slope: Array, before: Array, other: float) -> float:
     """Rate of the value of an event when it happens.
 
     Args:
@@ -161,7 +160,7 @@ class Jumps:
         self.sweep, self.cost, self.events, self.start = sweep, cost, events, start
         self.model = sweep.model
 
-    def pull(self, at: Happening, final_rate: float | None = None) -> None:
+    def pull(self, at: EventInstant, final_rate: float | None = None) -> None:
         """Change the gradients of the sweep into those before what happened.
 
         Args:
@@ -177,27 +176,35 @@ class Jumps:
         inputs, rates = self._inputs(at.t)
         by_time = final_rate or 0.0
         if not ended:
+            # what is behind begins later
             behind = self._rates(at.t, at.x_after, at.s_after, inputs)
-            by_time -= float(behind @ lam) + self._running(at.t, at.x_after, at.s_after, inputs)
+            by_time -= float(behind @ lam) + self._integrand(at.t, at.x_after, at.s_after, inputs)
         for k in range(len(at.fired) - 1, -1, -1):
             if not ended or any(kind <= abi.TICK for kind in self._kinds(at.fired[k])):
                 by_time += self._pull_transition(at, k, inputs, rates)
         if root is None:
             return
+        # the state before it moves on while the event is late, and costs grow by that
         before = self._rates(at.t, at.x[0], at.s[0], inputs)
-        by_time += float(before @ lam) + self._running(at.t, at.x[0], at.s[0], inputs)
+        by_time += float(before @ lam) + self._integrand(at.t, at.x[0], at.s[0], inputs)
         self._pull_time(at, root, by_time, before, inputs, rates)
 
     def _pull_time(
-        self, at: Happening, root: int, by_time: float, before: Array, inputs: Array, rates: Array
+        self,
+        at: EventInstant,
+        root: int,
+        by_time: float,
+        before: Array,
+        inputs: Array,
+        rates: Array,
     ) -> None:
         """Gradients through the time of an event, which its value decides."""
         slopes = self._slopes(at, root, inputs)
-        own = slopes.by_t + float(slopes.by_r @ rates)
-        rate = check_touch(at, event_names(self.events)[root], slopes.by_x, before, own)
+        besides = slopes.by_t + float(slopes.by_r @ rates)
+        rate = check_touch(at, event_names(self.events)[root], slopes.by_x, before, besides)
         self._add(at.t, slopes, -by_time / rate)
 
-    def _pull_transition(self, at: Happening, k: int, inputs: Array, rates: Array) -> float:
+    def _pull_transition(self, at: EventInstant, k: int, inputs: Array, rates: Array) -> float:
         """Gradients through the change of the state by events k; returns that by the time."""
         model, sweep = self.model, self.sweep
         nq, nu = model.nq, model.nu
@@ -213,6 +220,7 @@ class Jumps:
             slopes = self._product("close_velocity", weights, at.t, x_after, s_after, inputs)
             self._add(at.t, slopes)
             by_time += slopes.by_t + float(slopes.by_r @ rates)
+        # coordinates stay: speeds, internal states and modes are what a transition gives
         weights = np.concatenate([sweep.lam[nq:], sweep.by_s])
         sweep.lam[nq:] = sweep.by_s[:] = 0.0
         fired = at.fired[k][: len(model.manifest.events)].astype(float)
@@ -220,7 +228,7 @@ class Jumps:
         self._add(at.t, slopes)
         return by_time + slopes.by_t + float(slopes.by_r @ rates)
 
-    def _slopes(self, at: Happening, root: int, inputs: Array) -> Slopes:
+    def _slopes(self, at: EventInstant, root: int, inputs: Array) -> Slopes:
         """Derivatives of the value of an event."""
         if root >= self.events.model:
             by_x, model = slope_of_watched(self.events, root, self.model.nx), self.model
@@ -264,7 +272,7 @@ class Jumps:
     def _rates(self, t: float, x: Array, s: Array, inputs: Array) -> Array:
         return np.asarray(self.model.rhs(t, x, inputs, s=s))
 
-    def _running(self, t: float, x: Array, s: Array, inputs: Array) -> float:
+    def _integrand(self, t: float, x: Array, s: Array, inputs: Array) -> float:
         """The running cost at a state."""
         if self.cost.running is None:
             return 0.0

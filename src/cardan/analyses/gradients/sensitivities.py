@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -15,9 +14,10 @@ from ...errors import ModelError, SolveError, near
 from ...runtime.trajectory.solver_info import EVENT
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..simulation.driving import RunSetup, chosen, driven, reported, runner_of
+from ..simulation.run import Runner
 from ..simulation.signals import signals
 from .differentiable import check_complete, refuse, row_behind, rows_of
-from .jumps import happenings
+from .jumps import event_instants
 from .start import NamedStart
 from .tangent import Directions, Tangents, columns_of, directions_of
 from .tangent_jumps import TangentJumps
@@ -120,24 +120,24 @@ def differentiated(
             "at any times"
         )
     setup = replace(setup, how=chosen(setup.how, None), case=None)
-    wanted = unknowns(setup.model, names, {str(k): v for k, v in (inputs or {}).items()})
+    listed = unknowns(setup.model, names, {str(k): v for k, v in (inputs or {}).items()})
     refuse(setup)
     runner = runner_of(setup.model, setup.how, setup.input_signals, setup.event_table)
     motion = reported(driven(runner, setup.over, setup.begin, progress), check)
     check_complete(motion)
-    return replace(motion, sensitivity=_sensitivities(setup, runner, motion, wanted, state))
+    return replace(motion, sensitivity=_sensitivities(setup, runner, motion, listed, state))
 
 
 def _sensitivities(
     setup: RunSetup,
-    runner: Any,
+    runner: Runner,
     motion: TrajectoryRecord,
-    wanted: Unknowns,
+    listed: Unknowns,
     state: Mapping[str, object],
 ) -> Sensitivities:
     """Changes along a motion."""
     model, log = setup.model, motion.event_log
-    directions, parts = _directions(setup, wanted)
+    directions, parts = _directions(setup, listed)
     tangents = Tangents(runner, directions)
     begin = NamedStart.of(setup, tangents, state, log.s[0], bool(directions.moved))
     by_r = tangents.input_changes(setup.over.start)
@@ -148,31 +148,32 @@ def _sensitivities(
     jumps = TangentJumps(tangents, setup.event_table, setup.over.start)
     rows, changes = rows_of(motion), list[Array]()
     modes, start = [(0, tangents.by_s.copy())], 0
-    happened = happenings(log.log, setup.event_table, model.nx, model.ns)
+    instants = event_instants(log.log, setup.event_table, model.nx, model.ns)
     # where an event ends the run, times do not move
-    for at in happened[: -1 if motion.solver_info.status == EVENT else None]:
+    for at in instants[: -1 if motion.solver_info.status == EVENT else None]:
         behind = row_behind(motion.t, len(rows), at)
         # where modes alone change, one row stands for both sides
         one_row = behind == start or motion.t[behind - 1] != at.t
         part = tangents.over(rows[start : behind + one_row], first)
+        # at its time before it; the row behind it begins the next part
         changes.append(part[: behind - start])
         first, start = jumps.push(at, part[-1]), behind
         modes.append((behind, tangents.by_s.copy()))
     changes.append(tangents.over(rows[start:], first))
-    return Sensitivities(wanted.names, np.concatenate(changes), parts, rows, tangents, tuple(modes))
+    return Sensitivities(listed.names, np.concatenate(changes), parts, rows, tangents, tuple(modes))
 
 
 def _directions(
-    setup: RunSetup, wanted: Unknowns
+    setup: RunSetup, listed: Unknowns
 ) -> tuple[Directions, dict[str, tuple[slice, bool]]]:
     """Directions of everything by name, and which belong to which name."""
     model, tabulated = setup.model, setup.input_signals.tabulated
     nu, names = model.nu, list(model.parameters)
     blocks = {"x0": slice(0, 2 * nu + model.nz), "q0": slice(0, nu), "u0": slice(nu, 2 * nu)}
     places = {**start_places(model), **blocks, "z0": slice(2 * nu, 2 * nu + model.nz)}
-    tables = {name: wanted.table(name) for name in wanted.names if name in model.inputs}
+    tables = {name: listed.table(name) for name in listed.names if name in model.inputs}
     sizes, single = [], []
-    for name in wanted.names:
+    for name in listed.names:
         table = tables.get(name)
         if name in places:
             size = places[name].stop - places[name].start
@@ -183,7 +184,7 @@ def _directions(
     # a unit of every number that is wanted, one after the other
     columns = columns_of(sizes)
     directions = directions_of(model, sum(len(one.coefficients) for one in tabulated), sum(sizes))
-    for name, column in zip(wanted.names, columns, strict=True):
+    for name, column in zip(listed.names, columns, strict=True):
         table = tables.get(name)
         if name in places:
             directions.start[column, places[name]] = np.eye(column.stop - column.start)
@@ -194,17 +195,17 @@ def _directions(
         elif table is None:
             directions.r[column, model.inputs.index(name)] = 1.0
         else:
-            directions.pieces[column] = _pieces(setup, name, table[0])
-    return directions, dict(zip(wanted.names, zip(columns, single, strict=True), strict=True))
+            directions.coefficients[column] = _coefficients(setup, name, table[0])
+    return directions, dict(zip(listed.names, zip(columns, single, strict=True), strict=True))
 
 
-def _pieces(setup: RunSetup, name: str, times: Array) -> Array:
-    """Coefficients (n, pieces, 4) of all tabulated inputs per unit of each value of one of them."""
+def _coefficients(setup: RunSetup, name: str, times: Array) -> Array:
+    """Coefficients (n, segments, 4) of all tabulated inputs per unit of each value of one."""
     tabulated, result = setup.input_signals.tabulated, []
     for unit in np.eye(len(times)):
         span = (float(times[0]), float(times[-1]))
-        own = signals(setup.model.manifest.inputs, {name: (times, unit)}, None, span).tabulated
-        by_input = {one.input: one.coefficients for one in own}
+        rows = signals(setup.model.manifest.inputs, {name: (times, unit)}, None, span).tabulated
+        by_input = {one.input: one.coefficients for one in rows}
         result.append(
             np.concatenate([by_input.get(x.input, 0 * x.coefficients) for x in tabulated])
         )

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
+from ...runtime.calls.methods import ByName
 from ...runtime.models.loaded_model import LoadedModel
 from ..simulation.driving import RunSetup
 from .steps import StepsAgain
@@ -41,9 +41,9 @@ class Level:
     @property
     def inverse(self) -> Array:
         """Changes (nu, m) of what is free, by which each row is met."""
-        result = np.zeros(self.rows.T.shape)
-        result[~self.named] = np.linalg.pinv(self.rows[:, ~self.named], rcond=RANK)
-        return result
+        inverse = np.zeros(self.rows.T.shape)
+        inverse[~self.named] = np.linalg.pinv(self.rows[:, ~self.named], rcond=RANK)
+        return inverse
 
 
 @dataclass(frozen=True)
@@ -72,11 +72,11 @@ class NamedStart:
             steps: Its steps.
             state: x0, q, u and z as they were given.
             s: Modes (ns,) at the start.
-            wide: Whether derivatives by parameters are wanted.
+            wide: Whether derivatives by parameters are asked for.
         """
         model = setup.model
         q, u, z = model.parts_of(setup.begin.x)
-        at: dict[str, Any] = {"t": setup.over.start, "r": steps.inputs_at(setup.over.start)[0]}
+        at: ByName = {"t": setup.over.start, "r": steps.inputs_at(setup.over.start)[0]}
         N = model.derivative("qdot", wrt="u")(q, u, **at) if model.nu else np.zeros((model.nq, 0))
         closing, levels = steps.runner.closing, dict[str, Level]()
         blocks = ["r"] * (model.nr > 0) + ["p"] * (wide and len(model.parameters) > 0)
@@ -88,15 +88,15 @@ class NamedStart:
                 continue
             speeds = letter == "u"
             wrt = ("q", *["u"] * speeds, *blocks)
-            states: dict[str, Any] = {"u": u, "z": z, "s": s} if speeds else {}
-            found = dict(
+            states: ByName = {"u": u, "z": z, "s": s} if speeds else {}
+            columns = dict(
                 zip(wrt, model.derivative(function, wrt=wrt)(q=q, **states, **at), strict=True)
             )
-            rows = found[letter]
+            rows = columns[letter]
             by_r, by_p = (
-                found.get(name, np.zeros((len(rows), size))) for name, size in empty.items()
+                columns.get(name, np.zeros((len(rows), size))) for name, size in empty.items()
             )
-            by_q = found["q"] if speeds else None
+            by_q = columns["q"] if speeds else None
             levels[letter] = Level(rows, by_q, by_r, by_p, _named(model, letter, state[letter]))
         return cls(model, N, levels.get("q"), levels.get("u"))
 
@@ -112,6 +112,7 @@ class NamedStart:
         for level, bars in ((self.speeds, by_u), (self.positions, by_q)):
             if level is None:
                 continue
+            # what is named is held: the rest makes up for it
             weights = level.inverse.T @ bars
             bars -= weights @ level.rows
             if level.by_q is not None:

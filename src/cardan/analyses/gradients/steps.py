@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...errors import SolveError
@@ -36,7 +34,7 @@ class StepsAgain:
 
     def __init__(self, runner: Runner) -> None:
         self.runner, self.model = runner, runner.model
-        self._references: list[Any] = []
+        self._references: list[Array] = []
         steps = self.steps = Steps()
         steps.run = ctypes.addressof(runner.record)
         tableau = getattr(runner.library, f"cardan_{runner.settings.method.kernel}_tableau")
@@ -51,7 +49,7 @@ class StepsAgain:
         for name, room in rooms.items():
             setattr(steps, name, self.pointer(room))
 
-    def pointer(self, array: NDArray[Any]) -> int:
+    def pointer(self, array: Array) -> int:
         """Address of an array that must live as long as this."""
         self._references.append(array)
         return array.ctypes.data
@@ -62,16 +60,17 @@ class StepsAgain:
         numbers = (model.nq, model.nu, model.nz, model.ns, model.nr)
         return {name: n for name, n in zip(BLOCKS, numbers, strict=True) if n}
 
-    def call(self, record: Any, functions: dict[str, LoadedFunction]) -> None:
+    def call(self, record: ctypes.Structure, functions: dict[str, LoadedFunction]) -> None:
         """Let a record call functions, by the names of its fields."""
         for name, function in functions.items():
             setattr(record, name, function.address)
             setattr(record, f"{name}_w", self.pointer(function.w))
+        # one room serves all of them, one after the other
         called = [*functions.values(), self.runner.functions[0]]
         room = np.zeros(max(function.work_size for function in called) + 1)
         self.steps.work = self.pointer(room)
 
-    def swept(self, rows: Array, sweep: Any, record: Any) -> None:
+    def swept(self, rows: Array, sweep: Callable[..., int], record: ctypes.Structure) -> None:
         """Sweep over the steps between rows (count, width) as the run wrote them.
 
         Raises:
@@ -91,25 +90,25 @@ class StepsAgain:
         constants, rates = self.runner.signals.constants.copy(), np.zeros(self.model.nr)
         for one in self.runner.signals.tabulated:
             powers, slopes = powers_at(one, t)
-            piece = piece_at(one, t)[0]
-            constants[one.input] = float(one.coefficients[piece] @ powers)
-            rates[one.input] = float(one.coefficients[piece] @ slopes)
+            segment = segment_at(one, t)[0]
+            constants[one.input] = float(one.coefficients[segment] @ powers)
+            rates[one.input] = float(one.coefficients[segment] @ slopes)
         return constants, rates
 
     @property
-    def piece_counts(self) -> Sequence[int]:
+    def segment_counts(self) -> Sequence[int]:
         """Numbers of pieces of the inputs that are tabulated."""
         return [len(one.coefficients) for one in self.runner.signals.tabulated]
 
 
-def piece_at(signal: PiecewiseInput, t: float) -> tuple[int, float]:
+def segment_at(signal: PiecewiseInput, t: float) -> tuple[int, float]:
     """Piece of an input before a time, and the time since it began."""
-    piece = int(np.searchsorted(signal.breaks, t, side="left")) - 1
-    piece = min(max(piece, 0), len(signal.coefficients) - 1)
-    return piece, t - float(signal.breaks[piece])
+    segment = int(np.searchsorted(signal.breaks, t, side="left")) - 1
+    segment = min(max(segment, 0), len(signal.coefficients) - 1)
+    return segment, t - float(signal.breaks[segment])
 
 
 def powers_at(signal: PiecewiseInput, t: float) -> tuple[Array, Array]:
     """Derivatives (4,) of an input and of its rate at a time by its coefficients there."""
-    d = piece_at(signal, t)[1]
+    d = segment_at(signal, t)[1]
     return np.array([1.0, d, d * d, d * d * d]), np.array([0.0, 1.0, 2 * d, 3 * d * d])

@@ -15,7 +15,7 @@ from ...schema.blocks import DIRECTIONS
 from ...schema.records import Tangent
 from ...schema.request import Request
 from ..simulation.run import Runner
-from .steps import CLOSING, StepsAgain, piece_at, powers_at
+from .steps import CLOSING, StepsAgain, powers_at, segment_at
 
 
 @dataclass(frozen=True)
@@ -26,13 +26,13 @@ class Directions:
         start: Of the start as it was named, along the speeds: (k, 2 nu + nz).
         p: Of the parameters (k, np).
         r: Of inputs that are constant (k, nr).
-        pieces: Of the coefficients of tabulated inputs (k, pieces, 4).
+        coefficients: Of tabulated inputs: of their coefficients (k, segments, 4).
     """
 
     start: Array
     p: Array
     r: Array
-    pieces: Array
+    coefficients: Array
 
     @property
     def moved(self) -> list[int]:
@@ -64,6 +64,7 @@ class Tangents(StepsAgain):
         self.by_s = np.zeros((k, model.ns))
         # the C has columns of single names in alphabetical order, behind those of blocks
         names = list(model.parameters)
+        # one column of C for each parameter that changes: all of a large robot would cost more
         named = sorted(names[k] for k in directions.moved)
         self._named = tuple(named)
         self._check_names()
@@ -78,10 +79,12 @@ class Tangents(StepsAgain):
         }
         functions = dict(zip(keys, model._load(list(keys.values())), strict=True))
         self.call(record, functions)
-        record.columns, record.named, record.pieces = k, len(named), directions.pieces.shape[1]
+        record.columns, record.named = k, len(named)
+        record.segments = directions.coefficients.shape[1]
         longest = max(function.entry.output_size for function in functions.values())
         rooms = {
-            "by_named": by_named, "by_input": directions.r, "by_pieces": directions.pieces,
+            "by_named": by_named, "by_input": directions.r,
+            "by_coefficients": directions.coefficients,
             "by_s": self.by_s, "moved": np.zeros(model.nx + model.ns + model.nr + 1),
             "rising": np.zeros(self.steps.stages * k * model.nx), "out": np.zeros(longest),
         }  # fmt: skip
@@ -124,8 +127,8 @@ class Tangents(StepsAgain):
         """Changes of the inputs (k, nr) at a time, as they are before it."""
         changes, start = self.directions.r.copy(), 0
         for one in self.runner.signals.tabulated:
-            piece = start + piece_at(one, t)[0]
-            changes[:, one.input] = self.directions.pieces[:, piece] @ powers_at(one, t)[0]
+            segment = start + segment_at(one, t)[0]
+            changes[:, one.input] = self.directions.coefficients[:, segment] @ powers_at(one, t)[0]
             start += len(one.coefficients)
         return changes
 
@@ -154,11 +157,11 @@ def _filled(room: Array) -> Array:
     return np.ascontiguousarray(room) if room.size else np.zeros(1)
 
 
-def directions_of(model: LoadedModel, pieces: int, count: int) -> Directions:
+def directions_of(model: LoadedModel, segments: int, count: int) -> Directions:
     """Directions that change nothing yet."""
     start = np.zeros((count, 2 * model.nu + model.nz))
     p, r = np.zeros((count, len(model.parameters))), np.zeros((count, model.nr))
-    return Directions(start, p, r, np.zeros((count, pieces, 4)))
+    return Directions(start, p, r, np.zeros((count, segments, 4)))
 
 
 def columns_of(sizes: Sequence[int]) -> list[slice]:

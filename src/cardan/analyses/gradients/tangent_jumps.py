@@ -7,7 +7,7 @@ import numpy as np
 from ...arrays import Array
 from ..simulation import run_record as abi
 from ..simulation.events import EventTable
-from .jumps import Happening, check_touch, event_names, root_of, slope_of_watched
+from .jumps import EventInstant, check_touch, event_names, root_of, slope_of_watched
 from .tangent import Tangents
 
 
@@ -23,7 +23,7 @@ class TangentJumps:
         self.tangents, self.events, self.start = tangents, events, start
         self.model = tangents.model
 
-    def push(self, at: Happening, x: Array) -> Array:
+    def push(self, at: EventInstant, x: Array) -> Array:
         """Changes of the state (k, nx) behind what happened; those of modes change too.
 
         Args:
@@ -35,10 +35,11 @@ class TangentJumps:
         """
         x, delay = self.arrive(at, x)
         inputs = self.tangents.inputs_at(at.t)[0]
+        # what is behind begins later: changes are told at the time that stays
         behind = np.asarray(self.model.rhs(at.t, at.x_after, inputs, s=at.s_after))
         return np.asarray(x - np.outer(delay, behind))
 
-    def arrive(self, at: Happening, x: Array) -> tuple[Array, Array]:
+    def arrive(self, at: EventInstant, x: Array) -> tuple[Array, Array]:
         """Changes (k, nx) behind what happened at its own time, and by how much later it is (k,).
 
         Args:
@@ -58,6 +59,7 @@ class TangentJumps:
             delay = self._delay(at, root, x, by_r, before, inputs, rates)
             x = x + np.outer(delay, before)
         by_r = by_r + np.outer(delay, rates)
+        # several at one time follow from each other, the first one decides about the time
         for k in range(len(at.fired)):
             if self._changing(at.fired[k]):
                 x = self._transition(at, k, x, delay, by_r, inputs)
@@ -69,7 +71,7 @@ class TangentJumps:
 
     def _delay(
         self,
-        at: Happening,
+        at: EventInstant,
         root: int,
         x: Array,
         by_r: Array,
@@ -91,6 +93,7 @@ class TangentJumps:
             "events", values, one, np.tile(before, (len(x), 1)), 0 * tangents.by_s,
             np.tile(rates, (len(x), 1)),
         )[:, root]  # fmt: skip
+        # parameters change in both: their share is no rate
         fixed = tangents.along(
             "events", values, none, 0 * x, 0 * tangents.by_s, 0 * by_r
         )[:, root]  # fmt: skip
@@ -108,7 +111,7 @@ class TangentJumps:
         return tuple(name for name in self.tangents.sizes() if name not in ("s", "r"))
 
     def _transition(
-        self, at: Happening, k: int, x: Array, delay: Array, by_r: Array, inputs: Array
+        self, at: EventInstant, k: int, x: Array, delay: Array, by_r: Array, inputs: Array
     ) -> Array:
         """Changes behind events k."""
         tangents, model = self.tangents, self.model
@@ -117,9 +120,9 @@ class TangentJumps:
         q, u, z = model.parts_of(at.x[k])
         fired = at.fired[k][: len(model.manifest.events)].astype(float)
         values = {"t": at.t, "q": q, "u": u, "z": z, "s": at.s[k], "r": inputs, "e": fired}
-        found = tangents.along("transition", values, delay, x, tangents.by_s, by_r)
-        x = np.hstack([x[:, :nq], found[:, : nu + model.nz]])
-        tangents.by_s[:] = found[:, nu + model.nz :]
+        result = tangents.along("transition", values, delay, x, tangents.by_s, by_r)
+        x = np.hstack([x[:, :nq], result[:, : nu + model.nz]])
+        tangents.by_s[:] = result[:, nu + model.nz :]
         if "close_velocity" in tangents.runner.closing.functions:
             x_after = at.x_after if last else at.x[k + 1]
             q, u, z = model.parts_of(x_after)

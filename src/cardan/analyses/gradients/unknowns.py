@@ -24,22 +24,22 @@ class Unknowns:
     Attributes:
         model: Whose motion.
         names: As they were given.
-        given: Inputs by name, as they were given.
+        values: Inputs by name, as they were given.
     """
 
     model: LoadedModel
     names: tuple[str, ...]
-    given: Mapping[str, object]
+    values: Mapping[str, object]
 
     @property
     def parameters(self) -> bool:
         """True where a parameter is among them."""
-        known = self.model.parameters
-        return "p" in self.names or any(name in known for name in self.names)
+        parameters = self.model.parameters
+        return "p" in self.names or any(name in parameters for name in self.names)
 
     def table(self, name: str) -> tuple[Array, Array] | None:
         """Times and values of an input that was given by them; None of another one."""
-        value = self.given.get(name)
+        value = self.values.get(name)
         if not isinstance(value, tuple | list):
             return None
         times, values = (np.asarray(one, dtype=float) for one in value)
@@ -74,7 +74,7 @@ class Unknowns:
         names = list(model.parameters)
         if name in names:
             return float(by_p[names.index(name)])
-        return inputs.by_values(name, signals, self.given.get(name))
+        return inputs.by_values(name, signals, self.values.get(name))
 
 
 @dataclass(frozen=True)
@@ -84,12 +84,12 @@ class InputSlopes:
     Attributes:
         model: Whose.
         by_constants: By each as a constant (nr,).
-        by_pieces: By the coefficients (pieces, 4) of those that are tabulated.
+        by_coefficients: By the coefficients (coefficients, 4) of those that are tabulated.
     """
 
     model: LoadedModel
     by_constants: Array
-    by_pieces: Sequence[Array]
+    by_coefficients: Sequence[Array]
 
     def by_values(self, name: str, signals: Signals, value: object) -> Slope:
         """Gradient by a constant, or by the values of a table (n,)."""
@@ -105,7 +105,7 @@ class InputSlopes:
             unit = signals_of(rows, {name: (times, np.eye(len(times))[k])}, None, span)
             for one in unit.tabulated:
                 at = next(i for i, s in enumerate(signals.tabulated) if s.input == one.input)
-                slope[k] += float(np.sum(self.by_pieces[at] * one.coefficients))
+                slope[k] += float(np.sum(self.by_coefficients[at] * one.coefficients))
         return slope
 
 
@@ -118,6 +118,7 @@ def start_places(model: LoadedModel) -> dict[str, slice]:
             first, size = joint.u
             places[f"q0.{joint.name}"] = slice(first, first + size)
             places[f"u0.{joint.name}"] = slice(nu + first, nu + first + size)
+            # an angle of a rotation is no direction of its speeds
             q = joint.q
             if q is not None and q[1] == size:
                 for k in range(size):
@@ -131,7 +132,7 @@ def start_places(model: LoadedModel) -> dict[str, slice]:
     return places
 
 
-def unknowns(model: LoadedModel, wrt: object, given: Mapping[str, object]) -> Unknowns:
+def unknowns(model: LoadedModel, wrt: object, values: Mapping[str, object]) -> Unknowns:
     """Checked names.
 
     Raises:
@@ -146,12 +147,12 @@ def unknowns(model: LoadedModel, wrt: object, given: Mapping[str, object]) -> Un
         raise ArgumentError(
             f"gradient: wrt={brief(wrt)}: give names, such as ('x0', 'p', 'elbow.damping', 'tau')"
         )
-    known = [*BLOCKS, *start_places(model), *model.parameters, *model.inputs]
+    available = [*BLOCKS, *start_places(model), *model.parameters, *model.inputs]
     for name in names:
-        if name not in known:
+        if name not in available:
             raise ModelError(
                 f"gradient: wrt: '{name}' is no start (x0, q0, u0, z0, or one such as "
                 f"'q0.{model.joints[0] if model.joints else 'elbow'}'), parameter or input."
-                f"{near(name, known)}"
+                f"{near(name, available)}"
             )
-    return Unknowns(model, tuple(dict.fromkeys(names)), given)
+    return Unknowns(model, tuple(dict.fromkeys(names)), values)

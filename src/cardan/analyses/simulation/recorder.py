@@ -87,8 +87,8 @@ class Recorder:
         self.logs.append(self.runner.drained())
         log = np.concatenate(self.logs)
         table = np.concatenate(self.rows) if self.rows else np.empty((0, 0))
-        kept = over.times is None and any(map(len, self.spreads))
-        spreads = np.concatenate(self.spreads) if kept else None
+        has_spreads = over.times is None and any(map(len, self.spreads))
+        spreads = np.concatenate(self.spreads) if has_spreads else None
         if not len(table):
             table, spreads = self._first_row(over, begin), None
         event_log = EventLog(np.empty((0, 0)), self.runner.event_table.rows, log)

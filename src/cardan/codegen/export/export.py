@@ -206,7 +206,7 @@ def filler(
     binding = BINDINGS[language]
     if binding and binding.jacobians:
         named = _requested(equations, functions or [*_usual(equations)], ())
-        requested = with_jacobians(equations, language, named, requested)
+        requested = with_jacobians(equations, language, binding.products, named, requested)
 
     def fill(folder: Path) -> Content:
         programs = _write(folder, equations, requested, loops)

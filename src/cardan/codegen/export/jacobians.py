@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 
 from ...equations.record import EquationRecord
 from ...errors import DerivationError
@@ -15,43 +16,95 @@ Pair = tuple[str, str | None]
 CONSTANT = ("s",)
 
 
+@dataclass
+class _Chosen:
+    """What a user named of the derivatives of a function.
+
+    Attributes:
+        derivative: Blocks of Jacobians.
+        products: Function with a vector -> its blocks.
+    """
+
+    derivative: dict[str, None] = field(default_factory=dict)
+    products: dict[str, set[str]] = field(default_factory=dict)
+
+
 def with_jacobians(
-    equations: EquationRecord, language: str, named: Sequence[Pair], requested: Sequence[Pair]
+    equations: EquationRecord,
+    language: str,
+    products: Sequence[str],
+    named: Sequence[Pair],
+    requested: Sequence[Pair],
 ) -> list[Pair]:
     """Functions of an export with the derivatives of those that a user named.
 
     They are along all that a function reads. Those by parameters are a C function of their own,
     which is called only where somebody wants it; a derivative that was named without them, such
-    as ``forward_dynamics: q u``, leaves them out.
+    as ``forward_dynamics: q u``, leaves them out. Second derivatives, and with them the product
+    that they are derivatives of, come along where they are named, with parameters where these are.
+
+    Args:
+        equations, language: As an export takes them.
+        products: Products with derivatives that the language has.
+        named: What the user asked for.
+        requested: The same, with what belongs to it.
 
     Raises:
-        DerivationError: one of them has no derivative.
+        DerivationError: one of them has no derivative, or is none of the language.
     """
-    blocks: dict[Pair, dict[str, None]] = {}
+    chosen: dict[Pair, _Chosen] = {}
     for name, of in named:
         if FUNCTIONS[name].of != "function":
             _check(language, name)
-            blocks.setdefault((name, of), {})
+            chosen.setdefault((name, of), _Chosen())
             continue
-        request = Request.read(of or "")
-        for block in request.wrt:
-            if block not in DIRECTIONS:
-                raise DerivationError(
-                    f"language '{language}': derivatives of '{request.function}' are by whole "
-                    f"blocks, not by '{block}' alone: take 'p' or 'r'"
-                )
-        blocks.setdefault((request.function, request.of), {}).update(dict.fromkeys(request.wrt))
+        request = _request(language, products, name, of or "")
+        one = chosen.setdefault((request.function, request.of), _Chosen())
+        if name == "derivative":
+            one.derivative |= dict.fromkeys(request.wrt)
+        else:
+            one.products.setdefault(name, set()).update(request.wrt)
     result = [pair for pair in requested if FUNCTIONS[pair[0]].of != "function"]
-    result += [pair for pair in blocks if pair not in result]
-    for (name, of), chosen in blocks.items():
+    result += [pair for pair in chosen if pair not in result]
+    for (name, of), one in chosen.items():
         _check(language, name)
-        readable = _readable(equations, name)
-        states = [block for block in readable if block != "p"]
-        parameters = ["p"] if "p" in readable and (not chosen or "p" in chosen) else []
-        for part in (states, parameters):
-            if part:
-                result.append(("derivative", str(Request(name, of, tuple(part)))))
+        result += _derivatives(name, of, one, _readable(equations, name))
     return result
+
+
+def _derivatives(name: str, of: str | None, one: _Chosen, readable: Sequence[str]) -> list[Pair]:
+    """Derivatives of a function, those by parameters apart."""
+    states, named = [block for block in readable if block != "p"], one.derivative
+    by_second = "p" in one.products.get("hessian", ())
+    by_parameters = "p" in readable and (not named or "p" in named or by_second)
+    parts = [part for part in (states, ["p"] if by_parameters else []) if part]
+    kinds = ["derivative", *(["vjp"] if one.products else [])]
+    result = [(kind, str(Request(name, of, tuple(part)))) for kind in kinds for part in parts]
+    if "hessian" in one.products:
+        blocks = [*states, *(["p"] if by_second and by_parameters else [])]
+        result += [("hessian", str(Request(name, of, tuple(blocks))))] if blocks else []
+    return [*result]
+
+
+def _request(language: str, products: Sequence[str], name: str, of: str) -> Request:
+    """What stands behind the name of a derivative.
+
+    Raises:
+        DerivationError: the language has no such one, or it is by a single parameter or input.
+    """
+    if name not in ("derivative", *products):
+        raise DerivationError(
+            f"language '{language}' takes no '{name}' of a function, but "
+            f"{', '.join(('derivative', *products))}. Take language='c'"
+        )
+    request = Request.read(of)
+    for block in request.wrt:
+        if block not in DIRECTIONS:
+            raise DerivationError(
+                f"language '{language}': derivatives of '{request.function}' are by whole "
+                f"blocks, not by '{block}' alone: take 'p' or 'r'"
+            )
+    return request
 
 
 def _readable(equations: EquationRecord, name: str) -> list[str]:

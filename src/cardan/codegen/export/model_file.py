@@ -145,7 +145,8 @@ def _zeros(manifest: Manifest) -> int:
     """Length of what stands for everything that is zero."""
     parts = sum(len(body.parts) for body in manifest.bodies)
     blocks = (*map(manifest.block, "uqzs"), manifest.events, manifest.multipliers)
-    return max(6 * parts, 1, *map(len, blocks))
+    vectors = (len(row.vector) for row in manifest.functions.values())
+    return max(6 * parts, 1, *map(len, blocks), *vectors)
 
 
 def _constraints(manifest: Manifest) -> dict[str, Value]:

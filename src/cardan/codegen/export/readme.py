@@ -100,7 +100,8 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
 def _shapes(entry: Exported) -> str:
     """Names and shapes of the results of a function."""
     shapes = ", ".join(f"{output.name} {tuple(output.shape)}" for output in entry.outputs)
-    return f": {shapes}" if shapes else ""
+    vector = f"; v has {entry.vector} numbers" if entry.vector else ""
+    return (f": {shapes}" if shapes else "") + vector
 
 
 def _kinds(manifest: Manifest) -> list[tuple[str, str, str]]:

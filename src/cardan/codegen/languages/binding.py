@@ -10,10 +10,15 @@ from pprint import pformat
 from ...errors import counted
 from ...schema.blocks import ARGUMENTS, COORDINATES
 from ...schema.c_functions import FunctionRow, ResultRow
+from ...schema.functions import FUNCTIONS
 from ...schema.manifest import BLOCKS as BLOCK_KEYS
 from ...schema.manifest import Manifest
 from ...schema.request import Request, reads
 from ..program.program import Program
+
+Pair = tuple[str, str | None]
+# rows of the table that belong to a function
+PRODUCTS = tuple(name for name, row in FUNCTIONS.items() if row.of == "function")
 
 
 @dataclass(frozen=True)
@@ -43,6 +48,7 @@ class Binding:
         listed: Names of these files, for the README; ``{package}`` stands for the name.
         use: How it is built and imported, for the README.
         jacobians: Whether every function comes with its derivatives along all that it takes.
+        products: Products with these derivatives that functions come with too where they are named.
         guide: More of the README.
         without_runs: Why integrators do not go with it, and what does; "" where they do.
     """
@@ -52,6 +58,7 @@ class Binding:
     listed: str
     use: str
     jacobians: bool = False
+    products: tuple[str, ...] = ()
     guide: Callable[[Manifest], str] = lambda manifest: ""
     without_runs: str = ""
 
@@ -74,6 +81,36 @@ class Jacobian:
 
 
 @dataclass(frozen=True)
+class Gradient:
+    """Derivatives of the weighted sum of results along one block.
+
+    Attributes:
+        symbol: C function that gives them.
+        start: Where they begin in its result.
+    """
+
+    symbol: str
+    start: int
+
+
+@dataclass(frozen=True)
+class Hessian:
+    """Second derivatives of the weighted sum of results.
+
+    Attributes:
+        symbol: C function that gives them.
+        size: How many rows and columns there are.
+        starts: Where the columns of every block begin.
+        nonzero: Entries that are not 0 at every state, row by row.
+    """
+
+    symbol: str
+    size: int
+    starts: dict[str, int]
+    nonzero: frozenset[int]
+
+
+@dataclass(frozen=True)
 class BoundFunction:
     """A function with its derivatives.
 
@@ -83,6 +120,8 @@ class BoundFunction:
         arguments: Blocks in the order in which users hand them over; ``x`` is one of them.
         blocks: The same, with the parts of x.
         jacobians: By block, ``p`` among them, as far as they were exported.
+        gradients: By block, as far as they were exported.
+        hessian: None where it was not exported.
     """
 
     symbol: str
@@ -90,6 +129,8 @@ class BoundFunction:
     arguments: tuple[str, ...]
     blocks: tuple[str, ...]
     jacobians: dict[str, Jacobian]
+    gradients: dict[str, Gradient]
+    hessian: Hessian | None
 
     @property
     def result(self) -> ResultRow:
@@ -105,6 +146,12 @@ class BoundFunction:
         """C functions that give the Jacobians."""
         return tuple(dict.fromkeys(one.symbol for one in self.jacobians.values()))
 
+    @property
+    def products(self) -> tuple[str, ...]:
+        """C functions that take weights of the results."""
+        symbols = [one.symbol for one in self.gradients.values()]
+        return (*dict.fromkeys(symbols), *([self.hessian.symbol] if self.hessian else []))
+
 
 def sizes(manifest: Manifest) -> dict[str, int]:
     """Length of every block."""
@@ -117,23 +164,33 @@ def sizes(manifest: Manifest) -> dict[str, int]:
 def bound(manifest: Manifest) -> list[BoundFunction]:
     """Functions of an export that come with derivatives."""
     functions, size = manifest.functions, sizes(manifest)
-    jacobians: dict[tuple[str, str | None], dict[str, Jacobian]] = {}
+    jacobians: dict[Pair, dict[str, Jacobian]] = {}
+    gradients: dict[Pair, dict[str, Gradient]] = {}
+    hessians: dict[Pair, Hessian] = {}
     for symbol, entry in functions.items():
-        if symbol.startswith("derivative__") and entry.of:
-            request = Request.read(entry.of)
-            by_block = jacobians.setdefault((request.function, request.of), {})
-            by_block |= _jacobians(symbol, entry, size)
+        kind = symbol.split("__")[0]
+        if kind not in PRODUCTS or not entry.of:
+            continue
+        request = Request.read(entry.of)
+        pair = (request.function, request.of)
+        if kind == "derivative":
+            jacobians.setdefault(pair, {}).update(_jacobians(symbol, entry, size))
+        elif kind == "vjp":
+            gradients.setdefault(pair, {}).update(_gradients(symbol, entry))
+        elif kind == "hessian":
+            hessians[pair] = _hessian(symbol, entry, request.wrt, size)
     result = []
     for symbol, entry in functions.items():
-        name = symbol.split("__")[0]
-        if (name, entry.of) in jacobians:
+        pair = (symbol.split("__")[0], entry.of)
+        if pair in jacobians:
             # what it does not read would only be in the way
-            taken = (x for x in reads(name, entry.of) if size[x])
+            taken = (x for x in reads(*pair) if size[x])
             letters = [x for x in taken if not ARGUMENTS[x].default or x in entry.inputs]
-            by_block = jacobians[name, entry.of]
             parts = [part for x in letters for part in (("q", "u", "z") if x == "x" else (x,))]
             blocks = tuple(block for block in parts if size[block])
-            result.append(BoundFunction(symbol, entry, tuple(letters), blocks, by_block))
+            products = (gradients.get(pair, {}), hessians.get(pair))
+            one = BoundFunction(symbol, entry, tuple(letters), blocks, jacobians[pair], *products)
+            result.append(one)
     return result
 
 
@@ -144,16 +201,48 @@ def arguments(name: str, entry: FunctionRow) -> list[str]:
     return [x for x in letters if not ARGUMENTS[x].default or x in usual]
 
 
+def about(block: str, entry: FunctionRow) -> str:
+    """What a block is as an argument of a function; v has a length of its own in every one."""
+    text = ARGUMENTS[block].text
+    return text.replace("nv", str(len(entry.vector))) if block == "v" else text
+
+
 def _jacobians(symbol: str, entry: FunctionRow, size: dict[str, int]) -> dict[str, Jacobian]:
     """Columns of a derivative by block; those along coordinates are those of q."""
     result, start = {}, 0
     for output in entry.outputs:
-        wrt, count = output.name.removeprefix("d_"), prod(output.shape)
-        block = "q" if wrt == COORDINATES else wrt
+        block, count = _block(output.name.removeprefix("d_")), prod(output.shape)
         nonzero = range(count) if output.sparsity is None else output.sparsity
         result[block] = Jacobian(symbol, start, size[block], tuple(nonzero))
         start += count
     return result
+
+
+def _gradients(symbol: str, entry: FunctionRow) -> dict[str, Gradient]:
+    """Derivatives of a weighted sum by block; those along coordinates are those of q."""
+    result, start = {}, 0
+    for output in entry.outputs:
+        result[_block(output.name.removeprefix("d_"))] = Gradient(symbol, start)
+        start += prod(output.shape)
+    return result
+
+
+def _hessian(
+    symbol: str, entry: FunctionRow, wrt: Sequence[str], size: Mapping[str, int]
+) -> Hessian:
+    """Second derivatives of a weighted sum, all blocks together."""
+    starts, start = {}, 0
+    for block in map(_block, wrt):
+        starts[block] = start
+        start += size[block]
+    (output,) = entry.outputs
+    nonzero = range(start * start) if output.sparsity is None else output.sparsity
+    return Hessian(symbol, start, starts, frozenset(nonzero))
+
+
+def _block(wrt: str) -> str:
+    """The block of columns."""
+    return "q" if wrt == COORDINATES else wrt
 
 
 def names(manifest: Manifest) -> dict[str, tuple[str, ...]]:
@@ -170,16 +259,18 @@ def summary(manifest: Manifest) -> str:
     return f"{counted(q, 'coordinate')}, {counted(u, 'speed')}, {counted(p, 'parameter')}."
 
 
-def records(f: BoundFunction, manifest: Manifest, grouped: bool) -> list[str]:
+def records(
+    f: BoundFunction, manifest: Manifest, grouped: bool, weights: Mapping[str, int] | None = None
+) -> list[str]:
     """C of a function and its derivatives as constants ``<symbol>_bound``: see binding.h.
 
     Args:
         f: The function.
         manifest: Of the model.
         grouped: Whether x is one argument; else its blocks are one each.
+        weights: Functions that take weights of the results -> number of that argument.
     """
     size, blocks = sizes(manifest), list[str]()
-    rows = f.entry.output_size
     names = f.arguments if grouped else f.blocks
     for number, name in enumerate(names):
         start = 0
@@ -189,20 +280,51 @@ def records(f: BoundFunction, manifest: Manifest, grouped: bool) -> list[str]:
                 blocks.append(f"{{{field}, {size[block]}, {number}, {start}}}")
             start += size[block]
     longest = max(size["p"], *(size[name] for name in names), 1)
-    table = f"{f.symbol}_blocks"
-    lines = [f"static const cardan_bound_block {table}[] = {{"]
-    lines += [*(f"    {block}," for block in blocks or ["{0, 0, 0, 0}"]), "};"]
+    lines = _blocks(f.symbol, blocks)
     for symbol in (f.symbol, *f.derivatives):
-        q = f.jacobians.get("q")
-        columns = (q.start, rows) if q and q.symbol == symbol else (0, 0)
-        lines += [
-            f"static const cardan_bound {symbol}_bound = {{",
-            f'    "{symbol}", {symbol}, prepare_{symbol},',
-            f"    {symbol}_out_size, {symbol}_work_size, {symbol}_w_size,",
-            f"    {table}, {len(blocks)}, {len(names)}, {longest}, {columns[0]}, {columns[1]},",
-            "};",
-        ]
+        table = (f.symbol, len(blocks), len(names), longest)
+        lines += _record(symbol, table, _columns(f, symbol, size["q"]))
+    for symbol, number in (weights or {}).items():
+        count = len(manifest.functions[symbol].vector)
+        lines += _blocks(symbol, [*blocks, f"{{offsetof(cardan_in, v), {count}, {number}, 0}}"])
+        # parameters stand behind the arguments of the function, weights behind all or between
+        arguments = len(names) + (number == len(names))
+        table = (symbol, len(blocks) + 1, arguments, max(longest, count))
+        lines += _record(symbol, table, _columns(f, symbol, size["q"]))
     return lines
+
+
+def _blocks(symbol: str, blocks: Sequence[str]) -> list[str]:
+    """The table of the blocks that a function takes."""
+    rows = [f"    {block}," for block in blocks or ["{0, 0, 0, 0}"]]
+    return [f"static const cardan_bound_block {symbol}_blocks[] = {{", *rows, "};"]
+
+
+def _columns(f: BoundFunction, symbol: str, coordinates: int) -> tuple[int, int, int, int]:
+    """Where columns along the coordinates begin, rows, from row to row, whether of a Hessian."""
+    q, gradient, hessian = f.jacobians.get("q"), f.gradients.get("q"), f.hessian
+    if hessian and hessian.symbol == symbol and "q" in hessian.starts:
+        return (hessian.starts["q"], hessian.size, hessian.size, 1)
+    if q and q.symbol == symbol:
+        return (q.start, f.entry.output_size, coordinates, 0)
+    if gradient and gradient.symbol == symbol:
+        return (gradient.start, 1, coordinates, 0)
+    return (0, 0, 0, 0)
+
+
+def _record(
+    symbol: str, table: tuple[str, int, int, int], columns: tuple[int, int, int, int]
+) -> list[str]:
+    """The record of a C function."""
+    name, blocks, arguments, longest = table
+    numbers = ", ".join(map(str, (blocks, arguments, longest, *columns)))
+    return [
+        f"static const cardan_bound {symbol}_bound = {{",
+        f'    "{symbol}", {symbol}, prepare_{symbol},',
+        f"    {symbol}_out_size, {symbol}_work_size, {symbol}_w_size,",
+        f"    {name}_blocks, {numbers},",
+        "};",
+    ]
 
 
 def literal(value: object) -> str:

@@ -11,7 +11,7 @@ from ...schema.c_functions import FunctionRow, ResultRow
 from ...schema.manifest import Manifest
 from ..program.naming import mangle
 from ..sources import source
-from .binding import Binding, BoundModel, arguments, literal, plain, summary
+from .binding import Binding, BoundModel, about, arguments, literal, plain, summary
 from .binding import names as listed_names
 from .binding import sizes as block_sizes
 
@@ -61,6 +61,11 @@ BODIES = {bodies}
 
 _SIZES = {sizes}
 _SLOTS = {slots}
+# lengths of v, in which every function has entries of its own
+_VECTORS = {vectors}
+
+cdef enum:
+    BLOCKS = {blocks}
 
 
 '''
@@ -127,6 +132,8 @@ def write(manifest: Manifest) -> str:
         name=manifest.name,
         sizes=literal(sizes),
         slots=literal({block: k for k, block in enumerate(ORDER)}),
+        blocks=len(ORDER),
+        vectors=literal({k: len(f.vector) for k, f in manifest.functions.items() if f.vector}),
         **{key: literal(value) for key, value in names.items()},
     )
     functions = manifest.functions.items()
@@ -149,7 +156,7 @@ def _function(name: str, entry: FunctionRow, nq: int, nu: int, nz: int) -> str:
     shape = tuple(outputs[0].shape) if len(outputs) == 1 else (entry.output_size,)
     entries = [text for o in outputs for text in _named(o)]
     lines = [f"def {name}({signature}):", f'    """{plain(entry.about or name)}.', "", "    Args:"]
-    lines += [f"        {block}: {ARGUMENTS[block].text}" for block in takes]
+    lines += [f"        {block}: {about(block, entry)}" for block in takes]
     lines += ["", "    Returns:", f"        Array (..., {', '.join(map(str, shape))})"]
     lines[-1] += f": {plain(', '.join(entries))}" if len(entries) <= 12 else ""
     lines += ['    """']

@@ -1,4 +1,8 @@
-"""JAX: the exported C through jax.ffi, with exact first derivatives in both modes."""
+"""JAX: the exported C through jax.ffi, with exact first derivatives in both modes.
+
+Reverse mode multiplies by Jacobians, or calls the C of a product with weights where that was
+exported.
+"""
 
 from __future__ import annotations
 
@@ -33,6 +37,7 @@ those of the scene.
 """
 
 import ctypes
+import itertools
 import pathlib
 
 import jax
@@ -48,7 +53,8 @@ _ENTRIES = {{"r": INPUTS, "p": PARAMETERS}}
 # length of every block, or its values where nobody gives it
 _SIZES = {sizes}
 _DEFAULTS = {defaults}
-# blocks of a function, length of its result, and which derivatives give columns along a block
+# blocks of a function, length of its result, which derivatives give columns along a block, and
+# which gradients of weighted sums give entries along it
 _TABLE = {table}
 _PACKAGE = {package!r}
 _FLAGS = {flags}
@@ -66,8 +72,12 @@ def files(model: BoundModel) -> dict[str, str | bytes]:
     functions = binding.bound(manifest)
     lines = [source("jax.c")]
     for f in functions:
-        lines += [f"/* {f.symbol} */", *binding.records(f, manifest, grouped=False)]
-        lines += [*(f"DEFINE({symbol})" for symbol in (f.symbol, *f.derivatives)), ""]
+        # weights stand behind the blocks, parameters last
+        weights = dict.fromkeys(f.products, len(f.blocks))
+        lines += [f"/* {f.symbol} */"]
+        lines += binding.records(f, manifest, grouped=False, weights=weights)
+        symbols = (f.symbol, *f.derivatives, *f.products)
+        lines += [*(f"DEFINE({symbol})" for symbol in symbols), ""]
     head = _head(manifest, functions, package(manifest), model.flags)
     parts = [head, source("library.txt"), source("jax.txt")]
     return {
@@ -99,14 +109,18 @@ def _head(
 
 
 def _row(f: BoundFunction, manifest: Manifest) -> tuple[object, ...]:
-    """Blocks, length of the result, derivatives."""
-    derivatives: dict[str, list[object]] = {}
-    for block, one in f.jacobians.items():
-        length = manifest.functions[one.symbol].output_size
-        row = derivatives.setdefault(one.symbol, [length])
-        if block in (*f.blocks, "p"):
-            row.append((block, one.start, one.columns))
-    return ((*f.blocks, "p"), f.entry.output_size, {k: tuple(v) for k, v in derivatives.items()})
+    """Blocks, length of the result, derivatives, gradients."""
+    size = binding.sizes(manifest)
+    rows: list[dict[str, list[object]]] = []
+    for parts in (f.jacobians, f.gradients):
+        by_symbol: dict[str, list[object]] = {}
+        for block, one in parts.items():
+            row = by_symbol.setdefault(one.symbol, [manifest.functions[one.symbol].output_size])
+            if block in (*f.blocks, "p"):
+                row.append((block, one.start, size[block]))
+        rows.append(by_symbol)
+    tables = [{symbol: tuple(row) for symbol, row in by_symbol.items()} for by_symbol in rows]
+    return ((*f.blocks, "p"), f.entry.output_size, *tables)
 
 
 def _function(f: BoundFunction) -> str:
@@ -132,4 +146,5 @@ BINDING = binding.Binding(
     "`jax.c`, `{package}.py`",
     "functions of JAX with exact first derivatives: `import {package}` here compiles them",
     jacobians=True,
+    products=("vjp",),
 )

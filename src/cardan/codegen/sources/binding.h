@@ -26,8 +26,9 @@ typedef struct cardan_bound {
     ptrdiff_t block_count, argument_count; /* parameters are the argument behind them */
     ptrdiff_t longest; /* of the blocks and the parameters */
     /* columns of a derivative along the coordinates: where they begin in out, how many rows they
-     * have; 0 rows: there are none */
-    ptrdiff_t columns, rows;
+     * have, how far it is from row to row; 0 rows: there are none */
+    ptrdiff_t columns, rows, stride;
+    int is_hessian; /* its rows are differentiated by the coordinates as its columns are */
 } cardan_bound;
 
 /* How many numbers of memory a call takes. */
@@ -79,7 +80,10 @@ static inline int cardan_bound_call(const cardan_export *model, const cardan_bou
         const double length = cardan_bound_length(q + n);
         for (ptrdiff_t row = 0; row < f->rows; row++)
             for (ptrdiff_t j = 0; j < 4; j++)
-                out[f->columns + row * model->nq + n + j] /= length;
+                out[f->columns + row * f->stride + n + j] /= length;
+        for (ptrdiff_t j = 0; f->is_hessian && j < 4; j++)
+            for (ptrdiff_t column = 0; column < f->rows; column++)
+                out[(f->columns + n + j) * f->stride + column] /= length;
     }
     return status;
 }

@@ -1,4 +1,5 @@
-/* Functions of the model as CasADi calls them: casadi_<function> and jac_casadi_<function>.
+/* Functions of the model as CasADi calls them: casadi_<function> and jac_casadi_<function>; where
+ * second derivatives were asked for, adj1_casadi_<function>, a gradient, and jac_adj1_casadi_<function>.
  *
  * C of CasADi's external interface (C API of "external"). No state is kept, so that there is nothing
  * to count references of; memory is that which CasADi hands over.
@@ -14,17 +15,26 @@
 
 typedef long long casadi_int;
 
-/* Results of one call of the model: entry k of block `result` is out[entries[k]]. */
+/* Results of one call of the model: entry k of block `result` is out[entries[k]], or 0 where this is
+ * negative. */
 typedef struct result {
     ptrdiff_t result, count;
     const int *entries;
 } result;
+
+/* Weights of the results, where a function takes them: entry k of argument `argument` is number
+ * entries[k] of `size`. */
+typedef struct weights {
+    const int *entries;
+    ptrdiff_t count, size, argument;
+} weights;
 
 /* One call of the model; without `function` its results were not exported. */
 typedef struct part {
     const cardan_bound *function;
     const result *results;
     ptrdiff_t count;
+    const weights *weights;
 } part;
 
 /* A function of CasADi. */
@@ -52,6 +62,18 @@ static void fill_unknown(const part *p, double **res)
             res[p->results[k].result][i] = nan("");
 }
 
+/* The weights as the model takes them: the argument behind all others. Returns what memory is left. */
+static double *order_weights(const external *f, const weights *v, const double **arg, double *w)
+{
+    const double *seed = arg[v->argument];
+
+    memset(w, 0, (size_t)v->size * sizeof *w);
+    for (ptrdiff_t k = 0; seed && k < v->count; k++)
+        w[v->entries[k]] = seed[k];
+    arg[f->in_count] = w;
+    return w + v->size;
+}
+
 static int run(const external *f, const double **arg, double **res, double *w)
 {
     for (ptrdiff_t n = 0; n < f->part_count; n++) {
@@ -64,13 +86,15 @@ static int run(const external *f, const double **arg, double **res, double *w)
             continue;
         }
         w = out + p->function->out;
+        if (p->weights)
+            w = order_weights(f, p->weights, arg, w);
         cardan_bound_prepare(&cardan_scene, p->function, arg[p->function->argument_count], w);
         if (cardan_bound_call(&cardan_scene, p->function, arg, out, w))
             return 1;
         for (ptrdiff_t k = 0; k < p->count; k++) {
             const result *r = p->results + k;
             for (ptrdiff_t i = 0; res[r->result] && i < r->count; i++)
-                res[r->result][i] = out[r->entries[i]];
+                res[r->result][i] = r->entries[i] < 0 ? 0.0 : out[r->entries[i]];
         }
         w = out;
     }
@@ -84,7 +108,9 @@ static casadi_int memory_of(const external *f)
 
     for (ptrdiff_t n = 0; n < f->part_count; n++) {
         const cardan_bound *g = f->parts[n].function;
-        const size_t length = g ? (size_t)g->out + cardan_bound_memory(&cardan_scene, g) : 0;
+        const weights *v = f->parts[n].weights;
+        size_t length = g ? (size_t)g->out + cardan_bound_memory(&cardan_scene, g) : 0;
+        length += v ? (size_t)v->size : 0;
         most = most < length ? length : most;
     }
     return (casadi_int)most;
@@ -130,7 +156,7 @@ static casadi_int memory_of(const external *f)
     }                                                                                              \
     int name##_work(casadi_int *args, casadi_int *results, casadi_int *iw, casadi_int *w)          \
     {                                                                                              \
-        *args = f.in_count;                                                                        \
+        *args = f.in_count + 1;                                                                    \
         *results = f.out_count;                                                                    \
         *iw = 0;                                                                                   \
         *w = memory_of(&f);                                                                        \

@@ -48,9 +48,14 @@ function kind(value) {
   return typeof value === "number" ? `${value}` : `of type ${typeof value}`;
 }
 
+/** Names of the entries of a block, as far as it has any; v has others in every function. */
+function namesOf(where, block) {
+  return block === "v" ? FUNCTIONS[where].vector : NAMES[block];
+}
+
 /** Numbers of a block, checked. */
 function numbers(where, block, value) {
-  const size = SIZES[block], names = NAMES[block] ?? [];
+  const names = namesOf(where, block) ?? [], size = block === "v" ? names.length : SIZES[block];
   const isList = Array.isArray(value) || (ArrayBuffer.isView(value) && "length" in value);
   const values = block === "t" ? [value] : isList ? value : byName(where, block, value);
   if (values.length !== size) {
@@ -68,12 +73,12 @@ function numbers(where, block, value) {
 
 /** Numbers of a block at the start of the scene, some of which are others. */
 function byName(where, block, value) {
-  const names = NAMES[block];
+  const names = namesOf(where, block), size = block === "v" ? names.length : SIZES[block];
   if (value === null || typeof value !== "object" || names === undefined) {
     const or = names ? ", or an object with values by name" : "";
-    throw new TypeError(`${where}: ${block}: give an array of ${SIZES[block]} numbers${or}`);
+    throw new TypeError(`${where}: ${block}: give an array of ${size} numbers${or}`);
   }
-  const found = Array.from(DEFAULTS[block] ?? new Float64Array(SIZES[block]));
+  const found = Array.from(DEFAULTS[block] ?? new Float64Array(size));
   for (const [name, number] of value instanceof Map ? value : Object.entries(value)) {
     const k = names.indexOf(name);
     if (k < 0) {
@@ -102,7 +107,7 @@ class Model {
   constructor(memory, exports) {
     this.#memory = memory;
     this.#exports = exports;
-    this.#in = this.#reserve(64);
+    this.#in = this.#reserve(4 * (1 + Math.max(...Object.values(SLOTS))));
     for (const block of Object.keys(SLOTS)) this.#at[block] = this.#doubles(SIZES[block]);
     const rows = Object.entries(FUNCTIONS);
     this.#out = this.#doubles(Math.max(...rows.map(([, row]) => row.out)));
@@ -169,7 +174,7 @@ class Model {
     const values = value === undefined ? DEFAULTS[block] : numbers(name, block, value);
     let first = 0;
     for (const part of block === "x" ? ["q", "u", "z"] : [block]) {
-      const size = SIZES[part], start = this.#at[part] / 8;
+      const size = part === "v" ? values.length : SIZES[part], start = this.#at[part] / 8;
       for (let k = 0; k < size; k++) this.#numbers[start + k] = values?.[first + k] ?? 0;
       first += size;
     }

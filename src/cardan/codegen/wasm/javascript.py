@@ -66,6 +66,7 @@ const SIZES = {sizes};
 // places of their pointers
 const SLOTS = {slots};
 // blocks of each, those that have no default, lengths of what it works on, entries of its results
+// and of its block v, where it has one
 const FUNCTIONS = {{
 {functions}
 }};
@@ -130,7 +131,9 @@ def _sizes(manifest: Manifest) -> dict[str, int]:
     size = binding.sizes(manifest)
     parts = sum(len(body.parts) for body in manifest.bodies)
     size |= {"w": 0, "q0": size["q"], "lam": len(manifest.multipliers), "wrench": 6 * parts}
-    size |= {"e": len(manifest.events)}
+    # of v the longest one
+    vectors = [len(row.vector) for row in manifest.functions.values()]
+    size |= {"e": len(manifest.events), "v": max(vectors, default=0)}
     return {block: size[block] for block in (*ORDER, "x") if block != "zdot"}
 
 
@@ -139,6 +142,7 @@ def _call(manifest: Manifest) -> str:
     functions = manifest.functions
     name = next((one for one in EXAMPLES if one in functions), next(iter(functions)))
     size, state = _sizes(manifest), [f"...START.{block}" for block in "quz"]
+    size["v"] = len(functions[name].vector)
     values = {"q": "START.q", "q0": "START.q", "u": "START.u", "x": f"[{', '.join(state)}]"}
     blocks = [
         f"{block}: {values.get(block, f'new Float64Array({size[block]})')}"
@@ -159,9 +163,10 @@ def _row(name: str, entry: FunctionRow) -> str:
     )
     sizes = f"out: {entry.output_size}, work: {entry.work_size}, w: {entry.prepared_size}"
     entries = [one for output in entry.outputs for one in _entries(output)]
+    vector = f"    vector: {_array(entry.vector, 4)},\n" if entry.vector else ""
     return (
         f"  {name}: {{\n    takes: {takes}, needs: {needs}, {sizes},\n"
-        f"    entries: {_array(entries, 4)},\n  }},"
+        f"    entries: {_array(entries, 4)},\n{vector}  }},"
     )
 
 
@@ -192,7 +197,8 @@ def _method(name: str, entry: FunctionRow, sizes: Mapping[str, int]) -> str:
     listed = "; ".join(_summary(output) for output in outputs)
     lines = ["", *_paragraph("/** ", f"{entry.about or name}."), " *", " * @param {object} blocks"]
     for one in takes:
-        about = _SHAPE.sub("" if one == "t" else f" ({sizes[one]})", ARGUMENTS[one].text)
+        size = len(entry.vector) if one == "v" else sizes[one]
+        about = _SHAPE.sub("" if one == "t" else f" ({size})", ARGUMENTS[one].text)
         lines += _paragraph(f" *   {one}{'' if one in needs else '?'}: ", about)
     lines += [*_paragraph(f" * @returns {{{kind}}} ", listed), " */"]
     lines += [f"{name}(blocks{'' if needs else ' = {}'}) {{", *body, "}"]

@@ -170,8 +170,8 @@ class Closures:
             start += count
         return Velocity(
             {i: rates.block(rows_of_joint) for i, rows_of_joint in ranges.items()},
-            {i: {s: x.block(own) for s, x in shares.items()} for i, own in ranges.items()},
-            {i: bias.block(own) for i, own in ranges.items()},
+            {i: {s: x.block(place) for s, x in shares.items()} for i, place in ranges.items()},
+            {i: bias.block(place) for i, place in ranges.items()},
             seeds,
             e,
             gradient,

@@ -201,14 +201,18 @@ def forward_columns(
         start = None if d is None else next(needed)
         initial = [ZERO] * nu if start is None else flat[start : start + nu]
         columns.append([g.sub(a, b) for a, b in zip(force, initial, strict=True)])
-    if not columns:
-        return columns
-    right = Matrix(g, nu, len(columns), [column[i] for i in range(nu) for column in columns])
     if multipliers.rows:
-        return _bound_columns(c, udot, multipliers, right, along)
-    with g.made_by("M", "factor"):
-        solution = solve("spd", c.d.mass_matrix, right)
-    return [list(solution.column(n).nodes) for n in range(len(columns))]
+        right = Matrix(g, nu, len(columns), [column[i] for i in range(nu) for column in columns])
+        return _bound_columns(c, udot, multipliers, right, along) if columns else columns
+    # what moves nothing, such as the place along a rail, stays known to be 0
+    moving = [n for n, column in enumerate(columns) if any(node != ZERO for node in column)]
+    if moving:
+        nodes = [columns[n][i] for i in range(nu) for n in moving]
+        with g.made_by("M", "factor"):
+            solution = solve("spd", c.d.mass_matrix, Matrix(g, nu, len(moving), nodes))
+        for k, n in enumerate(moving):
+            columns[n] = list(solution.column(k).nodes)
+    return columns
 
 
 def _within(c: Context, d: Direction) -> Direction | None:

@@ -30,8 +30,8 @@ def expression(c: Context) -> tuple[Output, ...]:
                 f"expression: '{twice[0]}' is the name of {' and of '.join(nodes[twice[0]])}; "
                 "rename one of them"
             )
-        found = {symbols[name]: next(iter(each.values())) for name, each in nodes.items()}
-        node = from_sympy(c.k.graph, value, found)
+        leaves = {symbols[name]: next(iter(each.values())) for name, each in nodes.items()}
+        node = from_sympy(c.k.graph, value, leaves)
     except ModelError as problem:
         raise DerivationError(str(problem)) from problem
     return (Output("expression", (), (node,), (formula,)),)

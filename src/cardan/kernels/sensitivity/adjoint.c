@@ -9,7 +9,7 @@
 static void add_inputs(const cardan_adjoint *adjoint, real t, real factor, const real *by_r)
 {
     const cardan_run *run = adjoint->steps->run;
-    real *piece = adjoint->by_pieces;
+    real *block = adjoint->by_coefficients;
 
     for (ptrdiff_t i = 0; i < run->nr; i++)
         adjoint->by_r[i] += factor * by_r[i];
@@ -18,8 +18,8 @@ static void add_inputs(const cardan_adjoint *adjoint, real t, real factor, const
         const real d = t - s->breaks[s->where];
         real power = factor * by_r[s->input];
         for (int j = 0; j < 4; j++, power *= d)
-            piece[4 * s->where + j] += power;
-        piece += 4 * s->pieces;
+            block[4 * s->where + j] += power;
+        block += s->pieces * 4;
     }
 }
 
@@ -50,12 +50,12 @@ static int add_cost(const cardan_adjoint *adjoint, real t, const real *x, real s
     cardan_in in = cardan_step_in(adjoint->steps, &t, x);
     real cost;
 
-    in.w = adjoint->running_cost.w;
-    if (adjoint->running_cost.function(&in, &cost, adjoint->steps->work) != 0)
+    in.w = adjoint->integrand_value.w;
+    if (adjoint->integrand_value.function(&in, &cost, adjoint->steps->work) != 0)
         return CARDAN_MODEL;
     *adjoint->cost += share * cost;
     adjoint->v[0] = 1;
-    if (product(adjoint, &adjoint->running, t, x, share) != 0)
+    if (product(adjoint, &adjoint->integrand, t, x, share) != 0)
         return CARDAN_MODEL;
     for (ptrdiff_t i = 0; i < adjoint->steps->run->nx; i++)
         by_x[i] += share * adjoint->out[i];
@@ -118,7 +118,7 @@ static int pull_stages(const cardan_adjoint *adjoint, real t, real h)
             return CARDAN_MODEL;
         for (ptrdiff_t i = 0; i < nx; i++)
             by_x[i] = adjoint->out[i];
-        if (adjoint->running.function && share != 0
+        if (adjoint->integrand.function && share != 0
             && add_cost(adjoint, time, x, share, by_x) != 0)
             return CARDAN_MODEL;
     }

@@ -23,8 +23,8 @@ typedef struct cardan_adjoint {
     cardan_call rates;          /* product with the derivative of rhs (nx weights) */
     cardan_call close_position; /* of close_position (nq + positions), NULL without constraints */
     cardan_call close_velocity; /* of close_velocity (nu + rates) */
-    cardan_call running;        /* of the running cost (1), NULL without */
-    cardan_call running_cost;   /* (1) */
+    cardan_call integrand;      /* of the running cost (1), NULL without */
+    cardan_call integrand_value;   /* (1) */
     ptrdiff_t np;               /* parameters that the products know */
 
     /* what comes out; all is added up but lam */
@@ -32,7 +32,7 @@ typedef struct cardan_adjoint {
     real *by_p;          /* (np) */
     real *by_s;          /* (ns) by the discrete states at all steps */
     real *by_r;          /* (nr) by inputs that are constant */
-    real *by_pieces;     /* by the coefficients of all signals one after the other (pieces, 4) */
+    real *by_coefficients;     /* by the coefficients of all signals one after the other (pieces, 4) */
     real *cost;          /* (1) integral of the running cost */
 
     real *pulled;        /* (stages, nx) gradients by the states of the stages */

@@ -9,39 +9,39 @@
 static void inputs_of(const cardan_tangent *tangent, ptrdiff_t column, real t, real *change)
 {
     const cardan_run *run = tangent->steps->run;
-    const real *piece = tangent->by_pieces + column * tangent->pieces * 4;
+    const real *block = tangent->by_coefficients + column * tangent->segments * 4;
 
     for (ptrdiff_t i = 0; i < run->nr; i++)
         change[i] = tangent->by_input[column * run->nr + i];
     for (ptrdiff_t k = 0; k < run->signal_count; k++) {
         const cardan_signal *s = run->signals + k;
-        const real *c = piece + 4 * s->where, d = t - s->breaks[s->where];
+        const real *c = block + 4 * s->where, d = t - s->breaks[s->where];
         change[s->input] = ((c[3] * d + c[2]) * d + c[1]) * d + c[0];
-        piece += 4 * s->pieces;
+        block += s->pieces * 4;
     }
 }
 
-/* First `wanted` of the `rows` results of a function changed along a column: the derivative in `out`
+/* First `taken` of the `rows` results of a function changed along a column: the derivative in `out`
  * times the change in `moved`. */
 static void multiply(const cardan_tangent *tangent, ptrdiff_t column, ptrdiff_t rows,
-                     ptrdiff_t wanted, real *change)
+                     ptrdiff_t taken, real *change)
 {
     const cardan_run *run = tangent->steps->run;
     const ptrdiff_t sizes[5] = {run->nq, run->nu, run->nz, run->ns, run->nr};
     const real *by = tangent->out, *moved = tangent->moved;
     const real *named = tangent->by_named + column * tangent->named;
 
-    for (ptrdiff_t i = 0; i < wanted; i++)
+    for (ptrdiff_t i = 0; i < taken; i++)
         change[i] = 0;
     for (int block = 0; block < 5; block++) {
-        for (ptrdiff_t i = 0; i < wanted; i++)
+        for (ptrdiff_t i = 0; i < taken; i++)
             change[i] += cardan_dot(by + i * sizes[block], moved, sizes[block]);
         by += rows * sizes[block];
         moved += sizes[block];
     }
     /* most columns change one parameter at most */
     for (ptrdiff_t k = 0; k < tangent->named; k++, by += rows)
-        for (ptrdiff_t i = 0; i < wanted && named[k] != 0; i++)
+        for (ptrdiff_t i = 0; i < taken && named[k] != 0; i++)
             change[i] += named[k] * by[i];
 }
 

@@ -21,9 +21,9 @@ typedef struct cardan_tangent {
     ptrdiff_t columns, named;
     const real *by_named;  /* (columns, named) change of the parameters */
     const real *by_input;  /* (columns, nr) of inputs that are constant */
-    const real *by_pieces; /* (columns, pieces, 4) of the coefficients of all signals */
+    const real *by_coefficients; /* (columns, pieces, 4) of the coefficients of all signals */
     const real *by_s;      /* (columns, ns) of the discrete states at all steps */
-    ptrdiff_t pieces;
+    ptrdiff_t segments;
     real *changes;  /* (count, columns, nx) of the state at every row; the first one is given */
     real *moved;    /* (nx + ns + nr) of what a function reads */
     real *rising;   /* (stages, columns, nx) */

@@ -612,8 +612,8 @@ class Functions(Evaluation, metaclass=ABCMeta):
     ) -> Array:
         """Value of a formula in names of the model.
 
-        Coordinates, speeds, internal states, inputs, parameters, outputs and t, as formulas of scene
-        files have them: ``"(hand.x - 0.4)^2 + 1e-3*tau^2"``.
+        Of coordinates, speeds, internal states, inputs, parameters, outputs and t, as formulas in
+        scene files are: ``"(hand.x - 0.4)^2 + 1e-3*tau^2"``.
 
         Args:
             formula: such as ``"x^2 + 0.1*hand.z"``

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import prod
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -21,6 +21,9 @@ from ..calls.evaluation import Values, into
 from ..calls.functions import Functions
 from ..calls.methods import ByName
 from .wrenches import generalized, read_wrenches
+
+if TYPE_CHECKING:
+    from ..calls.loaded_function import LoadedFunction
 
 STANDARD = ("q", "u", "r", "p")
 # what a wrench on a frame can be felt through
@@ -141,11 +144,10 @@ class Derivative:
     @property
     def operations(self) -> dict[str, int]:
         """Number of each operator of its C."""
-        counts: dict[str, int] = self._loaded.entry.operations
-        return counts
+        return dict(self._loaded.entry.operations)
 
     @property
-    def _loaded(self) -> Any:
+    def _loaded(self) -> LoadedFunction:
         return self.model._function(self.row, self.request)
 
     def __call__(
@@ -154,12 +156,12 @@ class Derivative:
         wrenches: Values | None = None,
         parameters: Values | None = None,
         out: Any = None,
-        **rest: Any,
+        **keywords: Any,
     ) -> Any:
         """The derivatives at states of any leading shape.
 
         Args:
-            states, rest: As the function takes them; leading axes broadcast.
+            states, keywords: As the function takes them; leading axes broadcast.
             wrenches: Frame -> (..., 6), for forward and inverse dynamics.
             parameters: Other values than the model's own.
             out: Arrays to fill and return, as many as there are results.
@@ -167,7 +169,7 @@ class Derivative:
         Raises:
             ArgumentError, ModelError, SolveError: as the function itself.
         """
-        values = self._named(states, rest)
+        values = self._named(states, keywords)
         if wrenches is None:
             results = self._results(values, parameters)
         else:
