@@ -90,10 +90,10 @@ class CycleFamily:
         Raises:
             SolveError: as there; the point is at rest, which repeats with any period.
         """
-        self._refuse_rest(point.at)
+        self._refuse_motionless(point.at)
         return self.shooting.residual(point.at)
 
-    def _refuse_rest(self, at: CycleState) -> None:
+    def _refuse_motionless(self, at: CycleState) -> None:
         """Refuse what repeats with any period.
 
         Raises:
@@ -130,7 +130,7 @@ class CycleFamily:
 
     def _derivative(self, point: CyclePoint, rough: bool) -> Array:
         # a sweep finds derivatives at rest too, where a correction may have led
-        self._refuse_rest(point.at)
+        self._refuse_motionless(point.at)
         return self.shooting.derivative(
             point.at,
             lambda dz: self.residual(self.moved(point, dz)),
