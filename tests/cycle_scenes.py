@@ -11,7 +11,7 @@ import sympy as sp
 import cardan as cd
 
 POINT = {"mass": 1.0, "inertia": (1.0, 1.0, 1.0)}
-STATES, MULTIPLIERS = 1e-11, 1e-8
+STATES, MULTIPLIERS = 1e-11, 1e-10
 # of the table: frequency, speed of a flight, and the least amplitude
 OMEGA, APEX = 2 * np.pi * 15, 9.81 / 30
 NEUTRAL_A = np.pi * 9.81 / OMEGA**2 / 3  # (1 - e) / (1 + e) = 1/3

@@ -54,7 +54,9 @@ def test_closed_loops(coordinates: str) -> None:
     states = cycle.motion.at(np.linspace(0, np.pi, 65)[:-1])
     decay = [4.0 / inertia_of_crank(model, x) for x in states]
     product = np.prod(cycle.multipliers)
-    assert product == pytest.approx(np.exp(-np.pi * np.mean(decay)), rel=1e-7)
+    # finite elements have differences of runs
+    rel = 1e-10 if coordinates == "relative" else 1e-7
+    assert product == pytest.approx(np.exp(-np.pi * np.mean(decay)), rel=rel)
 
 
 def belt(speed: float) -> cd.CompiledModel:
@@ -77,7 +79,7 @@ def test_stick_and_slip() -> None:
     assert cycle["x.u"] == pytest.approx(-np.sqrt(0.5), abs=1e-11)
     assert [event.name for event in cycle.motion.events] == ["friction.stop", "friction.slip"]
     assert cycle.motion.events[1].t - cycle.motion.events[0].t == pytest.approx(2.0, abs=1e-11)
-    assert cycle.multipliers == pytest.approx([0.0], abs=1e-9)
+    assert cycle.multipliers == pytest.approx([0.0], abs=1e-12)
     assert cycle.modes == [-1.0]
     path = cycle.model.continuation(speed=(0.5, 1.0), of="cycles", start=cycle)
     v = path["speed"]
@@ -104,7 +106,7 @@ def test_rotations_are_moved_by_increments() -> None:
     quaternion, angles = swung("quaternion"), swung("xyz")
     np.testing.assert_allclose(quaternion.u, angles.u, atol=1e-11)
     assert len(quaternion.multipliers) == 6
-    np.testing.assert_allclose(quaternion.multipliers, angles.multipliers, atol=1e-9)
+    np.testing.assert_allclose(quaternion.multipliers, angles.multipliers, atol=1e-11)
     assert quaternion.stable
 
 
@@ -122,7 +124,7 @@ def test_impact_at_a_section() -> None:
     (impact,) = free.motion.events
     np.testing.assert_allclose(by_section.x, impact.x_after, atol=1e-11)
     assert by_section.period == pytest.approx(free.period, abs=1e-11)
-    assert by_section.multipliers == pytest.approx(free.multipliers, abs=1e-9)
+    assert by_section.multipliers == pytest.approx(free.multipliers, abs=1e-11)
     assert len(free.multipliers) == len(by_section.multipliers) == 1
 
 
@@ -143,7 +145,7 @@ def test_names_that_are_exchanged() -> None:
     assert half.period == pytest.approx(full.period / 2, abs=1e-11)
     np.testing.assert_allclose(half.x, full.x, atol=1e-10)
     np.testing.assert_allclose(
-        sorted(abs(half.multipliers) ** 2), sorted(abs(full.multipliers)), atol=1e-9
+        sorted(abs(half.multipliers) ** 2), sorted(abs(full.multipliers)), atol=1e-11
     )
     assert half["left"] == pytest.approx(-half["right"], abs=1e-10)
 
@@ -158,7 +160,7 @@ def test_families_without_damping() -> None:
     cycle = cd.compile(scene).cycle({"angle": 1.0}, check=True)
     expected = 4 * np.sqrt(1 / 9.81) * ellipk(np.sin(cycle["angle"] / 2) ** 2)
     assert cycle.period == pytest.approx(expected, abs=1e-11)
-    assert cycle.multipliers == pytest.approx([1.0], abs=1e-8)
+    assert cycle.multipliers == pytest.approx([1.0], abs=1e-11)
     assert cycle.stable
 
 
@@ -193,5 +195,5 @@ def test_messages() -> None:
     assert not lost.converged
     by_section = model.cycle({"x": 2.0, "x.u": -0.1}, section=(("x.u", 0.0), "down"))
     assert by_section["x"] == pytest.approx(2.008619860874844, abs=1e-11)
-    assert by_section.multipliers == pytest.approx([0.000859695063603616], abs=1e-8)
+    assert by_section.multipliers == pytest.approx([0.000859695063603616], abs=1e-11)
     assert "multipliers 0.00085969" in repr(by_section)

@@ -77,7 +77,7 @@ def test_steps_of_two_kinds_begin_where_the_period_doubles(
     once = row.model.cycle(row.state, section="strike.up", symmetry=heel_strike, laps=2, check=True)
     np.testing.assert_allclose(once.x, row.x, atol=1e-10)
     assert abs(once.problem.lap(once.at).x - once.x).max() < 1e-11
-    assert row.multipliers[0] == pytest.approx(once.multipliers[0], abs=1e-6)
+    assert row.multipliers[0] == pytest.approx(once.multipliers[0], abs=1e-8)
 
 
 @pytest.mark.slow
@@ -168,7 +168,7 @@ def test_limit_cycles_begin_at_a_hopf_point() -> None:
     np.testing.assert_allclose(path["period"][small], 2 * np.pi * (1 + mu**2 / 16), rtol=1e-5)
     assert path["period"][-1] == pytest.approx(6.663286859323133, abs=1e-9)
     assert abs(path["x"][-1]) == pytest.approx(2.008619860874844, abs=1e-9)
-    assert path["multiplier"][-1] == pytest.approx(0.000859695063603616, abs=1e-8)
+    assert path["multiplier"][-1] == pytest.approx(0.000859695063603616, abs=1e-10)
     assert all(path.main.stable)
     # from a cycle the path is the same one
     end = path[-1]
@@ -218,9 +218,8 @@ def test_relaxation_oscillations() -> None:
     before, after = run.t_events[0][-2:]
     assert path["period"][-1] == pytest.approx(after - before, abs=1e-8)
     trace = run.y_events[0][-1][2] - run.y_events[0][-2][2]
-    # far below the rounding of differences
     assert np.exp(trace) < 1e-30
-    assert path["multiplier"][-1] < 1e-6
+    assert path["multiplier"][-1] < 1e-10
 
 
 def harmonic_balance(omega: float, x: Any) -> Any:

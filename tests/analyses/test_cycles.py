@@ -67,7 +67,7 @@ def test_simplest_walker(
     assert gait.multipliers[0] == pytest.approx(multiplier, abs=MULTIPLIERS)
     # an angle and its rate: the swing leg is at rest beside them
     assert len(gait.multipliers) == 3
-    assert abs(gait.multipliers[2]) < 1e-7
+    assert abs(gait.multipliers[2]) < 1e-12
     assert gait.stable == (abs(multiplier) < 1)
     assert gait.iterations <= 6
 
@@ -127,6 +127,11 @@ def test_compass_gait() -> None:
     )
     assert gait.multipliers[2] == pytest.approx(0.13157262407718276, abs=MULTIPLIERS)
     assert gait.stable
+    # from 3 percent off
+    aside = {name: 1.03 * gait[name] for name in start}
+    far = model.cycle(aside, section="strike", where={"hip": (0.1, 2)}, symmetry=compass_strike)
+    assert far.iterations <= 6
+    np.testing.assert_allclose(far.x, gait.x, atol=STATES)
     # a lap ends before the strike
     assert gait.motion.t[-1] == pytest.approx(gait.period)
     assert gait.motion["hip"][-1] == pytest.approx(-gait["hip"], abs=1e-9)
@@ -164,7 +169,7 @@ def test_limit_cycle(mu: float, period: float, amplitude: float, multiplier: flo
     assert cycle.period == pytest.approx(period, abs=1e-12)
     assert cycle["x"] == pytest.approx(amplitude, abs=1e-12)
     # that along the motion is left out
-    assert cycle.multipliers == pytest.approx([multiplier], abs=1e-9)
+    assert cycle.multipliers == pytest.approx([multiplier], abs=1e-12)
     assert cycle.stable
     # far from it laps lead there
     far = model.cycle({"x": 0.5}, settle=4, check=True)
@@ -178,15 +183,15 @@ def test_forced_motion() -> None:
         cycle = model.cycle({"x": 1.2, "x.u": 0.8}, period=period, check=True)
         np.testing.assert_allclose(cycle.x, [1.2300225936705684, 0.8277945356190878], atol=1e-12)
         pair = 0.14952248542462676 + 0.7848805393297366j
-        assert cycle.multipliers == pytest.approx([pair, pair.conjugate()], abs=1e-9)
+        assert cycle.multipliers == pytest.approx([pair, pair.conjugate()], abs=1e-11)
         product = np.prod(cycle.multipliers)
-        assert product == pytest.approx(np.exp(-0.1 * 2 * np.pi / 1.4), abs=1e-10)
+        assert product == pytest.approx(np.exp(-0.1 * 2 * np.pi / 1.4), abs=1e-12)
     # what moves back after half a period, mirrored
     half = model.cycle(
         {"x": 1.2, "x.u": 0.8}, period=np.pi / 1.4, symmetry={"x": ("x", -1)}, check=True
     )
     np.testing.assert_allclose(half.x, cycle.x, atol=1e-12)
-    np.testing.assert_allclose(abs(half.multipliers) ** 2, abs(cycle.multipliers), atol=1e-9)
+    np.testing.assert_allclose(abs(half.multipliers) ** 2, abs(cycle.multipliers), atol=1e-11)
 
 
 @pytest.mark.parametrize(
@@ -197,7 +202,7 @@ def test_multipliers_of_rest(a: float, trace: float) -> None:
     """E. Mathieu (1868), x'' + (a - cos 2t) x = 0: the trace over pi, by characteristic values."""
     model = oscillator(lambda scene, x, v: -(a - sp.cos(2 * cd.t)) * x)
     rest = model.cycle({"x": 0.0}, period=np.pi, check=True)
-    assert rest.multipliers.sum() == pytest.approx(trace, abs=1e-9)
+    assert rest.multipliers.sum() == pytest.approx(trace, abs=2e-10)
     assert rest.stable == (abs(trace) < 2) or abs(trace) == 2
 
 
@@ -209,8 +214,8 @@ def test_ball_on_a_table() -> None:
     assert impact.t * OMEGA == pytest.approx(0.4296996661514246, abs=1e-10)
     assert impact.x_after[1] + amplitude * OMEGA * np.cos(impact.t * OMEGA) == pytest.approx(APEX)
     pair = 0.0851280198327865 + 0.4926999292057478j
-    assert cycle.multipliers == pytest.approx([pair, pair.conjugate()], abs=1e-9)
-    assert np.prod(cycle.multipliers) == pytest.approx(0.25, abs=1e-9)
+    assert cycle.multipliers == pytest.approx([pair, pair.conjugate()], abs=1e-11)
+    assert np.prod(cycle.multipliers) == pytest.approx(0.25, abs=1e-12)
 
 
 def impact_pair(amplitude: float, omega: float, play: float, e: float) -> cd.CompiledModel:
@@ -268,7 +273,7 @@ def test_play_with_two_impacts(
     assert [event.name for event in walls] == ["walls.lower", "walls.upper"]
     assert walls[1].t * omega - 2 * np.pi == pytest.approx(phase, abs=1e-9)
     assert walls[0].t * omega - np.pi == pytest.approx(phase, abs=1e-9)
-    np.testing.assert_allclose(abs(cycle.multipliers), moduli, rtol=1e-7)
-    np.testing.assert_allclose(abs(half.multipliers) ** 2, moduli, rtol=1e-7)
+    np.testing.assert_allclose(abs(cycle.multipliers), moduli, rtol=2e-8)
+    np.testing.assert_allclose(abs(half.multipliers) ** 2, moduli, rtol=2e-8)
     np.testing.assert_allclose(half.x, cycle.x, atol=1e-11)
     assert cycle.stable == (moduli[0] < 1)

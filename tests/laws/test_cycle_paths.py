@@ -157,8 +157,9 @@ def test_multipliers_of_what_keeps_its_energy_come_in_pairs(name: str) -> None:
     path = path_of(name)
     for k in range(len(path)):
         values = path[k].multipliers
-        assert paired(1 / values, values) < 1e-5 * np.abs(values).max() ** 2
-        assert paired(values.conj(), values) < 1e-8
+        assert paired(1 / values, values) < 1e-9 * np.abs(values).max() ** 2
+        assert paired(values.conj(), values) < 1e-10
+        assert abs(np.prod(values) - 1) < 1e-9
 
 
 @pytest.mark.parametrize("name", some(KEPT, 2, 1))

@@ -179,13 +179,20 @@ s, v = duffing.q("x"), duffing.u("x")
 duffing.force("force", cd.JointForce("x", 0.5 * sympy.cos(0.7 * cd.t) - 0.1 * v - s - s**3))
 lap = cd.compile(duffing).cycle({"x": 0.6}, period=2 * np.pi / 0.7, settle=5)
 
-# CycleRecord.stable, CycleRecord.n_unstable, CycleRecord.named
+# Cycle.stable, Cycle.n_unstable, Cycle.named
 print(lap.stable, lap.n_unstable, lap.named)
 
-# CycleRecord.state, CycleRecord.q, CycleRecord.u
+# Cycle.plot
+lap.plot("lap.svg")
+lap.plot("orbit.svg", "x.u", against="x")
+
+# Cycle.animate
+lap.animate("lap.html")
+
+# Cycle.state, Cycle.q, Cycle.u
 print(lap.state, lap.q, lap.u)
 
-# CycleRecord.motion
+# Cycle.motion
 print(lap.motion)
 
 # load_linear

@@ -20,6 +20,7 @@ FACES |= {
         f"cardan.analyses.{module}:{name}Record": f"cardan.api.results:{name}"
         for module, name in (
             ("continuation.record", "Continuation"),
+            ("cycles.cycle_record", "Cycle"),
             ("ensembles.result", "Ensemble"),
             ("identification.excitation", "Excitation"),
             ("identification.result", "Identification"),

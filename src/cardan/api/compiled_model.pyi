@@ -7,7 +7,6 @@ from typing import Any, final
 from numpy.typing import ArrayLike
 
 from ..analyses.continuation.stability_chart import StabilityChartRecord
-from ..analyses.cycles.cycle_record import CycleRecord
 from ..analyses.ensembles.sampling import Plan
 from ..analyses.fits.record import Fit
 from ..analyses.gradients.cost import Cost
@@ -42,6 +41,7 @@ from .results import (
     Assembly,
     Campbell,
     Continuation,
+    Cycle,
     Ensemble,
     Equilibrium,
     Excitation,
@@ -916,7 +916,7 @@ class CompiledModel(LoadedModel):
         rtol: float = 1e-13,
         atol: float = 1e-15,
         check: bool = False,
-    ) -> CycleRecord:
+    ) -> Cycle:
         """A motion that repeats, next to a start: ``model.cycle({"x": 1.0}, period=2 * np.pi / 1.4)``.
 
         A lap ends after ``period``, where something forces the motion at known times; at the event
@@ -942,7 +942,8 @@ class CompiledModel(LoadedModel):
             parameters: Values by name, else those of the model.
             t: Time at which laps begin [s]; of laps that time ends not that of an impact.
             longest: Time within which a lap must end [s].
-            method, rtol, atol: Of the runs, whose differences are taken.
+            method, rtol, atol: Of the runs. Derivatives of laps are exact with ``"DOP853"``, ``"RK45"``
+                and ``"RK4"`` and differences of runs with others, see ``cycle.derivatives``.
             check: Raise where no cycle is reached, instead of warning.
 
         Returns:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import final
+from typing import final, overload
 
-from ..analyses.continuation.record import ContinuationRecord
+from ..analyses.continuation.record import ContinuationRecord, Solution
+from ..analyses.cycles.cycle_record import CycleRecord
 from ..analyses.ensembles.result import EnsembleRecord
 from ..analyses.identification.excitation import ExcitationRecord
 from ..analyses.identification.result import IdentificationRecord
@@ -20,7 +21,8 @@ from ..analyses.mechanisms.workspace import WorkspaceRecord
 from ..analyses.simulation.precision.work_precision import PrecisionRecord
 from ..analyses.statics.equilibrium import EquilibriumRecord
 from ..analyses.statics.static_path import StaticPathRecord
-from .faces import attribute, maker, verb
+from ..arrays import Array
+from .faces import attribute, face, maker, verb
 
 
 @final
@@ -33,6 +35,23 @@ class Continuation(ContinuationRecord):
     report = verb("cardan.analyses.simulation.precision.path_report:report")
     save = verb("cardan.analyses.continuation.path_file:save")
     table = verb("cardan.analyses.continuation.path_file:table")
+
+    @overload
+    def __getitem__(self, name: str) -> Array: ...
+    @overload
+    def __getitem__(self, name: int) -> Solution: ...
+    def __getitem__(self, name: str | int) -> Solution:
+        """The solution of a row of the main branch, or a history (n,)."""
+        return face(super().__getitem__(name))
+
+
+@final
+class Cycle(CycleRecord):
+    """A motion that repeats, and how stable it is."""
+
+    animate = verb("cardan.analyses.cycles.cycle_pictures:animate")
+    motion = attribute("cardan.analyses.cycles.cycle_pictures:motion", once=True)
+    plot = verb("cardan.analyses.cycles.cycle_pictures:plot")
 
 
 @final

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 from ..analyses.continuation.record import ContinuationRecord
+from ..analyses.cycles.cycle_record import CycleRecord
 from ..analyses.ensembles.result import EnsembleRecord
 from ..analyses.identification.excitation import ExcitationRecord
 from ..analyses.identification.result import IdentificationRecord
@@ -129,6 +130,62 @@ class Continuation(ContinuationRecord):
         What is swept, coordinates, outputs, of cycles ``period`` and ``multiplier`` (the largest
         modulus), ``stable`` and ``stable_held`` (1, 0, or -1 where they are not known), and ``branch``,
         the number of the branch in ``path.branches``.
+        """
+
+@final
+class Cycle(CycleRecord):
+    """A motion that repeats, and how stable it is.
+    """
+    def animate(
+        self,
+        path: str | Path | None = None,
+        *,
+        show: str | Sequence[str] | None = None,
+        plots: str | Sequence[str] | None = None,
+        follow: str | None = None,
+        traces: str | Sequence[str] = (),
+        meshes: str | float | bool = "auto",
+        page: str = "3d",
+        fps: float = 60.0,
+        title: str | None = None,
+    ) -> Page:
+        """A self-contained page that plays a period of the motion in any browser.
+
+        Args:
+            path, show, plots, follow, traces, meshes, page, fps, title: As
+                :meth:`.Trajectory.animate`.
+
+        Returns:
+            The page; ``.path`` is its file. Without a path it is opened, or shown in a notebook.
+
+        Raises:
+            ModelError, ArgumentError: as :meth:`.Trajectory.animate`.
+        """
+    @property
+    def motion(
+        self,
+    ) -> Trajectory:
+        """The motion over a period; with a symmetry over one lap.
+        """
+    def plot(
+        self,
+        path: str | Path | None = None,
+        names: Iterable[str] | None = None,
+        *,
+        against: str | None = None,
+    ) -> Figure:
+        """The motion over a period as a Matplotlib figure, written to ``path`` if given.
+
+        ``cycle.plot("orbit.png", "elbow.u", against="elbow")`` is the orbit in the state space.
+
+        Args:
+            path: Picture file; the ending says the format.
+            names: What to draw, such as ``["elbow", "elbow.u"]``; by default all coordinates, all
+                speeds and the energies over time, against another one all speeds.
+            against: What is along the horizontal axis, such as ``"elbow"``; the time by default.
+
+        Raises:
+            ModelError: unknown names, no picture file. ModuleNotFoundError: no Matplotlib.
         """
 
 @final

@@ -48,6 +48,29 @@ def plot(
     return _figure(str(motion.manifest.name), "t [s]", motion.t, panels, path, stepwise)
 
 
+def plot_against(
+    motion: TrajectoryRecord, against: str, names: Iterable[str], path: str | Path | None
+) -> Figure:
+    """Draw entries of a motion against another one, one panel each: orbits in the state space.
+
+    Args:
+        motion: The motion.
+        against: What is along the axis: a history of one number.
+        names: What to draw.
+        path: Picture file, or None.
+
+    Raises:
+        ModelError: unknown names, no picture file. ModuleNotFoundError: no Matplotlib.
+    """
+    chosen, motion = checked_names(names), _smooth(motion)
+    over = np.asarray(motion[against])
+    if over.ndim != 1:
+        raise ModelError(f"plot: against='{against}' has several numbers; name one of them")
+    unit = units_of(motion).get(against)
+    label = f"{against} [{unit}]" if unit else against
+    return _figure(str(motion.manifest.name), label, over, _chosen(motion, chosen), path)
+
+
 def plot_over(
     title: str, label: str, over: Curve, curves: dict[str, Curve], path: str | Path | None
 ) -> Figure:

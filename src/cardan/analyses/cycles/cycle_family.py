@@ -90,10 +90,18 @@ class CycleFamily:
         Raises:
             SolveError: as there; the point is at rest, which repeats with any period.
         """
-        at, problem = point.at, self.problem
+        self._refuse_motionless(point.at)
+        return self.shooting.residual(point.at)
+
+    def _refuse_motionless(self, at: CycleState) -> None:
+        """Refuse what repeats with any period.
+
+        Raises:
+            SolveError: it is at rest.
+        """
+        problem = self.problem
         if problem.free_period and at.period * np.linalg.norm(problem.rate(at)) < MOTIONLESS:
             raise SolveError("cycle: the motion shrinks to rest")
-        return self.shooting.residual(at)
 
     def moved(self, point: CyclePoint, dz: Array) -> CyclePoint:
         """Same as :meth:`.Family.moved`."""
@@ -118,16 +126,22 @@ class CycleFamily:
         """Same as :meth:`.Family.jacobian`; rough of second order, by half of the laps."""
         if not rough or id(point) in self._jacobians:
             return DenseJacobian(self._matrix(point))
-        return DenseJacobian(self._differences(point, rough=True))
+        return DenseJacobian(self._derivative(point, rough=True))
 
-    def _differences(self, point: CyclePoint, rough: bool) -> Array:
+    def _derivative(self, point: CyclePoint, rough: bool) -> Array:
+        # a sweep finds derivatives at rest too, where a correction may have led
+        self._refuse_motionless(point.at)
         return self.shooting.derivative(
-            point.at, lambda dz: self.residual(self.moved(point, dz)), len(self.weights), rough
+            point.at,
+            lambda dz: self.residual(self.moved(point, dz)),
+            len(self.weights),
+            rough,
+            lambda ds: self.way.values(point.s + ds),
         )
 
     def _matrix(self, point: CyclePoint) -> Array:
         if id(point) not in self._jacobians:
-            matrix = self._differences(point, rough=False)
+            matrix = self._derivative(point, rough=False)
             if not np.isfinite(matrix).all():
                 raise SolveError("cycle: derivatives of a lap are not finite")
             while len(self._jacobians) >= CACHED:

@@ -6,8 +6,7 @@ by increments (rotations in body axes) in units of the motion. A start is brough
 and onto the section first; along what that takes away the derivative of a lap is 0.
 
 Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), chapter 7 (shooting,
-monodromy matrix); P. C. Müller, Chaos, Solitons & Fractals 5 (1995), 1671-1681 (disturbances that
-pass jumps of the state: differences of runs contain them).
+monodromy matrix).
 """
 
 from __future__ import annotations
@@ -29,7 +28,7 @@ from ..simulation.settings import Settings
 from ..systems.central_differences import by_differences
 from ..systems.dynamic_system import DynamicSystem, Moment, dense
 from .energy_level import ENERGY, EnergyLevel
-from .flow import Flow
+from .flow import Flow, Passage
 from .named_states import StateMap
 from .section import Section
 
@@ -78,6 +77,7 @@ class CycleProblem:
         normal: The increment that moves starts off the section (n,), by 1 of what passes zero
             there; None where they need not lie on it.
         level: The energy that a cycle has to have; None where energy is not kept.
+        reasons: Why the last derivative of a lap is one by differences; empty if it is not.
     """
 
     model: LoadedModel
@@ -94,6 +94,7 @@ class CycleProblem:
     normal: Array | None = None
     level: EnergyLevel | None = None
     _flows: dict[tuple[tuple[str, float], ...], Flow] = field(default_factory=dict)
+    reasons: list[str] = field(default_factory=list)
 
     @property
     def free_period(self) -> bool:
@@ -216,26 +217,42 @@ class CycleProblem:
         return CycleState(x, s, spent, at.values)
 
     def _lap(self, flow: Flow, x: Array, s: Array, at: CycleState) -> tuple[Array, Array, float]:
-        t = self.t
-        if self.section is None:
-            period = self.period_of(at)
-            if self.period is None:
-                period /= self.laps
-            if not (period > 0 and (self.period is not None or period <= self.longest)):
-                raise SolveError(
-                    f"cycle: the period became {period:.6g} s, not within longest={self.longest:g}"
-                )
-            x, s = flow.end(x, s, t, t + period)
-            return self.mapped(x), s, period
-        match = self.section.counter(t, RESOLUTION * self.longest)
-        passage = flow.passage(x, s, t, t + self.longest, match)
+        t, length, match = self.t, self.lap_length(at), self.lap_match()
+        if match is None:
+            x, s = flow.end(x, s, t, t + length)
+            return self.mapped(x), s, length
+        passage = flow.passage(x, s, t, t + length, match)
         if passage is None:
+            assert self.section is not None
             raise SolveError(
                 f"cycle: the motion does not come back to '{self.section.name}' within "
                 f"{self.longest:g} s. Look at a run from there: its events, and where= and "
                 "crossing= that single one out; or give longest="
             )
         return self.mapped(passage.x_after), passage.s_after, passage.t - t
+
+    def lap_length(self, at: CycleState) -> float:
+        """Time [s] that a lap takes, or within which it comes to the section.
+
+        Raises:
+            SolveError: a period is out of range.
+        """
+        if self.section is not None:
+            return self.longest
+        period = self.period_of(at)
+        if self.period is None:
+            period /= self.laps
+        if not (period > 0 and (self.period is not None or period <= self.longest)):
+            raise SolveError(
+                f"cycle: the period became {period:.6g} s, not within longest={self.longest:g}"
+            )
+        return period
+
+    def lap_match(self) -> Callable[[Passage], bool] | None:
+        """What says that an event ends a lap; None where time does."""
+        if self.section is None:
+            return None
+        return self.section.counter(self.t, RESOLUTION * self.longest)
 
     def mapped(self, x: Array) -> Array:
         """The state (nx,) at the start of the next lap."""

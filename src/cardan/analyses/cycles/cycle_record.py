@@ -39,6 +39,8 @@ class CycleRecord(NamedState):
         converged: Whether it is a cycle.
         message: The same as a sentence.
         values: Parameters and inputs that were swept, by name.
+        derivatives: Where those of a lap come from: "exact", by a sweep over its steps, or
+            "differences of runs: " and why.
         problem, at: For analyses that go on from here.
     """
 
@@ -53,6 +55,7 @@ class CycleRecord(NamedState):
     converged: bool
     message: str
     values: Mapping[str, float]
+    derivatives: str
     problem: CycleProblem = field(repr=False)
     at: CycleState = field(repr=False)
 
@@ -90,7 +93,8 @@ class CycleRecord(NamedState):
             f"cycle of '{self.model.name}'{values}: {self.message}\n"
             f"  period {self.period:.12g} s, {'stable' if self.stable else 'unstable'}\n"
             f"  {state}\n"
-            f"  multipliers {values_text}{more}"
+            f"  multipliers {values_text}{more}\n"
+            f"  derivatives of laps: {self.derivatives}"
         )
 
 
@@ -111,7 +115,10 @@ def record_of(
 ) -> CycleRecord:
     """The record of a cycle."""
     model = problem.flow(at.values).model
+    reasons = "; ".join(problem.reasons)
+    derivatives = f"differences of runs: {reasons}" if reasons else "exact"
     return CycleRecord(
         model, at.x, at.s, at.period, multipliers, residuals[-1] if residuals else np.nan,
-        residuals, max(0, len(residuals) - 1), converged, message, dict(at.values), problem, at,
+        residuals, max(0, len(residuals) - 1), converged, message, dict(at.values),
+        derivatives, problem, at,
     )  # fmt: skip

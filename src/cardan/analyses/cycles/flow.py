@@ -49,6 +49,25 @@ class Passage:
     s_after: Array
 
 
+@dataclass(frozen=True, eq=False)
+class Course:
+    """The steps of a run.
+
+    Attributes:
+        rows: t, y, inputs and modes at their ends (count, width), before and behind events.
+        log: Rows of the log of events.
+        passage: What ended it; None where time did.
+        t, x, s: Time [s], state (nx,) and modes (ns,) at its end, behind that.
+    """
+
+    rows: Array
+    log: Array
+    passage: Passage | None
+    t: float
+    x: Array
+    s: Array
+
+
 @final
 class Flow:
     """Runs of a model with its parameters and inputs.
@@ -189,6 +208,42 @@ class Flow:
         self._run(x, s, t, end, stop)
         return matches[0] if matches else None
 
+    def course(
+        self, x: Array, s: Array, t: float, end: float, match: Callable[[Passage], bool] | None
+    ) -> Course | None:
+        """The steps of a run to a time, or to the first event that matches; None if none does.
+
+        Raises:
+            SolveError: the run breaks down.
+        """
+        rows, log, matches = list[Array](), list[Array](), list[Passage]()
+
+        def stop(entries: Array) -> bool:
+            for row in entries:
+                log.append(row)
+                passage = self._passage(row)
+                if match is not None and match(passage):
+                    matches.append(passage)
+                    return True
+            return False
+
+        self._run(x, s, t, end, stop, rows)
+        if match is not None and not matches:
+            return None
+        table, entries = np.concatenate(rows), np.array(log) if log else self._runner.log[:0]
+        if not matches:
+            modes = self._runner.views["s"].copy()
+            return Course(table, entries, None, end, self._state(), modes)
+        (last,) = matches
+        # those beyond the event belong to no lap
+        table = table[table[:, 0] <= last.t]
+        return Course(table, entries, last, last.t, last.x_after, last.s_after)
+
+    @property
+    def runner(self) -> Runner:
+        """What ran, as the last run left it: those with other parameters share it."""
+        return self._runner
+
     def motion(self, x: Array, s: Array, t: float, end: float) -> TrajectoryRecord:
         """The run as a motion."""
         runner = runner_of(self.model, self._how, self._inputs, self.event_table)
@@ -215,18 +270,37 @@ class Flow:
         jumping = self.model if jumps(self._base) else self._base
         return runner.start(t, x, stops_of(jumping, self._inputs, t, end)) or abi.MORE
 
-    def _run(self, x: Array, s: Array, t: float, end: float, stop: Callable[[Array], bool]) -> None:
-        """Go from a state to a time, or until the log of events says that it is enough."""
+    def _run(
+        self,
+        x: Array,
+        s: Array,
+        t: float,
+        end: float,
+        stop: Callable[[Array], bool],
+        rows: list[Array] | None = None,
+    ) -> None:
+        """Go from a state to a time, or until the log of events says that it is enough.
+
+        Args:
+            x, s, t, end: From which state and time to when.
+            stop: Whether new rows of the log end it.
+            rows: Takes the rows of its steps; None where nobody wants them.
+        """
         runner, run = self._runner, self._runner.record
-        answer = self._begin(x, s, t, end)
+        answer, enough = self._begin(x, s, t, end), False
         while answer in (abi.MORE, abi.FULL):
+            if rows is not None:
+                rows.append(runner.rows[: run.count].copy())
             run.count = 0
             answer = runner.drive(STEPS)
             runner.check()
             runner.check_interrupt()
-            if stop(runner.drained()):
-                return
-        if answer != abi.DONE:
+            enough = stop(runner.drained())
+            if enough:
+                break
+        if rows is not None:
+            rows.append(runner.rows[: run.count].copy())
+        if not enough and answer != abi.DONE:
             raise SolveError(explain(runner, answer, Span(t, end))[1])
 
     def _passage(self, row: Array) -> Passage:

@@ -64,6 +64,7 @@ def symmetry_map(system: DynamicSystem, model: LoadedModel, symmetry: object) ->
             f"cycle: symmetry={brief(symmetry)}; give name -> name, or a function of the "
             "named state"
         )
+    # what is named once is exchanged, by the inverse of what was given
     images = {name: _image(name, image) for name, image in symmetry.items()}
     for name, (of, factor, shift) in list(images.items()):
         images.setdefault(of, (name, 1 / factor, -shift / factor))

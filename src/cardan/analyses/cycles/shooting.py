@@ -8,9 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...arrays import Array
-from ...errors import SolveError
+from ...errors import CardanError, SolveError
 from ..systems.central_differences import by_differences
 from .cycle_problem import CycleProblem, CycleState
+from .lap_derivative import WIDE, LapDerivative, Sweep, lap_derivative, refusal
 
 NEWTON, HALVINGS = 30, 8
 ROUGH = 1e-5  # increments of differences that steer Newton's method
@@ -101,7 +102,7 @@ class Shooting:
         return replace(at, x=self.problem.moved(at.x, dz[:n]), period=period)
 
     def jacobian(self, at: CycleState) -> Array:
-        """Derivative of the residual by central differences of runs.
+        """Derivative of the residual.
 
         Raises:
             SolveError: a lap breaks down.
@@ -110,15 +111,92 @@ class Shooting:
         return self.derivative(at, lambda dz: self.residual(self.moved(at, dz)), count)
 
     def derivative(
-        self, at: CycleState, residual: Callable[[Array], Array], count: int, rough: bool = False
+        self,
+        at: CycleState,
+        residual: Callable[[Array], Array],
+        count: int,
+        rough: bool = False,
+        values: Sweep | None = None,
     ) -> Array:
-        """Derivative of residuals by central differences of runs.
+        """Derivative of residuals: by a sweep over a lap, or by central differences of runs.
 
         Args:
             at: The start.
             residual: Of increments (count,) from there, those of the start first.
             count: Number of increments.
-            rough: Of second order, by half of the laps.
+            rough: Differences of second order, by half of the laps.
+            values: What is swept by the last of the increments; None where nothing is.
+
+        Raises:
+            SolveError: a lap breaks down.
+        """
+        reasons = self.problem.reasons
+        # the last derivative tells where those of a cycle come from
+        reasons[:] = [text for text in [refusal(self.problem)] if text]
+        if not reasons:
+            try:
+                return self._exact(at, lap_derivative(self.problem, at, values), values)
+            except CardanError as error:
+                reasons[:] = [str(error)]
+        return self._by_differences(at, residual, count, rough)
+
+    def _exact(self, at: CycleState, lap: LapDerivative, values: Sweep | None) -> Array:
+        """Derivative of the residual from that of a lap."""
+        problem = self.problem
+        by_begun, by_end = _of_step(problem, lap.begun.x, lap.end.x)
+        if problem.level is None:
+            columns = [by_begun + by_end @ lap.by_start]
+            if problem.free_period:
+                columns.append(by_end @ lap.by_period[:, None])
+            if values is not None:
+                columns.append(by_end @ lap.by_value[:, None])
+            J = np.hstack(columns)
+        else:
+            J = self._exact_at_energy(at, lap, values, by_begun, by_end)
+        if self.phase is None:
+            return J
+        row = np.zeros(J.shape[1])
+        row[: len(J)] = self.phase.normal @ _of_step(problem, self.phase.x, at.x)[1]
+        return np.vstack([J, row])
+
+    def _exact_at_energy(
+        self,
+        at: CycleState,
+        lap: LapDerivative,
+        values: Sweep | None,
+        by_begun: Array,
+        by_end: Array,
+    ) -> Array:
+        """The same where energy is kept; the direction of its gradient counts as fixed."""
+        problem, begun, level = self.problem, lap.begun, self.problem.level
+        assert level is not None
+        flow, n = problem.flow(at.values), len(problem.units)
+        # the start brought onto constraints, what a lap misses, the energy along its slope
+        slope = level.gradient(problem.system, flow, begun.x, problem.t) * problem.units
+        columns = [by_begun @ lap.onto + by_end @ lap.by_start]
+        moved, energy = [lap.onto - np.eye(n)], [slope / level.size @ lap.onto]
+        if problem.free_period:
+            columns.append(by_end @ lap.by_period[:, None])
+            moved.append(np.zeros((n, 1)))
+            energy.append(np.zeros(1))
+        if values is not None:
+            swept = values
+
+            def off(ds: Array) -> Array:
+                there = problem.closed(replace(at, values=swept(float(ds[0]))))
+                return np.array([problem.energy_off(there)])
+
+            shift = lap.begun_by_value[:, None]
+            columns.append(by_begun @ shift + by_end @ lap.by_value[:, None])
+            moved.append(shift)
+            energy.append(by_differences(off, np.full(1, FINE))[0])
+        missed, along = np.hstack(columns), problem.uphill(begun)
+        return np.hstack(moved) + missed + np.outer(along, np.concatenate(energy) - along @ missed)
+
+    def _by_differences(
+        self, at: CycleState, residual: Callable[[Array], Array], count: int, rough: bool
+    ) -> Array:
+        """Derivative of residuals by central differences of runs.
 
         Raises:
             SolveError: a lap breaks down.
@@ -138,6 +216,23 @@ class Shooting:
         if self.phase is not None:
             states[n] += self.phase.normal @ off
         return np.concatenate([states, columns[:, d:]], axis=1)
+
+
+def _of_step(problem: CycleProblem, before: Array, after: Array) -> tuple[Array, Array]:
+    """Derivatives (n, n) of the step between two states, by increments of both."""
+    n, system = len(problem.units), problem.system
+    by_before, by_after = -np.eye(n), np.eye(n)
+    names = enumerate(system.increments)
+    rotations = np.array([k for k, name in names if name not in system.coordinates], dtype=np.intp)
+    if len(rotations):
+        units = np.full(n, WIDE)
+        by_before[:, rotations] = by_differences(
+            lambda dx: problem.step(problem.moved(before, dx), after), units, rotations
+        )
+        by_after[:, rotations] = by_differences(
+            lambda dx: problem.step(before, problem.moved(after, dx)), units, rotations
+        )
+    return by_before, by_after
 
 
 def _differences(

@@ -59,6 +59,7 @@ class Sweep(StepsAgain):
         ends = np.cumsum(self.segment_counts)[:-1]
         self.by_coefficients = np.split(coefficients, ends) if len(coefficients) else []
         self._cost = np.zeros(1)
+        # products backward, so that parameters cost nothing more
         closing = runner.closing
         keys: dict[str, tuple[str, str | None]] = {"rates": ("vjp", self.request("rhs"))}
         for name in closing.functions:

@@ -191,6 +191,7 @@ def _directions(
             size = len(names) if name == "p" else 1 if table is None else len(table[0])
         sizes.append(size)
         single.append(size == 1 and name not in (*blocks, "z0", "p") and table is None)
+    # a unit of every number that is wanted, one after the other
     columns = columns_of(sizes)
     directions = directions_of(model, sum(len(one.coefficients) for one in tabulated), sum(sizes))
     for name, column in zip(listed.names, columns, strict=True):

@@ -9,7 +9,9 @@ from typing import final
 import numpy as np
 
 from ...arrays import Array
+from ...errors import ModelError
 from ...runtime.models.loaded_model import LoadedModel
+from ...schema.blocks import DIRECTIONS
 from ...schema.records import Tangent
 from ...schema.request import Request
 from ..simulation.run import Runner
@@ -47,16 +49,27 @@ class Tangents(StepsAgain):
         by_s: Changes of the modes (k, ns) since the last event.
     """
 
-    def __init__(self, runner: Runner, directions: Directions) -> None:
+    def __init__(
+        self, runner: Runner, directions: Directions, model: LoadedModel | None = None
+    ) -> None:
+        """Args:
+        runner: What took the steps.
+        directions: What changes.
+        model: Its model with the parameters of the run, where these are others than its own.
+        """
         super().__init__(runner)
-        model, record, k = runner.model, Tangent(), len(directions.start)
+        self.model = model = runner.model if model is None else model
+        record, k = Tangent(), len(directions.start)
         self.record, self.directions = record, directions
         self.by_s = np.zeros((k, model.ns))
+        # the C has columns of single names in alphabetical order, behind those of blocks
         names = list(model.parameters)
         # one column of C for each parameter that changes: all of a large robot would cost more
         named = sorted(names[k] for k in directions.moved)
         self._named = tuple(named)
+        self._check_names()
         by_named = directions.p[:, [names.index(name) for name in named]]
+        # what runs project onto constraints by is differentiated like every step
         closing = runner.closing
         keys = {"rates": ("derivative", self.request("rhs"))}
         keys |= {
@@ -79,6 +92,19 @@ class Tangents(StepsAgain):
             setattr(record, name, self.pointer(_filled(room)))
         if self.by_s.size:
             record.by_s = self.pointer(self.by_s)
+
+    def _check_names(self) -> None:
+        """Refuse parameters that nothing can be differentiated by alone.
+
+        Raises:
+            ModelError: there is one.
+        """
+        for name in self._named:
+            if name in DIRECTIONS:
+                raise ModelError(
+                    f"gradient: parameter '{name}' of '{self.model.name}' is called as the block "
+                    f"'{name}' of all functions is, and cannot be told from it: rename it"
+                )
 
     def request(self, function: str, time: bool = False) -> str:
         """Derivative of a function along state, modes, inputs and parameters that change."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...arrays import Array
+from ..simulation import run_record as abi
 from ..simulation.events import EventTable
 from .jumps import EventInstant, check_touch, event_names, root_of, slope_of_watched
 from .tangent import Tangents
@@ -32,6 +33,22 @@ class TangentJumps:
         Raises:
             SolveError: two events at one time that are not one, or one that happens by a touch.
         """
+        x, delay = self.arrive(at, x)
+        inputs = self.tangents.inputs_at(at.t)[0]
+        # what is behind begins later: changes are told at the time that stays
+        behind = np.asarray(self.model.rhs(at.t, at.x_after, inputs, s=at.s_after))
+        return np.asarray(x - np.outer(delay, behind))
+
+    def arrive(self, at: EventInstant, x: Array) -> tuple[Array, Array]:
+        """Changes (k, nx) behind what happened at its own time, and by how much later it is (k,).
+
+        Args:
+            at: What happened; events that change nothing may be in it.
+            x: Changes before it, at its time.
+
+        Raises:
+            SolveError: as :meth:`push`.
+        """
         tangents, model = self.tangents, self.model
         inputs, rates = tangents.inputs_at(at.t)
         by_r = tangents.input_changes(at.t)
@@ -44,10 +61,13 @@ class TangentJumps:
         by_r = by_r + np.outer(delay, rates)
         # several at one time follow from each other, the first one decides about the time
         for k in range(len(at.fired)):
-            x = self._transition(at, k, x, delay, by_r, inputs)
-        # what is behind begins later: changes are told at the time that stays
-        behind = np.asarray(model.rhs(at.t, at.x_after, inputs, s=at.s_after))
-        return np.asarray(x - np.outer(delay, behind))
+            if self._changing(at.fired[k]):
+                x = self._transition(at, k, x, delay, by_r, inputs)
+        return x, delay
+
+    def _changing(self, fired: Array) -> bool:
+        """Whether any of some events changes the state."""
+        return any(self.events.kinds[k] <= abi.TICK for k in np.flatnonzero(fired))
 
     def _delay(
         self,
