@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import pickle
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -383,3 +384,10 @@ def _with_input() -> cd.Scene:
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=1.0))
     scene.force("push", cd.JointForce("x", scene.input("f")))
     return scene
+
+
+def test_pickles_keep_sensitivities() -> None:
+    motion = double_pendulum().simulate(0.5, q={"a": 1.0}, sensitivity=("m2", "x0"))
+    copy = pickle.loads(pickle.dumps(motion))
+    for name in ("m2", "x0"):
+        np.testing.assert_array_equal(copy.sensitivity[name], motion.sensitivity[name])

@@ -90,6 +90,8 @@ def digest(values: Mapping[str, Any]) -> str:
     if values["dense"] is not None:
         arrays += [values["dense"].t, values["dense"].y, values["dense"].spreads]
         total.update(repr(values["dense"].charted).encode())
+    # motions without any have the hash of those that could not have any
+    arrays += _sorted(values.get("sensitivity", {}))
     for array in (*arrays, *_sorted(values["numbers"])):
         total.update(repr(np.shape(array)).encode())
         total.update(np.ascontiguousarray(array, dtype=np.float64).tobytes())
@@ -124,9 +126,10 @@ def restore(values: dict[str, Any], stated: str) -> TrajectoryRecord:
     """
     try:
         values = read(values)
-        intact = digest(values) == stated and set(values) == {
-            f.name for f in fields(TrajectoryRecord)
-        }
+        names = {field.name for field in fields(TrajectoryRecord)}
+        # pickles of earlier versions have none
+        values.setdefault("sensitivity", {})
+        intact = digest(values) == stated and set(values) == names
     except ModelError:
         raise
     except (KeyError, TypeError, ValueError, AttributeError) as error:
@@ -151,6 +154,9 @@ def _check(values: Mapping[str, Any]) -> None:
         len(event_log.log) and np.shape(event_log.log)[1] != columns
     ):
         raise _damaged("its events do not fit its states")
+    for name, one in values["sensitivity"].items():
+        if np.shape(one)[:2] != (count, width):
+            raise _damaged(f"its sensitivity by {name!r} does not fit its states")
     dense = values["dense"]
     said = isinstance(values["solver_info"], SolverInfo) and isinstance(
         values["ledger"], Ledger | None
