@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import pickle
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -351,34 +350,6 @@ def test_forward_and_backward_are_the_same() -> None:
     both(windows(), 0.3, "A0", ("u0.A0", "gravity.y", "x0"), q={"A0": np.pi / 2}, u={"A0": -1.0})
 
 
-def test_sensitivities_at_any_time() -> None:
-    """Between the rows, and against differences of whole motions."""
-    model, names = double_pendulum(), ("m2", "q0.a", "x0")
-    given = {"q": {"a": 1.0, "b": 0.5}, "u": {"a": 0.2}, **TIGHT}
-    motion = model.simulate(2.0, sensitivity=names, **given)
-    times = np.array([0.0, 0.123, 1.7, 2.0])
-    found = motion.sensitivity.at(times)
-    assert found["m2"].shape == (4, 4)
-    assert found["x0"].shape == (4, 4, 4)
-    np.testing.assert_array_equal(found["m2"][0], 0.0)
-    np.testing.assert_array_equal(found["x0"][0], np.eye(4))
-    np.testing.assert_allclose(found["m2"][-1], motion.sensitivity["m2"][-1], rtol=1e-14)
-
-    def states(by: float) -> Any:
-        return model.simulate(times, parameters={"m2": 1.0 + by}, **given).x
-
-    slope = (states(1e-4) - states(-1e-4)) / 2e-4
-    np.testing.assert_allclose(found["m2"], slope, atol=1e-6)
-    with pytest.raises(SolveError, match="from 0 s to 2 s"):
-        motion.sensitivity.at(2.5)
-    with pytest.raises(ModelError, match=r"'m1' was not asked for"):
-        motion.sensitivity["m1"]
-    with pytest.raises(ModelError, match="checkpoint"):
-        model.simulate(1.0, sensitivity="m2", checkpoint="x.run", **given)
-    with pytest.raises(ModelError, match=r"sensitivity.at"):
-        model.simulate(times, sensitivity="m2", **given)
-
-
 def _with_input() -> cd.Scene:
     scene = cd.Scene("pushed")
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=1.0))
@@ -386,8 +357,20 @@ def _with_input() -> cd.Scene:
     return scene
 
 
-def test_pickles_keep_sensitivities() -> None:
-    motion = double_pendulum().simulate(0.5, q={"a": 1.0}, sensitivity=("m2", "x0"))
-    copy = pickle.loads(pickle.dumps(motion))
-    for name in ("m2", "x0"):
-        np.testing.assert_array_equal(copy.sensitivity[name], motion.sensitivity[name])
+def test_times_of_jumps_are_held_or_refused() -> None:
+    """A push that begins at t = 0.3 s, or when a parameter says."""
+    scene = cd.Scene("pushed")
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=2.0))
+    begin, size = scene.parameter("begin", 0.3), scene.parameter("size", 5.0)
+    push = sp.Piecewise((0, cd.t < begin), (size, True))
+    scene.force("push", cd.JointForce("x", push))
+    model = cd.compile(scene)
+    # x = size (t - begin)^2 / 2 m
+    found = model.gradient(1.0, cd.cost(final="x"), wrt=("size", "cart.mass"), **TIGHT)
+    assert found.slope["size"] == pytest.approx(0.7**2 / 4, rel=1e-10)
+    assert found.slope["cart.mass"] == pytest.approx(-5.0 * 0.7**2 / 8, rel=1e-10)
+    for names in ("begin", "p"):
+        with pytest.raises(ModelError, match=r"'begin' decides when the model jumps"):
+            model.gradient(1.0, cd.cost(final="x"), wrt=names)
+        with pytest.raises(ModelError, match=r"'begin' decides when the model jumps"):
+            model.simulate(1.0, sensitivity=names)

@@ -24,6 +24,7 @@ from ..gradients.steps import TABLES
 from ..gradients.tangent import Directions, Tangents, directions_of
 from ..gradients.tangent_jumps import TangentJumps
 from ..simulation import run_record as abi
+from ..simulation.discontinuities import jump_parameters
 from ..systems.central_differences import by_differences
 from .cycle_problem import CycleProblem, CycleState, Values
 from .flow import Course
@@ -67,6 +68,8 @@ def refusal(problem: CycleProblem) -> str:
     if inputs.functions:
         names = [problem.model.inputs[k] for k in inputs.functions]
         return f"input '{names[0]}' is a function, whose derivative is not known"
+    if moving := jump_parameters(problem.model):
+        return f"parameter '{moving[0]}' decides when the model jumps"
     if problem.flow({}).runner.interpreted:
         return "there is no C compiler"
     return ""

@@ -8,13 +8,19 @@ from ...arrays import Array
 from ...errors import ModelError, SolveError
 from ...runtime.trajectory.solver_info import EVENT, FINISHED
 from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ..simulation.discontinuities import jump_parameters
 from ..simulation.driving import RunSetup
 from .jumps import EventInstant
 from .steps import TABLES
+from .unknowns import Unknowns
 
 
-def refuse(setup: RunSetup) -> None:
+def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
     """Refuse what has no gradient.
+
+    Args:
+        setup: The run.
+        unknowns: What it is differentiated by.
 
     Raises:
         ModelError: with the cure.
@@ -37,6 +43,16 @@ def refuse(setup: RunSetup) -> None:
         raise ModelError(
             f"gradient: input '{names[0]}' is a function, whose derivative is not known. Give it "
             "as (times, values), or write it into the scene as a force"
+        )
+
+    # the time of such a jump is no event: nothing would move it along
+    listed = unknowns.names
+    moving = [name for name in jump_parameters(model) if "p" in listed or name in listed]
+    if moving:
+        raise ModelError(
+            f"gradient: parameter '{moving[0]}' decides when the model jumps, by a comparison of "
+            "t, and such times are held. Name the parameters that you need without it, or write "
+            "the jump as an event of the scene"
         )
 
 

@@ -92,7 +92,7 @@ def gradient(
     options = (method, rtol, atol, step, max_step)
     setup = run_setup(model, (t, None), state, events, options, inputs, parameters)
     names = unknowns(setup.model, wrt, {str(k): v for k, v in named_inputs.items()})
-    refuse(setup)
+    refuse(setup, names)
     runner = runner_of(setup.model, chosen(setup.how, None), setup.input_signals, setup.event_table)
     motion = driven(runner, setup.over, setup.begin, progress, dense=False)
     check_complete(motion)

@@ -131,7 +131,7 @@ def differentiated(
         )
     setup = replace(setup, how=chosen(setup.how, None), case=None)
     listed = unknowns(setup.model, names, {str(k): v for k, v in (inputs or {}).items()})
-    refuse(setup)
+    refuse(setup, listed)
     runner = runner_of(setup.model, setup.how, setup.input_signals, setup.event_table)
     motion = reported(driven(runner, setup.over, setup.begin, progress), check)
     check_complete(motion)

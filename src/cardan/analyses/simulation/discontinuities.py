@@ -10,6 +10,8 @@ from __future__ import annotations
 import numpy as np
 
 from ...arrays import Array
+from ...ir.function import live
+from ...ir.serialize import from_dict
 from ...runtime.models.loaded_model import LoadedModel
 from .signals import Signals
 
@@ -32,6 +34,17 @@ def jumps(model: LoadedModel) -> bool:
     if FUNCTION not in model._derived:
         model._derived[FUNCTION] = FUNCTION in model.saved
     return bool(model._derived[FUNCTION])
+
+
+def jump_parameters(model: LoadedModel) -> tuple[str, ...]:
+    """Names of the parameters that decide when a model jumps."""
+    if not jumps(model):
+        return ()
+    function = from_dict(model._objects.saved()[FUNCTION])
+    roots = [node for output in function.outputs for node in output.nodes]
+    nodes = (function.graph.nodes[i] for i in live(function.graph, roots))
+    places = {node[2] for node in nodes if node[:2] == ("var", "p")}
+    return tuple(name for k, name in enumerate(model.parameters) if k in places)
 
 
 def time_jumps(model: LoadedModel, start: float, end: float, looks: int = LOOKS) -> list[float]:

@@ -1,0 +1,47 @@
+"""Sensitivities along motions, at their times and between them."""
+
+from __future__ import annotations
+
+import pickle
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analyses.gradients.test_gradients import TIGHT, double_pendulum
+from cardan.errors import ModelError, SolveError
+
+
+def test_sensitivities_at_any_time() -> None:
+    """Between the rows, and against differences of whole motions."""
+    model, names = double_pendulum(), ("m2", "q0.a", "x0")
+    given = {"q": {"a": 1.0, "b": 0.5}, "u": {"a": 0.2}, **TIGHT}
+    motion = model.simulate(2.0, sensitivity=names, **given)
+    times = np.array([0.0, 0.123, 1.7, 2.0])
+    found = motion.sensitivity.at(times)
+    assert found["m2"].shape == (4, 4)
+    assert found["x0"].shape == (4, 4, 4)
+    np.testing.assert_array_equal(found["m2"][0], 0.0)
+    np.testing.assert_array_equal(found["x0"][0], np.eye(4))
+    np.testing.assert_allclose(found["m2"][-1], motion.sensitivity["m2"][-1], rtol=1e-14)
+
+    def states(by: float) -> Any:
+        return model.simulate(times, parameters={"m2": 1.0 + by}, **given).x
+
+    slope = (states(1e-4) - states(-1e-4)) / 2e-4
+    np.testing.assert_allclose(found["m2"], slope, atol=1e-6)
+    with pytest.raises(SolveError, match="from 0 s to 2 s"):
+        motion.sensitivity.at(2.5)
+    with pytest.raises(ModelError, match=r"'m1' was not asked for"):
+        motion.sensitivity["m1"]
+    with pytest.raises(ModelError, match="checkpoint"):
+        model.simulate(1.0, sensitivity="m2", checkpoint="x.run", **given)
+    with pytest.raises(ModelError, match=r"sensitivity.at"):
+        model.simulate(times, sensitivity="m2", **given)
+
+
+def test_pickles_keep_sensitivities() -> None:
+    motion = double_pendulum().simulate(0.5, q={"a": 1.0}, sensitivity=("m2", "x0"))
+    copy = pickle.loads(pickle.dumps(motion))
+    for name in ("m2", "x0"):
+        np.testing.assert_array_equal(copy.sensitivity[name], motion.sensitivity[name])
