@@ -11,7 +11,7 @@ from ...arguments import Inputs, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
-from ..gradients.unknowns import start_places
+from ..gradients.unknowns import start_blocks, start_places
 from ..simulation.settings import Values, start
 from ..simulation.simulate import simulate
 from .record import Fit
@@ -95,9 +95,7 @@ def _unknowns(
 ) -> tuple[tuple[str, ...], dict[str, slice]]:
     """Names of parameters, and where unknown starts are."""
     names = (unknown,) if isinstance(unknown, str) else tuple(unknown)
-    nu, nz = model.nu, model.nz
-    blocks = {"x0": slice(0, 2 * nu + nz), "q0": slice(0, nu), "u0": slice(nu, 2 * nu)}
-    places = {**start_places(model), **blocks, "z0": slice(2 * nu, 2 * nu + nz)}
+    places = start_places(model) | start_blocks(model)
     chosen, starts = [], {}
     for name in names:
         if name in model.parameters:

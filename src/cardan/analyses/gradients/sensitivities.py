@@ -21,7 +21,7 @@ from .jumps import event_instants
 from .start import NamedStart
 from .tangent import Directions, Tangents, columns_of, directions_of
 from .tangent_jumps import TangentJumps
-from .unknowns import Unknowns, start_places, unknowns
+from .unknowns import Unknowns, start_blocks, start_places, unknowns
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,9 +178,8 @@ def _directions(
 ) -> tuple[Directions, dict[str, tuple[slice, bool]]]:
     """Directions of everything by name, and which belong to which name."""
     model, tabulated = setup.model, setup.input_signals.tabulated
-    nu, names = model.nu, list(model.parameters)
-    blocks = {"x0": slice(0, 2 * nu + model.nz), "q0": slice(0, nu), "u0": slice(nu, 2 * nu)}
-    places = {**start_places(model), **blocks, "z0": slice(2 * nu, 2 * nu + model.nz)}
+    names, blocks = list(model.parameters), start_blocks(model)
+    places = start_places(model) | blocks
     tables = {name: listed.table(name) for name in listed.names if name in model.inputs}
     sizes, single = [], []
     for name in listed.names:
@@ -190,7 +189,7 @@ def _directions(
         else:
             size = len(names) if name == "p" else 1 if table is None else len(table[0])
         sizes.append(size)
-        single.append(size == 1 and name not in (*blocks, "z0", "p") and table is None)
+        single.append(size == 1 and name not in (*blocks, "p") and table is None)
     # a unit of every number that is wanted, one after the other
     columns = columns_of(sizes)
     directions = directions_of(model, sum(len(one.coefficients) for one in tabulated), sum(sizes))

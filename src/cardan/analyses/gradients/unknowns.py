@@ -61,10 +61,10 @@ class Unknowns:
     def _slope(
         self, name: str, start: Array, by_p: Array, signals: Signals, inputs: InputSlopes
     ) -> Slope:
-        model, nu = self.model, self.model.nu
-        blocks = {"x0": start, "q0": start[:nu], "u0": start[nu : 2 * nu], "z0": start[2 * nu :]}
+        model = self.model
+        blocks = start_blocks(model)
         if name in blocks:
-            return blocks[name].copy()
+            return start[blocks[name]].copy()
         if name == "p":
             return by_p.copy()
         places = start_places(model)
@@ -107,6 +107,13 @@ class InputSlopes:
                 at = next(i for i, s in enumerate(signals.tabulated) if s.input == one.input)
                 slope[k] += float(np.sum(self.by_coefficients[at] * one.coefficients))
         return slope
+
+
+def start_blocks(model: LoadedModel) -> dict[str, slice]:
+    """Where ``x0``, ``q0``, ``u0`` and ``z0`` are in gradients by the start."""
+    nu, end = model.nu, 2 * model.nu + model.nz
+    parts = (slice(0, end), slice(0, nu), slice(nu, 2 * nu), slice(2 * nu, end))
+    return dict(zip(("x0", "q0", "u0", "z0"), parts, strict=True))
 
 
 def start_places(model: LoadedModel) -> dict[str, slice]:
