@@ -121,17 +121,18 @@ const size_t cardan_tick_layout[6] = {
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
 };
 
-extern const size_t cardan_steps_layout[14];
-const size_t cardan_steps_layout[14] = {
+extern const size_t cardan_steps_layout[16];
+const size_t cardan_steps_layout[16] = {
     sizeof(cardan_steps), offsetof(cardan_steps, run), offsetof(cardan_steps, stages),
-    offsetof(cardan_steps, nodes), offsetof(cardan_steps, weights), offsetof(cardan_steps, matrix),
-    offsetof(cardan_steps, rows), offsetof(cardan_steps, count), offsetof(cardan_steps, failed),
-    offsetof(cardan_steps, states), offsetof(cardan_steps, slopes), offsetof(cardan_steps, end),
-    offsetof(cardan_steps, place), offsetof(cardan_steps, work)
+    offsetof(cardan_steps, implicit), offsetof(cardan_steps, nodes), offsetof(cardan_steps,
+    weights), offsetof(cardan_steps, matrix), offsetof(cardan_steps, rows), offsetof(cardan_steps,
+    count), offsetof(cardan_steps, failed), offsetof(cardan_steps, states), offsetof(cardan_steps,
+    slopes), offsetof(cardan_steps, end), offsetof(cardan_steps, place), offsetof(cardan_steps,
+    system), offsetof(cardan_steps, work)
 };
 
-extern const size_t cardan_adjoint_layout[22];
-const size_t cardan_adjoint_layout[22] = {
+extern const size_t cardan_adjoint_layout[23];
+const size_t cardan_adjoint_layout[23] = {
     sizeof(cardan_adjoint), offsetof(cardan_adjoint, steps), offsetof(cardan_adjoint,
     rates.function), offsetof(cardan_adjoint, rates.w), offsetof(cardan_adjoint,
     close_position.function), offsetof(cardan_adjoint, close_position.w), offsetof(cardan_adjoint,
@@ -140,12 +141,12 @@ const size_t cardan_adjoint_layout[22] = {
     integrand_value.function), offsetof(cardan_adjoint, integrand_value.w), offsetof(cardan_adjoint,
     np), offsetof(cardan_adjoint, lam), offsetof(cardan_adjoint, by_p), offsetof(cardan_adjoint,
     by_s), offsetof(cardan_adjoint, by_r), offsetof(cardan_adjoint, by_coefficients),
-    offsetof(cardan_adjoint, cost), offsetof(cardan_adjoint, pulled), offsetof(cardan_adjoint, v),
-    offsetof(cardan_adjoint, out)
+    offsetof(cardan_adjoint, cost), offsetof(cardan_adjoint, pulled), offsetof(cardan_adjoint,
+    weights), offsetof(cardan_adjoint, v), offsetof(cardan_adjoint, out)
 };
 
-extern const size_t cardan_tangent_layout[19];
-const size_t cardan_tangent_layout[19] = {
+extern const size_t cardan_tangent_layout[20];
+const size_t cardan_tangent_layout[20] = {
     sizeof(cardan_tangent), offsetof(cardan_tangent, steps), offsetof(cardan_tangent,
     rates.function), offsetof(cardan_tangent, rates.w), offsetof(cardan_tangent,
     close_position.function), offsetof(cardan_tangent, close_position.w), offsetof(cardan_tangent,
@@ -154,7 +155,7 @@ const size_t cardan_tangent_layout[19] = {
     offsetof(cardan_tangent, by_input), offsetof(cardan_tangent, by_coefficients),
     offsetof(cardan_tangent, by_s), offsetof(cardan_tangent, segments), offsetof(cardan_tangent,
     changes), offsetof(cardan_tangent, moved), offsetof(cardan_tangent, rising),
-    offsetof(cardan_tangent, out)
+    offsetof(cardan_tangent, coupled), offsetof(cardan_tangent, out)
 };
 
 extern const size_t cardan_input_function_layout[6];

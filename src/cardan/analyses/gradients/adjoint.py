@@ -75,6 +75,7 @@ class Sweep(StepsAgain):
             "lam": self.lam, "by_p": self.by_p, "by_r": self.by_r, "by_s": self.by_s,
             "by_coefficients": coefficients, "cost": self._cost,
             "pulled": np.zeros(self.steps.stages * model.nx), "out": np.zeros(longest),
+            "weights": np.zeros(self.steps.stages * model.nx),
             "v": np.zeros(model.nx + closing.positions + closing.rates + 1),
         }  # fmt: skip
         for name, room in rooms.items():

@@ -32,12 +32,12 @@ def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
             "yet. Take differences of simulate at a tight tolerance"
         )
     if method not in TABLES:
-        why = (
-            "the Jacobian stands in its steps, which would need second derivatives. Take "
-            if method == "Rosenbrock"
-            else "there is no sweep through its steps. Take "
-        )
-        raise ModelError(f"gradient: method '{method}': {why}{', '.join(TABLES)}")
+        why = "there is no sweep through its steps"
+        cure = f"{', '.join(TABLES[:-1])} or {TABLES[-1]}"
+        if method == "Rosenbrock":
+            why = "the Jacobian stands in its steps, which would need second derivatives"
+            cure = "Radau, which is for stiff models too"
+        raise ModelError(f"gradient: method '{method}': {why}. Take {cure}")
     if setup.input_signals.functions:
         names = [model.inputs[k] for k in setup.input_signals.functions]
         raise ModelError(

@@ -20,7 +20,7 @@ BLOCKS = (COORDINATES, "u", "z", "s", "r")
 CLOSING = ("close_position", "close_velocity")
 MOST_STAGES = 16
 # methods whose steps are known as a table of coefficients
-TABLES = ("RK4", "RK45", "DOP853")
+TABLES = ("RK4", "RK45", "DOP853", "Radau")
 
 
 class StepsAgain:
@@ -45,6 +45,11 @@ class StepsAgain:
         rooms = dict(zip(("nodes", "weights", "matrix"), tables, strict=True))
         rooms |= {"states": np.zeros(steps.stages * nx), "slopes": np.zeros(steps.stages * nx)}
         rooms |= {"end": np.zeros(nx), "place": np.zeros(nx)}
+        square = tables[2][: steps.stages**2].reshape(steps.stages, steps.stages)
+        steps.implicit = int(np.triu(square).any())
+        if steps.implicit:
+            length = runner.library.cardan_stages_length(runner.record, steps.stages)
+            rooms["system"] = np.zeros(length)
         self.rooms = rooms
         for name, room in rooms.items():
             setattr(steps, name, self.pointer(room))
@@ -66,7 +71,7 @@ class StepsAgain:
             setattr(record, name, function.address)
             setattr(record, f"{name}_w", self.pointer(function.w))
         # one room serves all of them, one after the other
-        called = [*functions.values(), self.runner.functions[0]]
+        called = [*functions.values(), self.runner.functions[0], *self.runner.needed]
         room = np.zeros(max(function.work_size for function in called) + 1)
         self.steps.work = self.pointer(room)
 

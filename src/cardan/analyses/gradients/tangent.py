@@ -87,6 +87,7 @@ class Tangents(StepsAgain):
             "by_coefficients": directions.coefficients,
             "by_s": self.by_s, "moved": np.zeros(model.nx + model.ns + model.nr + 1),
             "rising": np.zeros(self.steps.stages * k * model.nx), "out": np.zeros(longest),
+            "coupled": np.zeros(self.steps.stages * model.nx),
         }  # fmt: skip
         for name, room in rooms.items():
             setattr(record, name, self.pointer(_filled(room)))

@@ -89,12 +89,42 @@ static int pull_projection(const cardan_adjoint *adjoint, real t)
     }
     for (ptrdiff_t k = 0; k < run->quaternion_count; k++) {
         const real *q = end + run->quaternions[k];
-        real *by_q = lam + run->quaternions[k];
-        const real square = cardan_dot(q, q, 4), along = cardan_dot(q, by_q, 4) / square;
-        for (int j = 0; j < 4; j++)
-            by_q[j] = (by_q[j] - along * q[j]) / sqrt(square);
+        cardan_unit_change(q, sqrt(cardan_dot(q, q, 4)), lam + run->quaternions[k]);
     }
     return 0;
+}
+
+/* Gradients by the states of the stages: at first those of the running cost alone. */
+static int begin(const cardan_adjoint *adjoint, real t, real h)
+{
+    const cardan_steps *steps = adjoint->steps;
+    const ptrdiff_t nx = steps->run->nx;
+
+    for (ptrdiff_t s = 0; s < steps->stages; s++) {
+        const real share = h * steps->weights[s];
+        real *by_x = adjoint->pulled + s * nx;
+        for (ptrdiff_t i = 0; i < nx; i++)
+            by_x[i] = 0;
+        if (adjoint->integrand.function && share != 0
+            && add_cost(adjoint, t + steps->nodes[s] * h, steps->states + s * nx, share, by_x) != 0)
+            return CARDAN_MODEL;
+        cardan_stage_lengths(steps, s, by_x);
+    }
+    return 0;
+}
+
+/* Gradient (nx) by the slope of a stage from those by the end and by the states of stages. */
+static void by_slope(const cardan_adjoint *adjoint, ptrdiff_t s, real h, real *weights)
+{
+    const cardan_steps *steps = adjoint->steps;
+    const ptrdiff_t nx = steps->run->nx, count = steps->stages;
+
+    for (ptrdiff_t i = 0; i < nx; i++) {
+        real sum = steps->weights[s] * adjoint->lam[i];
+        for (ptrdiff_t j = steps->implicit ? 0 : s + 1; j < count; j++)
+            sum += steps->matrix[j * count + s] * adjoint->pulled[j * nx + i];
+        weights[i] = h * sum;
+    }
 }
 
 /* lam by the start of a step from that by its end. */
@@ -104,23 +134,24 @@ static int pull_stages(const cardan_adjoint *adjoint, real t, real h)
     const ptrdiff_t nx = steps->run->nx, count = steps->stages;
     real *lam = adjoint->lam;
 
+    if (begin(adjoint, t, h) != 0)
+        return CARDAN_MODEL;
+    /* slopes of an implicit method depend on each other: all of them at once */
+    for (ptrdiff_t s = 0; s < count && steps->implicit; s++)
+        by_slope(adjoint, s, h, adjoint->weights + s * nx);
+    if (steps->implicit)
+        cardan_stages_backward(steps, adjoint->weights);
     for (ptrdiff_t s = count - 1; s >= 0; s--) {
-        const real *x = steps->states + s * nx;
-        const real time = t + steps->nodes[s] * h, share = h * steps->weights[s];
-        real *by_x = adjoint->pulled + s * nx;
-        for (ptrdiff_t i = 0; i < nx; i++) {
-            real sum = steps->weights[s] * lam[i];
-            for (ptrdiff_t j = s + 1; j < count; j++)
-                sum += steps->matrix[j * count + s] * adjoint->pulled[j * nx + i];
-            adjoint->v[i] = h * sum;
-        }
-        if (product(adjoint, &adjoint->rates, time, x, 1) != 0)
+        if (!steps->implicit)
+            by_slope(adjoint, s, h, adjoint->v);
+        for (ptrdiff_t i = 0; i < nx && steps->implicit; i++)
+            adjoint->v[i] = adjoint->weights[s * nx + i];
+        if (product(adjoint, &adjoint->rates, t + steps->nodes[s] * h, steps->states + s * nx, 1) != 0)
             return CARDAN_MODEL;
+        /* the state was scaled before the rates were asked at it */
+        cardan_stage_lengths(steps, s, adjoint->out);
         for (ptrdiff_t i = 0; i < nx; i++)
-            by_x[i] = adjoint->out[i];
-        if (adjoint->integrand.function && share != 0
-            && add_cost(adjoint, time, x, share, by_x) != 0)
-            return CARDAN_MODEL;
+            adjoint->pulled[s * nx + i] += adjoint->out[i];
     }
     for (ptrdiff_t s = 0; s < count; s++)
         for (ptrdiff_t i = 0; i < nx; i++)
@@ -128,7 +159,7 @@ static int pull_stages(const cardan_adjoint *adjoint, real t, real h)
     return 0;
 }
 
-/* Sweep over all steps between the rows, the last one first. Returns 0 or CARDAN_MODEL. */
+/* Sweep over all steps between the rows, the last one first. Returns 0 or a status. */
 int cardan_adjoint_sweep(cardan_adjoint *adjoint)
 {
     cardan_steps *steps = adjoint->steps;
@@ -137,10 +168,14 @@ int cardan_adjoint_sweep(cardan_adjoint *adjoint)
     steps->failed = -1;
     for (ptrdiff_t k = steps->count - 2; k >= 0; k--) {
         const real *row = steps->rows + k * width;
-        if (cardan_step_again(steps, k) != 0 || pull_projection(adjoint, row[width]) != 0
-            || pull_stages(adjoint, row[0], row[width] - row[0]) != 0) {
+        int status = cardan_step_again(steps, k);
+        if (status == 0)
+            status = pull_projection(adjoint, row[width]);
+        if (status == 0)
+            status = pull_stages(adjoint, row[0], row[width] - row[0]);
+        if (status != 0) {
             steps->failed = k;
-            return CARDAN_MODEL;
+            return status;
         }
     }
     return 0;

@@ -36,6 +36,7 @@ typedef struct cardan_adjoint {
     real *cost;          /* (1) integral of the running cost */
 
     real *pulled;        /* (stages, nx) gradients by the states of the stages */
+    real *weights;       /* (stages, nx) gradients by slopes, of implicit methods */
     real *v;             /* (nx + positions + rates) weights of a product */
     real *out;           /* (nx + ns + nr + np) its result */
 } cardan_adjoint;

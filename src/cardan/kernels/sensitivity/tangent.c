@@ -65,6 +65,23 @@ static void complete(const cardan_tangent *tangent, ptrdiff_t column, real t)
     inputs_of(tangent, column, t, next + run->ns);
 }
 
+/* Slopes of the stages of an implicit method changed along a column, with the states of all stages
+ * following. */
+static void follow(const cardan_tangent *tangent, ptrdiff_t column)
+{
+    const cardan_steps *steps = tangent->steps;
+    const ptrdiff_t nx = steps->run->nx, size = tangent->columns * nx;
+    real *rising = tangent->rising + column * nx;
+
+    for (ptrdiff_t s = 0; s < steps->stages; s++)
+        for (ptrdiff_t i = 0; i < nx; i++)
+            tangent->coupled[s * nx + i] = rising[s * size + i];
+    cardan_stages_forward(steps, tangent->coupled);
+    for (ptrdiff_t s = 0; s < steps->stages; s++)
+        for (ptrdiff_t i = 0; i < nx; i++)
+            rising[s * size + i] = tangent->coupled[s * nx + i];
+}
+
 /* Changes (columns, nx) at the end of a step, before projections. */
 static int step(const cardan_tangent *tangent, real t, real h, const real *old, real *changes)
 {
@@ -78,14 +95,17 @@ static int step(const cardan_tangent *tangent, real t, real h, const real *old, 
         for (ptrdiff_t k = 0; k < tangent->columns; k++) {
             for (ptrdiff_t i = 0; i < nx; i++) {
                 real sum = 0;
-                for (ptrdiff_t j = 0; j < s; j++)
+                for (ptrdiff_t j = 0; j < s && !steps->implicit; j++)
                     sum += a[j] * tangent->rising[j * size + k * nx + i];
                 tangent->moved[i] = old[k * nx + i] + h * sum;
             }
+            cardan_stage_lengths(steps, s, tangent->moved);
             complete(tangent, k, time);
             multiply(tangent, k, nx, nx, tangent->rising + s * size + k * nx);
         }
     }
+    for (ptrdiff_t k = 0; k < tangent->columns && steps->implicit; k++)
+        follow(tangent, k);
     for (ptrdiff_t i = 0; i < size; i++) {
         real sum = 0;
         for (ptrdiff_t s = 0; s < steps->stages; s++)
@@ -120,11 +140,9 @@ static int projected(const cardan_tangent *tangent, real t, real *changes)
 
     for (ptrdiff_t k = 0; k < run->quaternion_count * tangent->columns; k++) {
         const ptrdiff_t at = run->quaternions[k % run->quaternion_count];
-        const real *q = steps->end + at, square = cardan_dot(q, q, 4);
-        real *change = changes + k / run->quaternion_count * run->nx + at;
-        const real along = cardan_dot(q, change, 4) / square;
-        for (int j = 0; j < 4; j++)
-            change[j] = (change[j] - along * q[j]) / sqrt(square);
+        const real *q = steps->end + at;
+        cardan_unit_change(q, sqrt(cardan_dot(q, q, 4)),
+                           changes + k / run->quaternion_count * run->nx + at);
     }
     if (tangent->close_position.function
         && project(tangent, &tangent->close_position, t, steps->end, 0, run->nq, run->positions,
@@ -137,7 +155,7 @@ static int projected(const cardan_tangent *tangent, real t, real *changes)
     return 0;
 }
 
-/* Sweep over all steps between the rows. Returns 0 or CARDAN_MODEL. */
+/* Sweep over all steps between the rows. Returns 0 or a status. */
 int cardan_tangent_sweep(cardan_tangent *tangent)
 {
     cardan_steps *steps = tangent->steps;
@@ -148,11 +166,14 @@ int cardan_tangent_sweep(cardan_tangent *tangent)
     for (ptrdiff_t k = 0; k + 1 < steps->count; k++) {
         const real *row = steps->rows + k * width;
         real *changes = tangent->changes + k * size;
-        if (cardan_step_again(steps, k) != 0
-            || step(tangent, row[0], row[width] - row[0], changes, changes + size) != 0
-            || projected(tangent, row[width], changes + size) != 0) {
+        int status = cardan_step_again(steps, k);
+        if (status == 0)
+            status = step(tangent, row[0], row[width] - row[0], changes, changes + size);
+        if (status == 0)
+            status = projected(tangent, row[width], changes + size);
+        if (status != 0) {
             steps->failed = k;
-            return CARDAN_MODEL;
+            return status;
         }
     }
     return 0;

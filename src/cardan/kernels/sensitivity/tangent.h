@@ -27,6 +27,7 @@ typedef struct cardan_tangent {
     real *changes;  /* (count, columns, nx) of the state at every row; the first one is given */
     real *moved;    /* (nx + ns + nr) of what a function reads */
     real *rising;   /* (stages, columns, nx) */
+    real *coupled;  /* (stages, nx) of one column, of implicit methods */
     real *out;      /* longest result */
 } cardan_tangent;
 
