@@ -10,6 +10,7 @@ from ...runtime.trajectory.solver_info import EVENT, FINISHED
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..simulation.discontinuities import jump_parameters
 from ..simulation.driving import RunSetup
+from ..simulation.run import Runner
 from .jumps import EventInstant
 from .steps import TABLES
 from .unknowns import Unknowns
@@ -56,18 +57,19 @@ def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
         )
 
 
-def check_complete(motion: TrajectoryRecord) -> None:
+def check_complete(motion: TrajectoryRecord, runner: Runner) -> None:
     """Refuse a motion that has no derivative.
 
     Raises:
-        SolveError: it ended early, or passes a place where branches meet.
+        SolveError: it ended early, or passes more places where branches meet than are noted.
     """
     if motion.solver_info.status not in (FINISHED, EVENT):
         raise SolveError(f"gradient: the motion is not complete: {motion.message}")
-    if motion.solver_info.statistics.get("passed"):
+    run = runner.record
+    if run.passes and run.pass_count > run.pass_capacity:
         raise SolveError(
-            "gradient: the motion passes a place where branches meet, at which it has no "
-            "derivative. Change the start or the parameters a little"
+            f"gradient: the motion passes more than {run.pass_capacity} places where branches "
+            "meet. Take a shorter one"
         )
 
 

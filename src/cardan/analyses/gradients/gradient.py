@@ -96,7 +96,7 @@ def gradient(
     refuse(setup, names)
     runner = runner_of(setup.model, chosen(setup.how, None), setup.input_signals, setup.event_table)
     motion = driven(runner, setup.over, setup.begin, progress, dense=False)
-    check_complete(motion)
+    check_complete(motion, runner)
     return _swept(setup, runner, reported(motion, False), cost, names, state)
 
 

@@ -82,7 +82,7 @@ void cardan_stage_lengths(const cardan_steps *steps, ptrdiff_t stage, real *chan
     const cardan_run *run = steps->run;
     rooms at;
 
-    if (!steps->implicit)
+    if (steps->kind != CARDAN_COUPLED)
         return;
     (void)lay(run, steps->stages, steps->system, &at);
     for (ptrdiff_t k = 0; k < run->quaternion_count; k++)
