@@ -122,10 +122,11 @@ const size_t cardan_tick_layout[6] = {
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
 };
 
-extern const size_t cardan_steps_layout[17];
-const size_t cardan_steps_layout[17] = {
+extern const size_t cardan_steps_layout[19];
+const size_t cardan_steps_layout[19] = {
     sizeof(cardan_steps), offsetof(cardan_steps, run), offsetof(cardan_steps, stages),
-    offsetof(cardan_steps, kind), offsetof(cardan_steps, nodes), offsetof(cardan_steps, weights),
+    offsetof(cardan_steps, kind), offsetof(cardan_steps, jacobian.function), offsetof(cardan_steps,
+    jacobian.w), offsetof(cardan_steps, nodes), offsetof(cardan_steps, weights),
     offsetof(cardan_steps, matrix), offsetof(cardan_steps, rows), offsetof(cardan_steps, count),
     offsetof(cardan_steps, failed), offsetof(cardan_steps, states), offsetof(cardan_steps, slopes),
     offsetof(cardan_steps, open), offsetof(cardan_steps, end), offsetof(cardan_steps, place),

@@ -12,7 +12,6 @@ from ..simulation.discontinuities import jump_parameters
 from ..simulation.driving import RunSetup
 from ..simulation.run import Runner
 from .jumps import EventInstant
-from .steps import TABLES
 from .unknowns import Unknowns
 
 
@@ -32,13 +31,11 @@ def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
             f"gradient: '{model.name}' has finite elements, through whose steps there is no sweep "
             "yet. Take differences of simulate at a tight tolerance"
         )
-    if method not in TABLES:
-        why = "there is no sweep through its steps"
-        cure = f"{', '.join(TABLES[:-1])} or {TABLES[-1]}"
-        if method == "Rosenbrock":
-            why = "the Jacobian stands in its steps, which would need second derivatives"
-            cure = "Radau, which is for stiff models too"
-        raise ModelError(f"gradient: method '{method}': {why}. Take {cure}")
+    if method == "Rosenbrock":
+        raise ModelError(
+            "gradient: method 'Rosenbrock': the Jacobian stands in its steps, which would need "
+            "second derivatives. Take Radau, which is for stiff models too"
+        )
     if setup.input_signals.functions:
         names = [model.inputs[k] for k in setup.input_signals.functions]
         raise ModelError(
