@@ -258,7 +258,13 @@ def compile(
     )
     if isinstance(equations, FiniteElementRecord):
         folder = _of_elements(equations, directory)
-        return CompiledModel(folder, threads=threads, reproducible=reproducible)
+
+        def gradients(keys: Sequence[tuple[str, str | None]]) -> list[str]:
+            """Write gradients of elements, which products with derivatives need."""
+            names = [(name, kind or "") for name, kind in keys]
+            return model_folder.add_gradients(folder, equations, names)
+
+        return CompiledModel(folder, gradients, threads=threads, reproducible=reproducible)
     functions = requested(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)

@@ -16,6 +16,17 @@ GROUND, ON_TREE = -1, -2
 JUMP_NUMBERS = 4
 # numbers of the motion of a body in "bodies": R (9), p (3), velocity (6), acceleration (6)
 MOTION_NUMBERS = 24
+# gradients of weighted sums of results of elements -> the functions whose results these are; they
+# are written when products with derivatives are asked for
+GRADIENTS = {
+    "dynamics_gradient": ("balance", "balance_tangent", "gamma", "zdot"),
+    "energy_gradient": ("energy",),
+    "momentum_gradient": ("momentum",),
+    "power_gradient": ("power",),
+    "outputs_gradient": ("outputs",),
+}
+# that of the rates of coordinates of a place, by q and u
+RATES_GRADIENT = "qdot_gradient"
 
 
 class Plane(Record):
@@ -42,6 +53,12 @@ class PlaceKind(Record):
         table(text), "C names of move and qdot where speeds are not rates", default=NOTHING
     )
     plane: Plane | None = field(Plane, "of nodes of a plane how they stand in space", default=None)
+
+    @property
+    def gradients(self) -> Mapping[str, str]:
+        """Gradients that may be asked for -> C names."""
+        own = "qdot" in self.functions
+        return {RATES_GRADIENT: f"{self.name}__{RATES_GRADIENT}"} if own else {}
 
     @property
     def node(self) -> bool:
@@ -77,6 +94,15 @@ class ElementKind(Record):
     parts: Mapping[str, int] = field(
         table(count), "matrices of the tangent -> where they begin in it", default=NOTHING
     )
+
+    @property
+    def gradients(self) -> Mapping[str, str]:
+        """Gradients that may be asked for -> C names."""
+        return {
+            form: f"{self.name}__{form}"
+            for form, sums in GRADIENTS.items()
+            if not self.functions.keys().isdisjoint(sums)
+        }
 
     @property
     def released(self) -> int:

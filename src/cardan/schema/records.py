@@ -45,6 +45,8 @@ RECORDS = {
     "cardan_movers": "mesh.h",
     "cardan_mesh": "mesh.h",
     "cardan_state": "mesh.h",
+    "cardan_data_slopes": "mesh_product.h",
+    "cardan_mesh_product": "mesh_product.h",
     "cardan_sparse": "sparse.h",
     "cardan_sparse_factors": "sparse.h",
     "cardan_target": "position.h",
@@ -298,6 +300,20 @@ class StateRecord(ctypes.Structure):
 
     __slots__ = ()
     _fields_ = fields("cardan_state")
+
+
+class DataSlopes(ctypes.Structure):
+    """``cardan_data_slopes``: derivatives of the data of elements by the parameters."""
+
+    __slots__ = ()
+    _fields_ = fields("cardan_data_slopes")
+
+
+class ProductRecord(ctypes.Structure):
+    """``cardan_mesh_product``: derivatives of a function of a mesh."""
+
+    __slots__ = ()
+    _fields_ = fields("cardan_mesh_product")
 
 
 class PlanRecord(ctypes.Structure):

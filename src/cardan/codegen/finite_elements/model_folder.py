@@ -11,11 +11,19 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...equations.finite_elements.gradients import gradient_of, rates_gradient_of
 from ...equations.finite_elements.record import BlockKind, FiniteElementRecord, Group, Kind
 from ...equations.reading.typesetting import text_of
 from ...ir.function import Function
 from ...schema.entries import MultiplierRow, OutputRow
-from ...schema.finite_elements import ElementKind, FiniteElements, GroupRow, PlaceKind
+from ...schema.finite_elements import (
+    GRADIENTS,
+    RATES_GRADIENT,
+    ElementKind,
+    FiniteElements,
+    GroupRow,
+    PlaceKind,
+)
 from ...schema.manifest import Manifest
 from ...schema.mechanism import BeamRow, BodyRow, FrameRow
 from ...schema.records import PARTS
@@ -155,6 +163,41 @@ def write(folder: Path, absolute: FiniteElementRecord, available: Sequence[str])
     texts = [(generate(f, notes=notes.get(f.name, ())), f) for f in missing]
     if texts:
         layout.add_functions(folder, texts)
+
+
+def add_gradients(
+    folder: Path, absolute: FiniteElementRecord, names: Sequence[tuple[str, str]]
+) -> list[str]:
+    """Write gradients of elements and places that are not there yet.
+
+    Args:
+        folder: Of the model.
+        absolute: The equations.
+        names: Of the gradients, and of the kinds of elements or places.
+
+    Returns:
+        Their C names.
+
+    Raises:
+        DerivationError: something else is asked for, or a kind has no gradient.
+    """
+    for form, _ in names:
+        if form not in (*GRADIENTS, RATES_GRADIENT):
+            raise DerivationError(f"'{form}' is not written for elements in tables")
+    symbols = [f"{kind}__{form}" for form, kind in names]
+    missing = {*layout.missing(folder, symbols)}
+    groups = {group.kind.name: group for group in absolute.groups}
+    places = {kind.name: kind for kind in absolute.places.kinds}
+    made = list[Function]()
+    for symbol, (form, kind) in zip(symbols, names, strict=True):
+        if symbol in missing and form == RATES_GRADIENT:
+            made.append(rates_gradient_of(places[kind]))
+        elif symbol in missing:
+            group = groups[kind]
+            made.append(gradient_of(group.kind, form, group, len(absolute.inputs)))
+    if made:
+        layout.add_functions(folder, [(generate(f), f) for f in made])
+    return symbols
 
 
 def _notes(kind: Kind, function: str) -> tuple[str, ...]:
