@@ -259,12 +259,12 @@ def compile(
     if isinstance(equations, FiniteElementRecord):
         folder = _of_elements(equations, directory)
 
-        def gradients(keys: Sequence[tuple[str, str | None]]) -> list[str]:
-            """Write gradients of elements, which products with derivatives need."""
-            names = [(name, kind or "") for name, kind in keys]
-            return model_folder.add_gradients(folder, equations, names)
+        def requested(keys: Sequence[tuple[str, str | None]]) -> list[str]:
+            """Write what derivatives need of elements."""
+            names = [(name, of or "") for name, of in keys]
+            return model_folder.add_requested(folder, equations, names)
 
-        return CompiledModel(folder, gradients, threads=threads, reproducible=reproducible)
+        return CompiledModel(folder, requested, threads=threads, reproducible=reproducible)
     functions = requested(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)

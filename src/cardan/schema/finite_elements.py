@@ -5,6 +5,7 @@ Their numbers, such as which places an element couples, stand in tables beside t
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping, Sequence
 
 from .fields import NOTHING, Record, count, field, listed, number, pair, table, text
@@ -27,6 +28,20 @@ GRADIENTS = {
 }
 # that of the rates of coordinates of a place, by q and u
 RATES_GRADIENT = "qdot_gradient"
+# a formula in the names of the model with outputs in v, and its derivatives
+EXPRESSION, EXPRESSION_GRADIENT = "expression", "expression_gradient"
+
+
+def requested_name(form: str, of: str) -> str:
+    """C name of a function that is written when derivatives are asked for.
+
+    Args:
+        form: Such as ``dynamics_gradient``.
+        of: The kind of element or place, or the formula.
+    """
+    if form in (EXPRESSION, EXPRESSION_GRADIENT):
+        return f"{form}__{hashlib.sha256(of.encode()).hexdigest()[:16]}"
+    return f"{of}__{form}"
 
 
 class Plane(Record):
@@ -58,7 +73,7 @@ class PlaceKind(Record):
     def gradients(self) -> Mapping[str, str]:
         """Gradients that may be asked for -> C names."""
         own = "qdot" in self.functions
-        return {RATES_GRADIENT: f"{self.name}__{RATES_GRADIENT}"} if own else {}
+        return {RATES_GRADIENT: requested_name(RATES_GRADIENT, self.name)} if own else {}
 
     @property
     def node(self) -> bool:
@@ -99,7 +114,7 @@ class ElementKind(Record):
     def gradients(self) -> Mapping[str, str]:
         """Gradients that may be asked for -> C names."""
         return {
-            form: f"{self.name}__{form}"
+            form: requested_name(form, self.name)
             for form, sums in GRADIENTS.items()
             if not self.functions.keys().isdisjoint(sums)
         }

@@ -11,18 +11,22 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...equations.finite_elements.expressions import expression_of
 from ...equations.finite_elements.gradients import gradient_of, rates_gradient_of
 from ...equations.finite_elements.record import BlockKind, FiniteElementRecord, Group, Kind
 from ...equations.reading.typesetting import text_of
 from ...ir.function import Function
 from ...schema.entries import MultiplierRow, OutputRow
 from ...schema.finite_elements import (
+    EXPRESSION,
+    EXPRESSION_GRADIENT,
     GRADIENTS,
     RATES_GRADIENT,
     ElementKind,
     FiniteElements,
     GroupRow,
     PlaceKind,
+    requested_name,
 )
 from ...schema.manifest import Manifest
 from ...schema.mechanism import BeamRow, BodyRow, FrameRow
@@ -165,39 +169,45 @@ def write(folder: Path, absolute: FiniteElementRecord, available: Sequence[str])
         layout.add_functions(folder, texts)
 
 
-def add_gradients(
-    folder: Path, absolute: FiniteElementRecord, names: Sequence[tuple[str, str]]
+def add_requested(
+    folder: Path, absolute: FiniteElementRecord, keys: Sequence[tuple[str, str]]
 ) -> list[str]:
-    """Write gradients of elements and places that are not there yet.
+    """Write functions that derivatives need, as far as they are not there yet.
 
     Args:
         folder: Of the model.
         absolute: The equations.
-        names: Of the gradients, and of the kinds of elements or places.
+        keys: Gradients with the names of kinds of elements or places, and formulas.
 
     Returns:
         Their C names.
 
     Raises:
-        DerivationError: something else is asked for, or a kind has no gradient.
+        DerivationError: something else is asked for, a kind has no gradient, or a formula cannot
+            be read.
     """
-    for form, _ in names:
-        if form not in (*GRADIENTS, RATES_GRADIENT):
+    for form, _ in keys:
+        if form not in (*GRADIENTS, RATES_GRADIENT, EXPRESSION, EXPRESSION_GRADIENT):
             raise DerivationError(f"'{form}' is not written for elements in tables")
-    symbols = [f"{kind}__{form}" for form, kind in names]
+    symbols = [requested_name(*key) for key in keys]
     missing = {*layout.missing(folder, symbols)}
-    groups = {group.kind.name: group for group in absolute.groups}
-    places = {kind.name: kind for kind in absolute.places.kinds}
-    made = list[Function]()
-    for symbol, (form, kind) in zip(symbols, names, strict=True):
-        if symbol in missing and form == RATES_GRADIENT:
-            made.append(rates_gradient_of(places[kind]))
-        elif symbol in missing:
-            group = groups[kind]
-            made.append(gradient_of(group.kind, form, group, len(absolute.inputs)))
+    made = [
+        _requested(absolute, *key, symbol)
+        for key, symbol in zip(keys, symbols, strict=True)
+        if symbol in missing
+    ]
     if made:
         layout.add_functions(folder, [(generate(f), f) for f in made])
     return symbols
+
+
+def _requested(absolute: FiniteElementRecord, form: str, of: str, symbol: str) -> Function:
+    if form in (EXPRESSION, EXPRESSION_GRADIENT):
+        return expression_of(absolute, form, of, symbol)
+    if form == RATES_GRADIENT:
+        return rates_gradient_of(next(k for k in absolute.places.kinds if k.name == of))
+    group = next(group for group in absolute.groups if group.kind.name == of)
+    return gradient_of(group.kind, form, group, len(absolute.inputs))
 
 
 def _notes(kind: Kind, function: str) -> tuple[str, ...]:

@@ -19,8 +19,8 @@ typedef struct place {
     cardan_mesh_system system;
     slopes by;
     real *weights; /* of the balance (nu), g (mp), rates (m), what accelerations miss (m), zdot (nz) */
-    real *direct;  /* of the results of another form */
-    real *unit;    /* (results) */
+    real *direct;  /* energies' weights (2), or the outputs that a formula reads */
+    real *unit;    /* (results), or weights of outputs */
     real *room;    /* of loops over elements */
 } place;
 
@@ -55,14 +55,6 @@ void cardan_mesh_product_starts(const cardan_mesh_product *product, ptrdiff_t *s
         starts[k] = start;
 }
 
-/* Weights of another form than the dynamics. */
-static ptrdiff_t most_direct(const cardan_mesh *mesh)
-{
-    const ptrdiff_t most = mesh->powers > mesh->outputs ? mesh->powers : mesh->outputs;
-
-    return most > 6 ? most : 6;
-}
-
 static ptrdiff_t lay(const cardan_mesh_product *product, real *block, place *here)
 {
     const cardan_mesh *mesh = product->mesh;
@@ -70,8 +62,8 @@ static ptrdiff_t lay(const cardan_mesh_product *product, real *block, place *her
     ptrdiff_t used = cardan_mesh_call_work(mesh) + mesh->nu + mesh->m;
 
     here->weights = cardan_reserve(block, &used, mesh->nu + mesh->mp + 2 * mesh->m + mesh->nz);
-    here->direct = cardan_reserve(block, &used, most_direct(mesh));
-    here->unit = cardan_reserve(block, &used, product->results);
+    here->direct = cardan_reserve(block, &used, mesh->outputs + 2);
+    here->unit = cardan_reserve(block, &used, product->results + mesh->outputs);
     used += lay_slopes(product, block ? block + used : NULL, &here->by);
     here->room = cardan_reserve(block, &used, cardan_mesh_room(mesh));
     return used;
@@ -235,17 +227,56 @@ static int pull_solution(place *here, const real *by_udot, const real *by_lam)
 }
 
 /* Derivatives through what was solved for, of powers and outputs, by which they have some. */
-static int pull_direct(place *here, ptrdiff_t weighed, int solved)
+static int pull_direct(place *here, ptrdiff_t weighed, const real *weights, int solved)
 {
-    const cardan_mesh *mesh = here->mesh;
     slopes *by = &here->by;
-    int status = sweep(here, here->product->direct, weighed, here->direct);
+    int status = sweep(here, here->product->direct, weighed, weights);
 
     if (status == 0 && solved)
         status = pull_solution(here, by->udot, by->lam);
     if (status == 0 && solved)
         status = sweep(here, here->product->dynamics, CARDAN_BALANCE, here->weights);
-    (void)mesh;
+    return status;
+}
+
+/* Add a factor times n slopes to derivatives. Returns the slopes that follow. */
+static const real *add_slopes(ptrdiff_t n, real factor, const real *slope, real *by)
+{
+    for (ptrdiff_t i = 0; i < n; i++)
+        by[i] += factor * slope[i];
+    return slope + n;
+}
+
+/* What a formula reads: the outputs are in `direct`. */
+static cardan_in formula_in(const place *here, const cardan_form *form)
+{
+    const cardan_in in = {.t = &here->at.t, .q = here->at.q, .u = here->at.u, .z = here->at.z,
+                          .r = here->at.r, .v = here->direct, .w = form->w};
+
+    return in;
+}
+
+/* Derivatives of a formula: its own, and those through outputs. */
+static int pull_expression(place *here, real weight)
+{
+    const cardan_mesh *mesh = here->mesh;
+    const cardan_form *form = here->product->formula + 1;
+    const cardan_in in = formula_in(here, form);
+    const ptrdiff_t np = form->size - 1 - mesh->nq - mesh->nu - mesh->nz - mesh->nr - mesh->outputs;
+    slopes *by = &here->by;
+    const real *slope = here->room;
+    int status = form->call(&in, here->room, here->room + form->size);
+
+    slope = add_slopes(1, weight, slope, by->t);
+    slope = add_slopes(mesh->nq, weight, slope, by->q);
+    slope = add_slopes(mesh->nu, weight, slope, by->u);
+    slope = add_slopes(mesh->nz, weight, slope, by->z);
+    slope = add_slopes(mesh->nr, weight, slope, by->r);
+    (void)add_slopes(here->product->np, weight, slope, by->p);
+    for (ptrdiff_t i = 0; i < mesh->outputs; i++)
+        here->unit[i] = weight * slope[np + i];
+    if (status == 0 && mesh->outputs > 0)
+        status = pull_direct(here, CARDAN_OUTPUTS, here->unit, mesh->solved != 0);
     return status;
 }
 
@@ -330,11 +361,11 @@ static int pull(place *here, const real *v)
     case CARDAN_OF_MOMENTUM:
         return sweep(here, here->product->direct, CARDAN_MOMENTUM, v);
     case CARDAN_OF_POWER:
-        copy(mesh->powers, v, here->direct);
-        return pull_direct(here, CARDAN_POWER, mesh->driven != 0);
+        return pull_direct(here, CARDAN_POWER, v, mesh->driven != 0);
     case CARDAN_OF_OUTPUTS:
-        copy(mesh->outputs, v, here->direct);
-        return pull_direct(here, CARDAN_OUTPUTS, mesh->solved != 0);
+        return pull_direct(here, CARDAN_OUTPUTS, v, mesh->solved != 0);
+    case CARDAN_OF_EXPRESSION:
+        return pull_expression(here, v[0]);
     case CARDAN_OF_CLOSE_POSITION:
         copy(nq, v, by->q);
         copy(mesh->mp, v + nq, gaps);
@@ -366,6 +397,15 @@ static int finish(const place *here)
     return status;
 }
 
+/* The outputs at a state, which a formula reads. */
+static int enter_outputs(const cardan_in *in, real *work, place *here)
+{
+    cardan_in whole = *in;
+
+    whole.w = (const wreal *)(const void *)here->mesh;
+    return here->mesh->outputs > 0 ? cardan_mesh_call_outputs(&whole, here->direct, work) : 0;
+}
+
 /* Solve for what the functions need at a state. */
 static int enter(const cardan_in *in, real *work, place *here)
 {
@@ -380,9 +420,13 @@ static int enter(const cardan_in *in, real *work, place *here)
     here->mesh = mesh;
     here->at = cardan_state_of(in);
     (void)lay(product, work, here);
+    if (function == CARDAN_OF_EXPRESSION)
+        status = enter_outputs(in, work, here);
+    if (status != 0)
+        return status;
     if (function == CARDAN_OF_RHS || function == CARDAN_OF_FORWARD_DYNAMICS
         || function == CARDAN_OF_MULTIPLIERS || (function == CARDAN_OF_POWER && mesh->driven)
-        || (function == CARDAN_OF_OUTPUTS && mesh->solved)) {
+        || ((function == CARDAN_OF_OUTPUTS || function == CARDAN_OF_EXPRESSION) && mesh->solved)) {
         status = cardan_mesh_solve_motion(mesh, &here->at, in->tau, solution, work, &here->system);
         here->at.udot = solution;
         here->at.lam = solution + mesh->nu;
@@ -411,6 +455,22 @@ static int row(place *here, ptrdiff_t k)
     for (ptrdiff_t i = 0; i < here->product->results; i++)
         here->unit[i] = i == k;
     return gradient(here, here->unit);
+}
+
+int cardan_mesh_call_expression(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh_product *product = (const cardan_mesh_product *)(const void *)in->w;
+    place here = {0};
+    cardan_in formula;
+    int status;
+
+    here.product = product;
+    here.mesh = product->mesh;
+    here.at = cardan_state_of(in);
+    (void)lay(product, work, &here);
+    status = enter_outputs(in, work, &here);
+    formula = formula_in(&here, product->formula);
+    return status != 0 ? status : product->formula->call(&formula, out, here.room);
 }
 
 int cardan_mesh_call_vjp(const cardan_in *in, real *out, real *work)

@@ -28,7 +28,8 @@ enum {
     CARDAN_OF_FORWARD_DYNAMICS,
     CARDAN_OF_MULTIPLIERS,
     CARDAN_OF_CLOSE_POSITION,
-    CARDAN_OF_CLOSE_VELOCITY
+    CARDAN_OF_CLOSE_VELOCITY,
+    CARDAN_OF_EXPRESSION
 };
 
 /* Slopes of the data of the elements of a group by the parameters, row by row: those of one element,
@@ -49,6 +50,8 @@ typedef struct cardan_mesh_product {
     const cardan_form *dynamics;   /* (groups) gradients of balances, of constraints and of zdot */
     const cardan_form *direct;     /* (groups) of energies, momenta, powers or outputs; NULL */
     const cardan_form *rates;      /* (movers) of qdot by q and u; NULL calls: speeds are rates */
+    const cardan_form *formula;    /* value of an expression by states and outputs (in v), and its slopes
+                                      by t q u z r p and outputs */
     const cardan_data_slopes *data; /* (groups); NULL: not by parameters */
     ptrdiff_t np;
     const ptrdiff_t *quaternion;   /* (quaternions) first entries in q */
@@ -63,6 +66,8 @@ typedef struct cardan_mesh_product {
 ptrdiff_t cardan_mesh_product_work(const cardan_mesh_product *product);
 /* where derivatives by t q coordinates u z s r p udot tau begin (10) */
 void cardan_mesh_product_starts(const cardan_mesh_product *product, ptrdiff_t *starts);
+/* (1): value of an expression */
+int cardan_mesh_call_expression(const cardan_in *in, real *out, real *work);
 /* (columns): weights v times the derivative */
 int cardan_mesh_call_vjp(const cardan_in *in, real *out, real *work);
 /* (results): change along a direction v (columns) */

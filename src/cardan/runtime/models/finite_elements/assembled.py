@@ -14,6 +14,7 @@ from ....arrays import Array
 from ....errors import ModelError
 from ....schema.blocks import ORDER
 from ....schema.c_functions import FunctionRow, ResultRow
+from ....schema.finite_elements import EXPRESSION
 from ....schema.functions import FUNCTIONS, OF_ELEMENTS
 from ...calls.calling import Caller
 from ...calls.code import Code
@@ -50,7 +51,7 @@ class Assembled(Source):
     def add(self, model: LoadedModel, missing: Sequence[Key]) -> None:
         """Make functions callable."""
         for name, of in missing:
-            if FUNCTIONS[name].of == "function":
+            if FUNCTIONS[name].of == "function" or name == EXPRESSION:
                 model._functions[name, of] = self._product(model, name, of or "")
                 continue
             if name not in OF_ELEMENTS:
@@ -89,7 +90,7 @@ class Assembled(Source):
         return LoadedFunction(name, of, code, w, caller, caller, results.mesh.interpreted)
 
     def _product(self, model: LoadedModel, name: str, of: str) -> LoadedFunction:
-        """A derivative, or a product with one."""
+        """A derivative, a product with one, or an expression."""
         results = self.results(model)
         if self._products is None:
             self._products = Products(results, model)

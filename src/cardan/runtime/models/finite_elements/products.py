@@ -15,7 +15,12 @@ from ....arrays import Array, Integers
 from ....errors import ModelError, SolveError
 from ....schema.blocks import COORDINATES, DIRECTIONS, ORDER
 from ....schema.c_functions import FunctionRow, ResultRow
-from ....schema.finite_elements import RATES_GRADIENT
+from ....schema.finite_elements import (
+    EXPRESSION,
+    EXPRESSION_GRADIENT,
+    RATES_GRADIENT,
+    requested_name,
+)
 from ....schema.records import DataSlopes, Form, MeshRecord, ProductRecord, constants
 from ....schema.request import Request
 from ...calls.abi_ctypes import FUNCTION
@@ -43,12 +48,14 @@ DIRECT = {
     ),
     "qdot": "",
     **{name: f"{name}_gradient" for name in ("energy", "momentum", "power", "outputs")},
+    "expression": "outputs_gradient",
 }
 # what has to be loaded of elements
 BASE = {
     **{name: NEEDED[name] for name in ("energy", "momentum", "power", "outputs", "qdot", "rhs")},
     **dict.fromkeys(("forward_dynamics", "multipliers"), NEEDED["accelerations"]),
     **{name: NEEDED[name] for name in ("close_position", "close_velocity")},
+    "expression": NEEDED["outputs"],
 }
 # what is solved for
 SOLVED = ("rhs", "forward_dynamics", "multipliers")
@@ -99,7 +106,8 @@ class Products:
         Raises:
             ModelError: the function has none here.
         """
-        request = Request.read(of)
+        # the value of an expression goes through outputs too
+        request = Request("expression", of, ()) if row == EXPRESSION else Request.read(of)
         name = request.function
         self._check(row, name)
         mesh, constant = self.mesh, constants("mesh_product.h")
@@ -110,11 +118,13 @@ class Products:
             forms["dynamics"] = self._gradients("dynamics_gradient")
         if DIRECT[name]:
             forms["direct"] = self._gradients(DIRECT[name])
+        if name == EXPRESSION:
+            forms["formula"] = self._formula(request.of or "")
         columns, parts = self._columns(request)
         own = MeshRecord.from_buffer_copy(mesh.record)
         own.local, own.work = own.local + self._local, max(own.work, self._work)
         own.lanes = max(own.lanes, self._lanes)
-        shape = self.results.shape(name)[0]
+        shape = () if name == EXPRESSION else self.results.shape(name)[0]
         by_parameters = "p" in request.wrt or any(p in self._parameters for p in request.wrt)
         quaternions = np.array(self.model.manifest.quaternions, dtype=np.intp)
         tables: dict[str, Any] = {"column": columns, "part": parts, "quaternion": quaternions}
@@ -146,7 +156,7 @@ class Products:
             ModelError: with the cure.
         """
         where = f"{row} of {function}: model '{self.model.name}' is in absolute coordinates, where"
-        if row not in ROWS:
+        if row not in (*ROWS, EXPRESSION):
             raise ModelError(
                 f"{where} there are {', '.join(ROWS)}. Take differences of vjp for second "
                 "derivatives"
@@ -181,6 +191,16 @@ class Products:
                 self._local = max(self._local, int(code.entry.output_size) + len(code.entry.vector))
             self._forms[form] = forms
         return self._forms[form]
+
+    def _formula(self, formula: str) -> Any:
+        """Value of a formula and its slopes."""
+        forms, keys = (Form * 2)(), [(EXPRESSION, formula), (EXPRESSION_GRADIENT, formula)]
+        symbols = [requested_name(*key) for key in keys]
+        codes = self._loaded(keys, symbols)
+        for form, symbol in zip(forms, symbols, strict=True):
+            self.mesh.form(form, codes[symbol], self.model.parameters.vector[None])
+            self._local = max(self._local, int(codes[symbol].entry.output_size))
+        return forms
 
     def _rates(self) -> Any:
         """Gradients of the rates of places that move by functions of their own."""
@@ -266,7 +286,9 @@ class Products:
         widths = {
             n: () if n == "t" or n not in DIRECTIONS else (self._count(n),) for n in request.wrt
         }
-        if row == "jvp":
+        if row == EXPRESSION:
+            outputs = {"expression": shape}
+        elif row == "jvp":
             outputs = {"change": shape}
         else:
             lead = shape if row == "derivative" else ()
