@@ -26,11 +26,6 @@ def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
         ModelError: with the cure.
     """
     model, method = setup.model, setup.how.method.name
-    if model.manifest.absolute:
-        raise ModelError(
-            f"gradient: '{model.name}' has finite elements, through whose steps there is no sweep "
-            "yet. Take differences of simulate at a tight tolerance"
-        )
     if method not in TABLES:
         why = (
             "the Jacobian stands in its steps, which would need second derivatives. Take "
