@@ -259,12 +259,12 @@ def compile(
     if isinstance(equations, FiniteElementRecord):
         folder = _of_elements(equations, directory)
 
-        def requested(keys: Sequence[tuple[str, str | None]]) -> list[str]:
+        def write(keys: Sequence[tuple[str, str | None]]) -> list[str]:
             """Write what derivatives need of elements."""
             names = [(name, of or "") for name, of in keys]
             return model_folder.add_requested(folder, equations, names)
 
-        return CompiledModel(folder, requested, threads=threads, reproducible=reproducible)
+        return CompiledModel(folder, write, threads=threads, reproducible=reproducible)
     functions = requested(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)

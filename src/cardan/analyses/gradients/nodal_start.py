@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -23,6 +23,7 @@ from ...runtime.models.finite_elements.table_loading import parameters_of_data, 
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.verification.differences import REACH, central
 from ...schema.blocks import COORDINATES
+from ...schema.mechanism import JointRow
 from ..simulation.driving import RunSetup
 from ..simulation.settings import start
 from ..simulation.starts.start import closed_start, named_of
@@ -42,6 +43,7 @@ class NodalStart:
         r: Inputs at the start (nr,).
         s: Modes (ns,).
         wide: Whether derivatives by parameters are asked for.
+        closing: Projections that close a start which was given as a whole.
     """
 
     setup: RunSetup
@@ -49,7 +51,7 @@ class NodalStart:
     r: Array
     s: Array
     wide: bool
-    closing: tuple[str, ...] = field(default=())
+    closing: tuple[str, ...]
 
     @classmethod
     def of(
@@ -189,9 +191,7 @@ class NodalStart:
         names = {**self.state, **{k: v for k, v in (("q", q), ("u", u)) if v is not None}}
         begin = start(model, None, names["q"], names["u"], names["z"])
         inputs = self.r if r is None else r
-        return closed_start(
-            model, begin, names["q"], names["u"], self.setup.over.start, inputs
-        ).x
+        return closed_start(model, begin, names["q"], names["u"], self.setup.over.start, inputs).x
 
     def _along(self) -> Iterator[tuple[tuple[str, int], Callable[[float], Array], float]]:
         """Starts along the coordinates and speeds of joints, and of what was named."""
@@ -200,39 +200,34 @@ class NodalStart:
         q, u, _ = model.parts_of(self.setup.begin.x)
         leads = leading(model)
         for joint in model.manifest.joints:
-            (first, count), (begin, size) = joint.slot("u"), joint.slot("q")
             named = {
-                letter: [name for name in self.state[letter] if self._of(name, letter, place)]
-                for letter, place in (("q", (begin, size)), ("u", (first, count)))
+                letter: any(self._of(name, letter, joint) for name in self.state[letter])
+                for letter in "qu"
             }
-            for k in range(first, first + count):
+            for k in range(nu)[_part(joint, "u")]:
                 if leads[k] or named["q"]:
 
-                    def moved(h: float, k: int = k, joint: Any = joint) -> Array:
-                        along = np.zeros(nu)
-                        along[k] = h
-                        block = model.integrate(q, along)[joint.slot("q")[0] :][: joint.slot("q")[1]]
+                    def moved(h: float, k: int = k, joint: JointRow = joint) -> Array:
+                        block = model.integrate(q, h * np.eye(nu)[k])[_part(joint, "q")]
                         return self._start(q=self._renamed("q", joint, block))
 
                     yield ("x", k), moved, 1.0
                 if leads[k] or named["u"]:
 
-                    def faster(h: float, k: int = k, joint: Any = joint) -> Array:
-                        block = u[joint.slot("u")[0] :][: joint.slot("u")[1]].copy()
-                        block[k - joint.slot("u")[0]] += h
+                    def faster(h: float, k: int = k, joint: JointRow = joint) -> Array:
+                        block = (u + h * np.eye(nu)[k])[_part(joint, "u")]
                         return self._start(u=self._renamed("u", joint, block))
 
                     yield ("x", nu + k), faster, 1.0
 
-    def _of(self, name: str, letter: str, place: tuple[int, int]) -> bool:
+    def _of(self, name: str, letter: str, joint: JointRow) -> bool:
         """True when a name is that of entries of a joint."""
-        where = self.model.manifest.slots(letter)[name]
-        return bool(place[0] <= where.start < place[0] + place[1])
+        place = _part(joint, letter)
+        return bool(place.start <= self.model.manifest.slots(letter)[name].start < place.stop)
 
-    def _renamed(self, letter: str, joint: Any, block: Array) -> dict[str, Any]:
+    def _renamed(self, letter: str, joint: JointRow, block: Array) -> dict[str, Any]:
         """What was named, with a joint as a whole."""
-        place = joint.slot(letter)
-        others = {n: v for n, v in self.state[letter].items() if not self._of(n, letter, place)}
+        others = {n: v for n, v in self.state[letter].items() if not self._of(n, letter, joint)}
         return {**others, joint.name: block if len(block) > 1 else float(block[0])}
 
     def _by_inputs(self) -> Iterator[tuple[tuple[str, int], Callable[[float], Array], float]]:
@@ -260,3 +255,9 @@ class NodalStart:
                 return self._start(model=model.with_parameters({name: value + h}))
 
             yield ("p", k), at, abs(value) or 1.0
+
+
+def _part(joint: JointRow, letter: str) -> slice:
+    """Entries of a joint in q or u."""
+    first, count = joint.slot(letter)
+    return slice(first, first + count)

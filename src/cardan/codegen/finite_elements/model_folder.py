@@ -15,6 +15,7 @@ from ...equations.finite_elements.expressions import expression_of
 from ...equations.finite_elements.gradients import gradient_of, rates_gradient_of
 from ...equations.finite_elements.record import BlockKind, FiniteElementRecord, Group, Kind
 from ...equations.reading.typesetting import text_of
+from ...errors import DerivationError
 from ...ir.function import Function
 from ...schema.entries import MultiplierRow, OutputRow
 from ...schema.finite_elements import (

@@ -23,7 +23,7 @@ def expression_of(absolute: FiniteElementRecord, form: str, formula: str, symbol
     Args:
         absolute: The equations.
         form: Which of both.
-        formula: In names of coordinates, speeds, internal states, inputs, parameters, outputs and t.
+        formula: In names of coordinates, speeds, internal states, inputs, parameters, outputs, t.
         symbol: Its C name.
 
     Raises:

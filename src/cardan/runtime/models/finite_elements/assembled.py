@@ -101,7 +101,8 @@ class Assembled(Source):
         one = _Evaluator(self._products.evaluator(product, of))
         entries = entry_names(row.outputs)
         w = _address_of(product.record)
-        caller = Caller(f"{name}('{of}')", code.address, arguments, shape, entries, 0, w, evaluator=one)  # type: ignore[arg-type]
+        label = f"{name}('{of}')"
+        caller = Caller(label, code.address, arguments, shape, entries, 0, w, evaluator=one)  # type: ignore[arg-type]
         return LoadedFunction(name, of, code, w, caller, caller, results.mesh.interpreted)
 
     def _code(

@@ -273,7 +273,8 @@ class Results:
         if any(groups[k].kind.m for k in having):
             # what modes hold, and friction by reactions, follow from multipliers
             more["lam"] = self._solved(inputs)[1]
-        results = dict(zip(having, self.mesh.results(form, self.state(inputs, **more)), strict=True))
+        at = self.state(inputs, **more)
+        results = dict(zip(having, self.mesh.results(form, at), strict=True))
         places, values = self.manifest.elements.forces, list[float]()
         taken = Counter[tuple[int, int]]()
         for name, rows in groupby(self.manifest.element_forces, lambda row: row.element):

@@ -27,7 +27,6 @@ from ...calls.abi_ctypes import FUNCTION
 from ...calls.code import Code
 from ...calls.interpreted import SINGULAR, UNSOLVED
 from ...calls.lanes import width
-from ...calls.loaded_function import prepare_rows
 from .massless import contradiction, refusal
 from .mesh import NEEDED
 from .table_loading import LANE_THRESHOLD
@@ -242,9 +241,10 @@ class Products:
     def _side_by_side(self, symbols: Sequence[str]) -> None:
         """Functions of many elements are compiled for several of them side by side."""
         objects, lanes = self.model._objects, width()
-        for group in self.tables.groups if lanes > 1 else ():
-            for symbol in {*group.kind.gradients.values()}.intersection(symbols):
-                if len(group) >= LANE_THRESHOLD and lanes in objects.manifest.functions[symbol].lanes:
+        many = [group.kind for group in self.tables.groups if len(group) >= LANE_THRESHOLD]
+        for kind in many if lanes > 1 else ():
+            for symbol in {*kind.gradients.values()}.intersection(symbols):
+                if lanes in objects.manifest.functions[symbol].lanes:
                     objects.lanes[symbol] = lanes
 
     # columns
@@ -279,9 +279,7 @@ class Products:
             return len(self._parameters)
         return len(self.model._layout.names({"q": "u", COORDINATES: "q"}.get(name, name)))
 
-    def _entry(
-        self, row: str, request: Request, shape: tuple[int, ...], work: int
-    ) -> FunctionRow:
+    def _entry(self, row: str, request: Request, shape: tuple[int, ...], work: int) -> FunctionRow:
         """What is said of it as of other functions."""
         widths = {
             n: () if n == "t" or n not in DIRECTIONS else (self._count(n),) for n in request.wrt

@@ -263,7 +263,9 @@ def load(model: LoadedModel) -> Mesh:
     groups = zip(mesh.tables.groups, mesh.data, strict=True)
     return mesh.with_data(
         [
-            data if changed.isdisjoint(parameters_of_data(model, group.common)) else data_of(model, group)
+            data
+            if changed.isdisjoint(parameters_of_data(model, group.common))
+            else data_of(model, group)
             for group, data in groups
         ]
     )

@@ -55,7 +55,8 @@ def _law(form: str, members: Members) -> float | str:
 
     def weighed(blocks: Blocks) -> Array:
         found = _results(members, form, blocks)
-        return (found * np.resize(weights, found.shape)).sum(axis=-1, keepdims=True)
+        total: Array = (found * np.resize(weights, found.shape)).sum(axis=-1, keepdims=True)
+        return total
 
     worst = np.nan
     for way in ways(n, at):
@@ -78,7 +79,8 @@ def _law(form: str, members: Members) -> float | str:
             here = np.tile(p, (count, 1)) + shift * np.tile(along, (count, 1))
             return weighed({**{k: np.tile(x, (count, 1)) for k, x in inputs.items()}, "p": here})
 
-        found, off = slope(moved, {"shift": np.zeros((n, 1))}, {"shift": np.ones((n, 1))}, np.ones(n))
+        still, unit = np.zeros((n, 1)), np.ones((n, 1))
+        found, off = slope(moved, {"shift": still}, {"shift": unit}, np.ones(n))
         expected = (by_data * along[:, : by_data.shape[1]]).sum(axis=-1)
         terms = np.abs(by_data * along[:, : by_data.shape[1]])
         worst = worst_of(worst, missing(found, off, expected, *scale, terms))
