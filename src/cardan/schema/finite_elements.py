@@ -72,8 +72,8 @@ class PlaceKind(Record):
     @property
     def gradients(self) -> Mapping[str, str]:
         """Gradients that may be asked for -> C names."""
-        own = "qdot" in self.functions
-        return {RATES_GRADIENT: requested_name(RATES_GRADIENT, self.name)} if own else {}
+        moves = "qdot" in self.functions
+        return {RATES_GRADIENT: requested_name(RATES_GRADIENT, self.name)} if moves else {}
 
     @property
     def node(self) -> bool:

@@ -302,20 +302,6 @@ class StateRecord(ctypes.Structure):
     _fields_ = fields("cardan_state")
 
 
-class DataSlopes(ctypes.Structure):
-    """``cardan_data_slopes``: derivatives of the data of elements by the parameters."""
-
-    __slots__ = ()
-    _fields_ = fields("cardan_data_slopes")
-
-
-class ProductRecord(ctypes.Structure):
-    """``cardan_mesh_product``: derivatives of a function of a mesh."""
-
-    __slots__ = ()
-    _fields_ = fields("cardan_mesh_product")
-
-
 class PlanRecord(ctypes.Structure):
     """``cardan_sparse``."""
 

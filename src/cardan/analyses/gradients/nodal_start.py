@@ -12,12 +12,13 @@ import warnings
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TypeAlias
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError
+from ...runtime.calls.methods import ByName
 from ...runtime.models.finite_elements.joint_driven_nodes import SAVED, leading
 from ...runtime.models.finite_elements.table_loading import parameters_of_data, tables_of
 from ...runtime.models.loaded_model import LoadedModel
@@ -31,6 +32,7 @@ from .steps import CLOSING, StepsAgain
 
 # of an angle, of the size of a coordinate or of a parameter
 STEP = 1e-2
+Names: TypeAlias = Mapping[str, object]
 
 
 @dataclass(frozen=True)
@@ -47,7 +49,7 @@ class NodalStart:
     """
 
     setup: RunSetup
-    state: Mapping[str, Any]
+    state: Mapping[str, Names | None]
     r: Array
     s: Array
     wide: bool
@@ -58,9 +60,9 @@ class NodalStart:
         cls, setup: RunSetup, steps: StepsAgain, state: Mapping[str, object], s: Array, wide: bool
     ) -> NodalStart:
         """The derivatives at the start of a run; arguments are those of ``NamedStart.of``."""
-        whole = state["x0"] is not None
+        as_a_block = state["x0"] is not None
         names = {
-            letter: None if whole else named_of(letter, setup.model, state[letter])
+            letter: None if as_a_block else named_of(letter, setup.model, state[letter])
             for letter in "qu"
         }
         closing = tuple(name for name in CLOSING if name in steps.runner.closing.functions)
@@ -99,14 +101,14 @@ class NodalStart:
         change[model.nq + model.nu :] = start_change[2 * model.nu :]
         if self.state["q"] is None or self.state["u"] is None:
             return self._projected(start_change, by_r, by_p)
-        given = {"x": start_change, "r": by_r, "p": by_p}
+        directions = {"x": start_change, "r": by_r, "p": by_p}
         for (block, k), column in self._columns.items():
-            change += given[block][k] * column
+            change += directions[block][k] * column
         return change
 
     # starts that were given as a whole
 
-    def _arguments(self, name: str) -> tuple[tuple[str, ...], dict[str, Any]]:
+    def _arguments(self, name: str) -> tuple[tuple[str, ...], ByName]:
         """Blocks that a projection has derivatives by, and where it is taken."""
         model = self.model
         q, u, z = model.parts_of(self.setup.begin.x)
@@ -128,14 +130,14 @@ class NodalStart:
             part = slice(nq, nq + nu) if name == "close_velocity" else slice(0, nq)
             size = getattr(model, name)(**at).size
             weights = np.concatenate([lam[part], np.zeros(size - (part.stop - part.start))])
-            found = dict(
+            slopes = dict(
                 zip(blocks, model.vjp(name, wrt=blocks)(**at, weights=weights), strict=True)
             )
             lam[part] = 0.0
-            lam[:nq] += found[COORDINATES]
-            lam[nq : nq + nu] += found.get("u", 0.0)
-            by_r += found.get("r", 0.0)
-            by_p += found.get("p", 0.0)
+            lam[:nq] += slopes[COORDINATES]
+            lam[nq : nq + nu] += slopes.get("u", 0.0)
+            by_r += slopes.get("r", 0.0)
+            by_p += slopes.get("p", 0.0)
         q, u, _ = model.parts_of(self.setup.begin.x)
         along = model.vjp("qdot", wrt="u")(
             q=q, u=u, t=self.setup.over.start, r=self.r, weights=lam[:nq]
@@ -155,8 +157,8 @@ class NodalStart:
             ways = {COORDINATES: change[:nq], "u": change[nq : nq + nu], "r": by_r, "p": by_p}
             direction = {block: ways[block] for block in blocks}
             part = slice(nq, nq + nu) if name == "close_velocity" else slice(0, nq)
-            found = model.jvp(name, wrt=blocks)(**at, direction=direction)
-            change[part] = found[: part.stop - part.start]
+            step = model.jvp(name, wrt=blocks)(**at, direction=direction)
+            change[part] = step[: part.stop - part.start]
         return change
 
     # starts by names
@@ -181,8 +183,8 @@ class NodalStart:
 
     def _start(
         self,
-        q: Mapping[str, Any] | None = None,
-        u: Mapping[str, Any] | None = None,
+        q: Names | None = None,
+        u: Names | None = None,
         r: Array | None = None,
         model: LoadedModel | None = None,
     ) -> Array:
@@ -201,7 +203,7 @@ class NodalStart:
         leads = leading(model)
         for joint in model.manifest.joints:
             named = {
-                letter: any(self._of(name, letter, joint) for name in self.state[letter])
+                letter: any(self._of(name, letter, joint) for name in self._names(letter))
                 for letter in "qu"
             }
             for k in range(nu)[_part(joint, "u")]:
@@ -220,15 +222,20 @@ class NodalStart:
 
                     yield ("x", nu + k), faster, 1.0
 
+    def _names(self, letter: str) -> Names:
+        """What was named of coordinates or speeds."""
+        return self.state[letter] or {}
+
     def _of(self, name: str, letter: str, joint: JointRow) -> bool:
         """True when a name is that of entries of a joint."""
         place = _part(joint, letter)
         return bool(place.start <= self.model.manifest.slots(letter)[name].start < place.stop)
 
-    def _renamed(self, letter: str, joint: JointRow, block: Array) -> dict[str, Any]:
+    def _renamed(self, letter: str, joint: JointRow, block: Array) -> Names:
         """What was named, with a joint as a whole."""
-        others = {n: v for n, v in self.state[letter].items() if not self._of(n, letter, joint)}
-        return {**others, joint.name: block if len(block) > 1 else float(block[0])}
+        names = self._names(letter).items()
+        remaining = {n: value for n, value in names if not self._of(n, letter, joint)}
+        return {**remaining, joint.name: block if len(block) > 1 else float(block[0])}
 
     def _by_inputs(self) -> Iterator[tuple[tuple[str, int], Callable[[float], Array], float]]:
         for k in range(self.model.nr):

@@ -171,7 +171,7 @@ def write(folder: Path, absolute: FiniteElementRecord, available: Sequence[str])
 
 
 def add_requested(
-    folder: Path, absolute: FiniteElementRecord, keys: Sequence[tuple[str, str]]
+    folder: Path, absolute: FiniteElementRecord, keys: Sequence[tuple[str, str | None]]
 ) -> list[str]:
     """Write functions that derivatives need, as far as they are not there yet.
 
@@ -190,15 +190,15 @@ def add_requested(
     for form, _ in keys:
         if form not in (*GRADIENTS, RATES_GRADIENT, EXPRESSION, EXPRESSION_GRADIENT):
             raise DerivationError(f"'{form}' is not written for elements in tables")
-    symbols = [requested_name(*key) for key in keys]
+    symbols = [requested_name(form, of or "") for form, of in keys]
     missing = {*layout.missing(folder, symbols)}
-    made = [
-        _requested(absolute, *key, symbol)
-        for key, symbol in zip(keys, symbols, strict=True)
+    functions_missing = [
+        _requested(absolute, form, of or "", symbol)
+        for (form, of), symbol in zip(keys, symbols, strict=True)
         if symbol in missing
     ]
-    if made:
-        layout.add_functions(folder, [(generate(f), f) for f in made])
+    if functions_missing:
+        layout.add_functions(folder, [(generate(f), f) for f in functions_missing])
     return symbols
 
 

@@ -26,10 +26,10 @@ ptrdiff_t cardan_mesh_product_work(const cardan_mesh_product *product)
 /* The outputs at a state, which a formula reads. */
 static int enter_outputs(const cardan_in *in, real *work, cardan_place *here)
 {
-    cardan_in whole = *in;
+    cardan_in of_mesh = *in;
 
-    whole.w = (const wreal *)(const void *)here->mesh;
-    return here->mesh->outputs > 0 ? cardan_mesh_call_outputs(&whole, here->direct, work) : 0;
+    of_mesh.w = (const wreal *)(const void *)here->mesh;
+    return here->mesh->outputs > 0 ? cardan_mesh_call_outputs(&of_mesh, here->direct, work) : 0;
 }
 
 /* Solve for what the functions need at a state. */
@@ -46,6 +46,7 @@ static int enter(const cardan_in *in, real *work, cardan_place *here)
     here->mesh = mesh;
     here->at = cardan_state_of(in);
     (void)cardan_mesh_lay_place(product, work, here);
+    /* before anything is factored in the same memory */
     if (function == CARDAN_OF_EXPRESSION)
         status = enter_outputs(in, work, here);
     if (status != 0)
@@ -57,6 +58,7 @@ static int enter(const cardan_in *in, real *work, cardan_place *here)
         here->at.udot = solution;
         here->at.lam = solution + mesh->nu;
     }
+    /* projections are differentiated at their factors, as if all gaps were closed */
     if (function == CARDAN_OF_CLOSE_POSITION || function == CARDAN_OF_CLOSE_VELOCITY) {
         missing = work + cardan_mesh_lay(mesh, work, &here->system);
         status = cardan_mesh_balance(mesh, &here->at, missing, here->system.work);

@@ -89,8 +89,10 @@ static void take_gradient(const cardan_mesh *mesh, const cardan_group *g,
             const ptrdiff_t *rows = g->rows + 2 * some->element[lane];
             by->lam[k < g->mp ? rows[0] + k : rows[1] + k - g->mp] += next[lane];
         }
+    /* internal states and modes, of which each belongs to one element */
     next = add_picked(some, g->z, g->nz, next, by->z);
     next = add_picked(some, g->s, g->ns, next, by->s);
+    /* what all elements share: inputs, time and parameters */
     for (ptrdiff_t i = 0; i < mesh->nr; i++, next += some->lanes)
         for (ptrdiff_t lane = 0; lane < some->filled; lane++)
             by->r[i] += next[lane];
@@ -140,6 +142,7 @@ static int pull_rates(const cardan_place *here, const real *u, const real *v, re
         const ptrdiff_t q = mesh->q[mesh->node[k]], n = mesh->u[mesh->node[k]];
         pull_pose(here->at.q + q, u ? u + n : NULL, v + q, by_q + q, by_u + n);
     }
+    /* the other kinds of places by gradients of their own, if speeds are not rates there */
     for (ptrdiff_t n = 0; n < mesh->mover_count; n++) {
         const cardan_movers *movers = mesh->movers + n;
         const cardan_form *form = here->product->rates + n;
@@ -221,6 +224,7 @@ static int pull_expression(cardan_place *here, real weight)
     const real *slope = here->room;
     int status = form->call(&in, here->room, here->room + form->size);
 
+    /* in the order in which the formula has them; parameters are left out where nobody asks */
     slope = add_slopes(1, weight, slope, by->t);
     slope = add_slopes(mesh->nq, weight, slope, by->q);
     slope = add_slopes(mesh->nu, weight, slope, by->u);
@@ -268,6 +272,7 @@ static int pull_dynamics(cardan_place *here, const real *v)
     int status = 0;
 
     switch (function) {
+    /* parts of the balance of the elements as they are */
     case CARDAN_OF_INVERSE_DYNAMICS:
         copy(nu, v, here->weights);
         break;
@@ -277,6 +282,7 @@ static int pull_dynamics(cardan_place *here, const real *v)
     case CARDAN_OF_CONSTRAINT_RATES:
         copy(mesh->m, v, rates);
         break;
+    /* what was solved for counts by its equations */
     case CARDAN_OF_RHS:
         status = pull_rates(here, here->at.u, v, here->by.q, here->by.u);
         copy(mesh->nz, v + mesh->nq + nu, rates + 2 * mesh->m);
@@ -309,6 +315,7 @@ static int pull(cardan_place *here, const real *v)
     case CARDAN_OF_QDOT:
         return pull_rates(here, here->at.u, v, by->q, by->u);
     case CARDAN_OF_ENERGY:
+        /* the third result is the sum of the others */
         here->direct[0] = v[0] + v[2];
         here->direct[1] = v[1] + v[2];
         return sweep(here, here->product->direct, CARDAN_ENERGY, here->direct);

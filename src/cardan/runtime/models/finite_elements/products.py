@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 from math import prod
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, final
 
 import numpy as np
 
@@ -21,12 +21,14 @@ from ....schema.finite_elements import (
     RATES_GRADIENT,
     requested_name,
 )
-from ....schema.records import DataSlopes, Form, MeshRecord, ProductRecord, constants
+from ....schema.product_records import DataSlopes, ProductRecord
+from ....schema.records import Form, MeshRecord, constants
 from ....schema.request import Request
 from ...calls.abi_ctypes import FUNCTION
 from ...calls.code import Code
 from ...calls.interpreted import SINGULAR, UNSOLVED
 from ...calls.lanes import width
+from .data_slopes import DataByParameters
 from .massless import contradiction, refusal
 from .mesh import NEEDED
 from .table_loading import LANE_THRESHOLD
@@ -74,7 +76,7 @@ class Product:
     record: ProductRecord
     row: FunctionRow
     address: int
-    references: tuple[Any, ...]
+    references: tuple[object, ...]
 
 
 @final
@@ -89,8 +91,7 @@ class Products:
     def __init__(self, results: Results, model: LoadedModel) -> None:
         self.results, self.model, self.mesh = results, model, results.mesh
         self.tables = results.tables
-        self._forms: dict[str, Any] = {}
-        self._references: list[Any] = []
+        self._forms: dict[str, ctypes.Array[Form]] = {}
         self._local = self._work = self._lanes = 0
 
     # what is loaded
@@ -111,7 +112,7 @@ class Products:
         self._check(row, name)
         mesh, constant = self.mesh, constants("mesh_product.h")
         mesh.connect("balance", *BASE.get(name, ()))
-        forms = {"rates": self._rates()}
+        forms: dict[str, ctypes.Array[Form] | ctypes.Array[DataSlopes]] = {"rates": self._rates()}
         if name != "qdot" and DIRECT[name] not in ("energy_gradient", "momentum_gradient"):
             mesh.connect("balance_tangent", "gamma", "zdot")
             forms["dynamics"] = self._gradients("dynamics_gradient")
@@ -120,17 +121,20 @@ class Products:
         if name == EXPRESSION:
             forms["formula"] = self._formula(request.of or "")
         columns, parts = self._columns(request)
-        own = MeshRecord.from_buffer_copy(mesh.record)
-        own.local, own.work = own.local + self._local, max(own.work, self._work)
-        own.lanes = max(own.lanes, self._lanes)
+        record_of_mesh = MeshRecord.from_buffer_copy(mesh.record)
+        record_of_mesh.local, record_of_mesh.work = (
+            record_of_mesh.local + self._local,
+            max(record_of_mesh.work, self._work),
+        )
+        record_of_mesh.lanes = max(record_of_mesh.lanes, self._lanes)
         shape = () if name == EXPRESSION else self.results.shape(name)[0]
         by_parameters = "p" in request.wrt or any(p in self._parameters for p in request.wrt)
         quaternions = np.array(self.model.manifest.quaternions, dtype=np.intp)
-        tables: dict[str, Any] = {"column": columns, "part": parts, "quaternion": quaternions}
+        tables = {"column": columns, "part": parts, "quaternion": quaternions}
         if by_parameters:
-            tables["data"] = self._data_slopes
+            forms["data"] = self._data_slopes.records
         record = ProductRecord(
-            mesh=ctypes.addressof(own),
+            mesh=ctypes.addressof(record_of_mesh),
             function=constant[f"CARDAN_OF_{name.upper()}"],
             results=prod(shape),
             np=len(self._parameters) if by_parameters else 0,
@@ -138,15 +142,17 @@ class Products:
             columns=len(columns),
             parts=len(parts) - 1,
         )
-        for field, table in {**forms, **tables}.items():
-            setattr(record, field, table.ctypes.data if hasattr(table, "ctypes") else _at(table))
+        for field, table in tables.items():
+            setattr(record, field, table.ctypes.data)
+        for field, records in forms.items():
+            setattr(record, field, ctypes.addressof(records))
         library = mesh.library
         library.cardan_mesh_product_work.restype = ctypes.c_ssize_t
         function = getattr(library, f"cardan_mesh_call_{row}")
         work = int(library.cardan_mesh_product_work(ctypes.byref(record)))
         address = ctypes.cast(function, ctypes.c_void_p).value or 0
         entry = self._entry(row, request, shape, work)
-        return Product(record, entry, address, (own, forms, tables, self))
+        return Product(record, entry, address, (record_of_mesh, forms, tables, self))
 
     def _check(self, row: str, function: str) -> None:
         """Refuse what has no derivative.
@@ -172,10 +178,14 @@ class Products:
             )
 
     @cached_property
+    def _data_slopes(self) -> DataByParameters:
+        return DataByParameters(self.model, self.tables)
+
+    @cached_property
     def _parameters(self) -> dict[str, int]:
         return {row.name: k for k, row in enumerate(self.model.manifest.parameters)}
 
-    def _gradients(self, form: str) -> Any:
+    def _gradients(self, form: str) -> ctypes.Array[Form]:
         """Gradients of every group, made once."""
         if form not in self._forms:
             tables, forms = self.tables, (Form * max(1, len(self.tables.groups)))()
@@ -186,12 +196,11 @@ class Products:
                 group, data = tables.groups[k], self.mesh.data[k]
                 code = codes[group.kind.gradients[form]]
                 self.mesh.form(forms[k], code, data)
-                self._references.append(forms)
                 self._local = max(self._local, int(code.entry.output_size) + len(code.entry.vector))
             self._forms[form] = forms
         return self._forms[form]
 
-    def _formula(self, formula: str) -> Any:
+    def _formula(self, formula: str) -> ctypes.Array[Form]:
         """Value of a formula and its slopes."""
         forms, keys = (Form * 2)(), [(EXPRESSION, formula), (EXPRESSION_GRADIENT, formula)]
         symbols = [requested_name(*key) for key in keys]
@@ -201,8 +210,8 @@ class Products:
             self._local = max(self._local, int(codes[symbol].entry.output_size))
         return forms
 
-    def _rates(self) -> Any:
-        """Gradients of the rates of places that move by functions of their own."""
+    def _rates(self) -> ctypes.Array[Form]:
+        """Gradients of the rates of places that move by functions of their record_of_mesh."""
         if RATES_GRADIENT not in self._forms:
             kinds = [kind for kind in self.tables.kinds if kind.name != "node"]
             forms = (Form * max(1, len(kinds)))()
@@ -306,48 +315,6 @@ class Products:
             sha256="",
         )
 
-    # data by parameters
-
-    @cached_property
-    def _data_slopes(self) -> Any:
-        """Slopes of the data of every group by the parameters."""
-        groups = self.tables.groups
-        listed = (DataSlopes * max(1, len(groups)))()
-        for record, group in zip(listed, groups, strict=False):
-            if not group.common:
-                continue
-            slopes, shape = self._slopes(group.common)
-            rows, parameters = np.nonzero(slopes)
-            starts = np.searchsorted(rows, np.arange(len(slopes) + 1)).astype(np.intp)
-            tables = {"start": starts, "parameter": parameters.astype(np.intp)}
-            tables["slope"] = np.ascontiguousarray(slopes[rows, parameters])
-            record.count, record.shared = shape[-1], int(len(shape) == 1)
-            for field, table in tables.items():
-                setattr(record, field, table.ctypes.data)
-                self._references.append(table)
-        return listed
-
-    def _slopes(self, common: str) -> tuple[Array, tuple[int, ...]]:
-        """Derivatives (data, parameters) of the data of a group, and the shape of these."""
-        from ....ir.derivative import directional
-        from ....ir.function import Function, Output
-        from ....ir.graph import ONE
-        from ....ir.interpreter import evaluate
-        from ....ir.rewrite import rebuild
-
-        function = self.model._objects.function(common)
-        graph, roots = rebuild(function.graph, function.roots)
-        read = sorted({n[2] for n in graph.nodes if n[0] == "var"})
-        columns = directional(graph, roots, [{graph.var("p", k): ONE} for k in read])
-        nodes = tuple(node for column in columns for node in column)
-        shape, slopes = function.outputs[0].shape, np.zeros((len(roots), len(self._parameters)))
-        if read:
-            output = Output("slopes", (len(read), len(roots)), nodes)
-            derivative = Function("slopes", graph, function.inputs, (output,))
-            values = evaluate(derivative, {"p": self.model.parameters.vector.tolist()})
-            slopes[:, read] = np.reshape(values["slopes"], (len(read), len(roots))).T
-        return slopes, shape
-
     # calls
 
     def evaluator(self, product: Product, of: str) -> Callable[[Inputs], Array]:
@@ -382,7 +349,3 @@ class Products:
 
 def _pointer(array: Array | Integers) -> ctypes.c_void_p:
     return ctypes.c_void_p(array.ctypes.data)
-
-
-def _at(table: Any) -> int:
-    return ctypes.addressof(table)

@@ -54,8 +54,8 @@ def _law(form: str, members: Members) -> float | str:
     scale = [np.abs(results * weights), np.abs(value[:, :at])]
 
     def weighed(blocks: Blocks) -> Array:
-        found = _results(members, form, blocks)
-        total: Array = (found * np.resize(weights, found.shape)).sum(axis=-1, keepdims=True)
+        change = _results(members, form, blocks)
+        total: Array = (change * np.resize(weights, change.shape)).sum(axis=-1, keepdims=True)
         return total
 
     worst = np.nan
@@ -67,8 +67,8 @@ def _law(form: str, members: Members) -> float | str:
             if size and letter != "s":
                 rates[letter] = along
                 expected += (parts[letter] * along).sum(axis=-1)
-        found, off = members.slope(weighed, rates)
-        worst = worst_of(worst, missing(found, off, expected, *scale))
+        change, off = members.slope(weighed, rates)
+        worst = worst_of(worst, missing(change, off, expected, *scale))
     for way in ways(n, by_data.shape[1]) if by_data.shape[1] else ():
         p, along = inputs["p"], np.zeros_like(inputs["p"])
         along[:, : way.shape[1]] = way * np.where(p == 0, 1.0, p)[:, : way.shape[1]]
@@ -80,10 +80,10 @@ def _law(form: str, members: Members) -> float | str:
             return weighed({**{k: np.tile(x, (count, 1)) for k, x in inputs.items()}, "p": here})
 
         still, unit = np.zeros((n, 1)), np.ones((n, 1))
-        found, off = slope(moved, {"shift": still}, {"shift": unit}, np.ones(n))
+        change, off = slope(moved, {"shift": still}, {"shift": unit}, np.ones(n))
         expected = (by_data * along[:, : by_data.shape[1]]).sum(axis=-1)
         terms = np.abs(by_data * along[:, : by_data.shape[1]])
-        worst = worst_of(worst, missing(found, off, expected, *scale, terms))
+        worst = worst_of(worst, missing(change, off, expected, *scale, terms))
     return worst
 
 
