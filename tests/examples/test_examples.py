@@ -52,6 +52,11 @@ LEAVES = {
     "40_fmu": ("arm.fmu", "door.fmu"),
     "41_swing_up": ("casadi.c", "swing_up.png", "swing_up.html"),
     "42_fit_through_a_rollout": ("jax.c", "fit.png"),
+    "44_swing_up_by_shooting": ("swing_up.png", "swing_up.html"),
+    "45_four_bar_synthesis": ("foot.png", "foot.html"),
+    "46_fit_from_csv": ("motion.csv", "fit.png"),
+    "47_friction_from_an_impact": ("fit.png", "block.html"),
+    "48_walker": ("walker.png", "walker.html"),
 }
 
 
