@@ -9,6 +9,7 @@ Source: M. Kelly, SIAM Review 59 (2017), section 6. The optimum that is reached 
 straight line, is one of several; shooting reaches one with less effort.
 """
 
+from itertools import pairwise
 from pathlib import Path
 from time import perf_counter
 
@@ -24,7 +25,7 @@ out.mkdir(parents=True, exist_ok=True)
 DURATION, PUBLISHED = 2.0, 58.80767  # s, N^2 s
 
 # A cart on a rail, which an input pushes, with a bob on a massless rod; the angle is 0 hanging.
-scene = cd.Scene("cart_pole", gravity=(0, 0, -9.81))
+scene = cd.Scene("cart_and_pole", gravity=(0, 0, -9.81))
 push = scene.input("push", unit="N")
 cart = scene.body("cart", mass=1.0, inertia=(0.1, 0.1, 0.1))
 bob = scene.body("bob", mass=0.3, com=(0, 0, -0.5), inertia=(0, 0, 0))
@@ -96,7 +97,7 @@ for count in (11, 41):
     efforts[count] = effort
     # another integrator on the equations of the paper, from knot to knot
     y = np.zeros(5)
-    for span in zip(shooting.times, shooting.times[1:], strict=False):
+    for span in pairwise(shooting.times):
         run = solve_ivp(textbook, span, y, args=(shooting.times, pushes), rtol=1e-11, atol=1e-12)
         y = run.y[:, -1]
     off = np.abs(y[:4] - list(goal.values())).max()

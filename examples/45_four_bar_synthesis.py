@@ -33,7 +33,7 @@ def four_bar(target):
     The crank turns once a second. Links are in the plane of x and y, along x where all angles are
     0; the frame of the linkage stands anywhere, turned by any angle.
     """
-    scene = cd.Scene("four_bar", gravity=(0, 0, 0))
+    scene = cd.Scene("foot_linkage", gravity=(0, 0, 0))
     p = {name: scene.parameter(name, value, UNITS[name]) for name, value in START.items()}
     crank, coupler, rocker = (
         scene.body(f"{name}_link", mass=1.0, inertia=(0.1, 0.1, 0.1))

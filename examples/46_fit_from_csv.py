@@ -18,7 +18,7 @@ out = Path("out/pendulum_fit")
 out.mkdir(parents=True, exist_ok=True)
 
 # Two rods with dampers in their joints. The values here are guesses.
-scene = cd.Scene("double_pendulum", gravity=(0, 0, -9.81))
+scene = cd.Scene("filmed_pendulum", gravity=(0, 0, -9.81))
 m1, m2 = scene.parameter("m1", 1.0, "kg"), scene.parameter("m2", 1.0, "kg")
 l1, l2 = scene.parameter("l1", 0.8, "m"), scene.parameter("l2", 0.8, "m")
 d1, d2 = (scene.parameter(name, 0.05, "N*m*s/rad") for name in ("d1", "d2"))

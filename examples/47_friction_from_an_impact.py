@@ -18,7 +18,7 @@ out.mkdir(parents=True, exist_ok=True)
 GRAVITY, WALL = 9.81, 1.0  # m/s^2, m
 
 # The friction is mu times the force with which the rail carries the block.
-scene = cd.Scene("block", gravity=(0, 0, -GRAVITY))
+scene = cd.Scene("sliding_block", gravity=(0, 0, -GRAVITY))
 mu, e = scene.parameter("mu", 0.2), scene.parameter("e", 0.5)
 box = cd.shape.box(0.2, 0.2, 0.1)
 block = scene.body("block", mass=2.0, inertia=(0.01, 0.01, 0.01), shape=box)

@@ -22,7 +22,7 @@ LEG, HIP, A, B = 5.0, 10.0, 0.5, 0.5  # kg, kg, and a leg's mass above its foot 
 LENGTH = A + B
 
 # Legs are bars without mass that carry theirs in the middle; angles are from the vertical.
-scene = cd.Scene("compass", gravity=(0, 0, -9.81))
+scene = cd.Scene("compass_gait", gravity=(0, 0, -9.81))
 slope = scene.parameter("slope", np.radians(3), "rad")
 stance = scene.body("stance_leg", mass=LEG, com=(0, 0, A), inertia=(0, 0, 0))
 hip = scene.body("hip_mass", mass=HIP, inertia=(0, 0, 0))
