@@ -157,8 +157,7 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     circuit_matrix[1][1] = response_wall_stop_wall_stop;
     const real behind_slide_abs = cardan_abs(behind_slide);
 
-    /* friction: change */
-    const wreal slide_tau_part = w[3];
+    /* friction: change, response multiplier stick */
     const real response_gamma_friction_stick = -friction_stick_response_slide;
     response_right[0] = response_gamma_friction_stick;
     const real response_gamma_wall_stop = -wall_stop_response_slide;
@@ -166,14 +165,20 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* response_matrix lam = response_right; the solution takes its place */
     status |= CARDAN_SOLVE(semidefinite, 2, 1, response_matrix[0], response_right,
         response_scratch);
-    const real friction_change_response_part = response_right[0];
-    const real friction_change_response_part_2 = response_right[1];
-    const real friction_change_rate_part = (M_factor_D_inverse_slide
-        + friction_stick_response_slide * friction_change_response_part
-        + wall_stop_response_slide * friction_change_response_part_2) * slide_tau_part;
+    const real friction_response_multiplier_stick = response_right[0];
+
+    /* wall: response multiplier stop, change */
+    const real wall_release = e[4];
+    const real wall_response_multiplier_stop = response_right[1];
+    const real wall_change_at_rest = cardan_le(behind_slide_abs - 1e-12 * slide_u_abs, 1e-12);
+    /* s: wall */
+    out[2] = cardan_select(wall_release, 0.0, cardan_select(wall_upper,
+        cardan_select(wall_change_at_rest, 1.0, 0.0), cardan_select(wall_eq_zero, 0.0,
+        cardan_select(wall_change_at_rest, wall, 0.0))));
 
     /* slide: tau */
     /* tau = S . [n; f] - force on the joint */
+    const wreal slide_tau_part = w[3];
     const real slide_tau = friction_friction_direction * slide_tau_part;
 
     /* constraints: factor, multipliers */
@@ -187,17 +192,14 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* circuit_matrix lam = circuit_right; the solution takes its place */
     status |= CARDAN_SOLVE(semidefinite, 2, 1, circuit_matrix[0], circuit_right, circuit_scratch);
 
-    /* friction: multiplier stick */
+    /* friction: multiplier stick, change */
     const real friction_multiplier_stick = circuit_right[0];
+    const real friction_change_rate_part = (M_factor_D_inverse_slide
+        + friction_stick_response_slide * friction_response_multiplier_stick
+        + wall_stop_response_slide * wall_response_multiplier_stop) * slide_tau_part;
 
-    /* wall: multiplier stop, change */
-    const real wall_release = e[4];
+    /* wall: multiplier stop */
     const real wall_multiplier_stop = circuit_right[1];
-    const real wall_change_at_rest = cardan_le(behind_slide_abs - 1e-12 * slide_u_abs, 1e-12);
-    /* s: wall */
-    out[2] = cardan_select(wall_release, 0.0, cardan_select(wall_upper,
-        cardan_select(wall_change_at_rest, 1.0, 0.0), cardan_select(wall_eq_zero, 0.0,
-        cardan_select(wall_change_at_rest, wall, 0.0))));
 
     /* slide: udot */
     /* udot = free_udot + response multipliers */
