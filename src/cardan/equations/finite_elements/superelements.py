@@ -341,8 +341,8 @@ def superelement_gradient(kind: Kind, form: str, inputs: int) -> Routine:
     """
     if form not in GRADIENT_READS:
         raise DerivationError(
-            f"superelements have no gradient of {form.removesuffix('_gradient')}, of forces and "
-            "energies only. Take differences of the others"
+            f"superelements have derivatives of forces and energies, none of "
+            f"{form.removesuffix('_gradient')}. Take differences of that"
         )
     tangent = kind.functions["balance_tangent"]
     assert isinstance(tangent, Routine)
