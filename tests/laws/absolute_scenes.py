@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import cardan as cd
 from mechanisms import ZOO
+from mechanisms.superelements import FLYERS
 
 
 def rubber(elements: int = 2) -> cd.Scene:
@@ -46,6 +48,11 @@ def cantilever(elements: int = 2) -> cd.Scene:
     return scene
 
 
+def flying(name: str) -> cd.Scene:
+    """A superelement in flight, where gravity pulls."""
+    return FLYERS[name].build(gravity=(0.3, 0.2, -9.81))
+
+
 SCENES: dict[str, tuple[Callable[[], cd.Scene], dict[str, str]]] = {
     "rubber, joints in trees": (rubber, {}),
     "rubber, nodes": (rubber, {"coordinates": "absolute"}),
@@ -56,4 +63,5 @@ SCENES: dict[str, tuple[Callable[[], cd.Scene], dict[str, str]]] = {
         name: (ZOO[name].build, {"coordinates": "absolute"})
         for name in ("double_pendulum", "crane", "drives", "spherical_mrp", "universal")
     },
+    **{f"superelement, {name}": (partial(flying, name), {}) for name in FLYERS},
 }

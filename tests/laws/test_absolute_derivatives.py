@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import ModelError
+from cardan.errors import DerivationError, ModelError
 from cardan.runtime.models.finite_elements.products import DIRECT
 from cardan.runtime.verification.differences import BOUND, missing, slope
 from cardan.schema.functions import FUNCTIONS
@@ -135,7 +135,9 @@ def test_derivatives(name: str) -> None:
 
 
 def available(model: cd.CompiledModel, function: str) -> bool:
-    """Some functions need constraints."""
+    """Some functions need constraints; superelements have some."""
+    if model.manifest.superelements and function in ("momentum", "power"):
+        return False
     return bool(model.manifest.multipliers) or "constraints" not in FUNCTIONS[function].needs
 
 
@@ -213,6 +215,12 @@ def test_only_on_request(tmp_path: Any) -> None:
     kinds = {path.name.split("__")[0] for path in tmp_path.glob("*__balance.c")}
     written = {path.name for path in tmp_path.glob("*gradient*.c")}
     assert written == {f"{kind}__dynamics_gradient.c" for kind in kinds}
+
+
+def test_superelements_have_derivatives_of_forces_and_energies() -> None:
+    model = model_of("superelement, damped chord")
+    with pytest.raises(DerivationError, match="none of momentum"):
+        model.vjp("momentum", wrt="q")(*model.split(model.initial()), np.ones(6))
 
 
 @each(
