@@ -65,10 +65,14 @@ def check_complete(motion: TrajectoryRecord, runner: Runner) -> None:
         )
 
 
-def rows_of(motion: TrajectoryRecord) -> Array:
-    """Rows t, y, r, s of a motion that has one at the end of every step."""
-    modes = motion.event_log.s.reshape(len(motion.t), -1)
-    return np.hstack([motion.t[:, None], motion.x, motion.work_done, motion.r, modes])
+def rows_of(motion: TrajectoryRecord, runner: Runner) -> Array:
+    """Rows t, y, r, s, lam of a motion that has one at the end of every step.
+
+    Multipliers are left 0: those of a state follow from it.
+    """
+    modes, lam = motion.event_log.s.reshape(len(motion.t), -1), (len(motion.t), runner.record.nlam)
+    states = (motion.t[:, None], motion.x, motion.work_done, motion.r, modes, np.zeros(lam))
+    return np.hstack(states)
 
 
 def row_behind(t: Array, end: int, at: EventInstant) -> int:

@@ -117,7 +117,7 @@ def _swept(
     jumps = Jumps(sweep, cost, setup.event_table, setup.over.start)
     instants = event_instants(log.log, setup.event_table, model.nx, model.ns)
     value, final_rate = _final(sweep, motion, cost)
-    rows = rows_of(motion)
+    rows = rows_of(motion, runner)
     end = len(rows)
     halted = motion.solver_info.status == EVENT
     # backward: the steps behind an event, the event, and so on to the start

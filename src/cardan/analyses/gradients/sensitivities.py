@@ -172,7 +172,7 @@ def _sensitivities(
         [begin.forward(*one) for one in zip(directions.start, by_r, by_p, strict=True)]
     ).reshape(len(by_r), model.nx)
     jumps = TangentJumps(tangents, setup.event_table, setup.over.start)
-    rows, changes = rows_of(motion), list[Array]()
+    rows, changes = rows_of(motion, runner), list[Array]()
     modes, start = [(0, tangents.by_s.copy())], 0
     instants = event_instants(log.log, setup.event_table, model.nx, model.ns)
     # where an event ends the run, times do not move

@@ -326,6 +326,26 @@ static int settled(real size, real *last)
     return done;
 }
 
+/* First slopes from states at both ends: of speeds the mean, of coordinates those of the cubic polynomial
+ * with their rates at the ends, as positions that leave gaps may have no accelerations. */
+static void guess(const cardan_steps *steps, const rooms *at, real h, const real *y, const real *next)
+{
+    const cardan_run *run = steps->run;
+    const ptrdiff_t nq = run->nq, nx = run->nx;
+    real *first = at->rest, *last = at->rest + nx;
+
+    convert(at->mesh, y, FORWARD, first, (real *)y + nq);
+    convert(at->mesh, next, FORWARD, last, (real *)next + nq);
+    for (ptrdiff_t s = 0; s < STAGES; s++)
+        for (ptrdiff_t i = 0; i < nx; i++) {
+            const real c = steps->nodes[s], mean = (next[i] - y[i]) / h;
+            real *slope = steps->slopes + s * nx + i;
+            *slope = mean;
+            if (i < nq)
+                *slope = (1 - c) * (1 - 3 * c) * first[i] + c * (3 * c - 2) * last[i] + 6 * c * (1 - c) * mean;
+        }
+}
+
 int cardan_element_stages_solve(const cardan_steps *steps, ptrdiff_t k)
 {
     const cardan_run *run = steps->run;
@@ -338,8 +358,7 @@ int cardan_element_stages_solve(const cardan_steps *steps, ptrdiff_t k)
 
     (void)lay(run, steps->system, &at);
     status = prepare(steps, &at, t, h, y);
-    for (ptrdiff_t i = 0; i < STAGES * nx; i++)
-        steps->slopes[i] = (next[i % nx] - y[i % nx]) / h;
+    guess(steps, &at, h, y, next);
     for (int n = 0; n < MOST && status == 0; n++) {
         cardan_stage_states(steps, h, y);
         for (ptrdiff_t s = 0; s < STAGES && status == 0; s++)
