@@ -81,9 +81,7 @@ def fit(
     chosen, places = _unknowns(model, unknown)
     limits = _bounds(chosen, bounds)
     nodes = _nodes(samples, segments)
-    shooting = Shooting(
-        model, samples, nodes, chosen, inputs, {"method": method, "rtol": rtol, "progress": False}
-    )
+    shooting = Shooting(model, samples, nodes, chosen, inputs, method, rtol)
     values = np.array([model.parameters[name] for name in chosen])
     search = Search(shooting, places, limits, loss, values)
     first = start(model, None, q, u, z).x
@@ -136,7 +134,7 @@ def _nodes(samples: Samples, segments: str | int) -> tuple[int, ...]:
     return tuple(int(k) for k in np.round(np.linspace(0, count, number + 1)))
 
 
-def _first_nodes(shooting: Shooting, first: Array, values: Array) -> list[Array]:
+def _first_nodes(shooting: Shooting, first: Array, values: Array) -> Array:
     """States at the nodes: measured coordinates and their slopes, the rest along the first run."""
     model, samples = shooting.model, shooting.samples
     t, names = samples.t, samples.formulas
@@ -145,11 +143,10 @@ def _first_nodes(shooting: Shooting, first: Array, values: Array) -> list[Array]
     run = None
     if len(shooting.nodes) > 2:
         try:
-            options = {**shooting.options, "rtol": 1e-6}
             present = dict(zip(shooting.parameters, values, strict=True))
             run = simulate(
                 model, t_eval=t[list(shooting.nodes[:-1])], x0=begin, inputs=shooting.inputs,
-                parameters=present, **options,  # type: ignore[arg-type]
+                parameters=present, method=shooting.method, rtol=1e-6, progress=False,
             ).x  # fmt: skip
         except SolveError:
             run = None
@@ -171,4 +168,4 @@ def _first_nodes(shooting: Shooting, first: Array, values: Array) -> list[Array]
             elif name in model.speeds and present_rows[node]:
                 x[model.nq + model.speeds.index(name)] = column[node]
         states.append(x)
-    return states
+    return np.array(states)

@@ -143,7 +143,7 @@ class Channels:
         """Values (m, channels) and their changes (m, channels, k).
 
         Args:
-            t, x, r, s: Times (m,), states (m, nx), inputs (m, nr) and modes (ns,).
+            t, x, r, s: Times (m,), states (m, nx), inputs (m, nr) and modes (m, ns).
             changes: Of the states along k directions (m, k, nx).
             by_parameters: Of the parameters along them (k, parameters).
         """

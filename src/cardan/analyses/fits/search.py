@@ -28,10 +28,10 @@ HALVINGS = 12
 class _Point:
     """Unknowns with what they miss."""
 
-    states: list[Array]
+    states: Array
     values: Array
     segments: list[Segment]
-    gaps: list[Array]
+    gaps: Array
 
     @property
     def residuals(self) -> Array:
@@ -39,7 +39,7 @@ class _Point:
 
     @property
     def gap(self) -> float:
-        return max((float(np.abs(gap).max(initial=0.0)) for gap in self.gaps), default=0.0)
+        return float(np.abs(self.gaps).max(initial=0.0))
 
 
 class Search:
@@ -66,7 +66,7 @@ class Search:
 
     def run(
         self,
-        states: list[Array],
+        states: Array,
         values: Array,
         most: int,
         progress: bool | Callable[[float], None] | None,
@@ -87,11 +87,10 @@ class Search:
                     break
         return self._fit(point, converged, message, iterations)
 
-    def _point(self, states: list[Array], values: Array) -> _Point:
+    def _point(self, states: Array, values: Array) -> _Point:
         segments = self.shooting.every(states, values)
-        pairs = zip(segments[:-1], states[1:], strict=True)
-        gaps = [self.shooting.gap(one.end, node) for one, node in pairs]
-        return _Point(states, values, segments, gaps)
+        ends = np.array([one.end for one in segments])
+        return _Point(states, values, segments, self.shooting.gaps(ends[:-1], states[1:]))
 
     def _weights(self, residuals: Array) -> Array:
         if self.loss == "linear":
@@ -136,10 +135,7 @@ class Search:
         before = self._merit(point)
         for _ in range(HALVINGS):
             values = np.clip(point.values + part * change, *self.limits.T)
-            states = [
-                self.shooting.moved(x, part * move)
-                for x, move in zip(point.states, moves, strict=True)
-            ]
+            states = self.shooting.moved(point.states, part * moves)
             try:
                 there = self._point(states, values)
             except (SolveError, ModelError):
@@ -152,9 +148,8 @@ class Search:
         return point, np.inf, 0.0
 
     def _merit(self, point: _Point) -> float:
-        return float(np.sum(self._weights(point.residuals) * point.residuals**2)) + sum(
-            float(gap @ gap) for gap in point.gaps
-        )
+        weighted = self._weights(point.residuals) * point.residuals**2
+        return float(np.sum(weighted) + np.sum(point.gaps**2))
 
     def _fit(self, point: _Point, converged: bool, message: str, iterations: int) -> Fit:
         shooting, samples = self.shooting, self.shooting.samples
@@ -170,7 +165,7 @@ class Search:
         t = samples.t
         motion = simulate(
             model, (float(t[0]), float(t[-1])), x0=point.states[0], inputs=shooting.inputs,
-            **shooting.options,  # type: ignore[arg-type]
+            method=shooting.method, rtol=shooting.rtol, progress=False,
         )  # fmt: skip
         by_channel = self._by_channel(residuals)
         with np.errstate(invalid="ignore"):

@@ -6,7 +6,6 @@ Treatment of Inverse Problems in Differential and Integral Equations (1983), 95-
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,8 +14,10 @@ from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import SolveError
 from ...runtime.models.loaded_model import LoadedModel
-from ..gradients.sensitivities import Sensitivities
-from ..simulation.simulate import simulate
+from ..gradients.sensitivities import SensitiveRuns, Sensitivities
+from ..simulation.driving import beginning, run_setup
+from ..simulation.settings import Start
+from ..simulation.times import Span
 from .samples import Channels, Samples
 
 
@@ -38,6 +39,24 @@ class Segment:
 
 
 @dataclass(frozen=True)
+class _Run:
+    """A run from one node: at its samples, and at its end behind them.
+
+    Attributes:
+        x, r, s: States (m, nx), inputs (m, nr), modes (m, ns) at samples.
+        changes: Of the states, along the speeds of the node and by parameters (m, k, nx).
+        end, moved: State (nx,) and its changes (k, nx) at the next node.
+    """
+
+    x: Array
+    r: Array
+    s: Array
+    changes: Array
+    end: Array
+    moved: Array
+
+
+@dataclass(frozen=True)
 class Shooting:
     """Multiple shooting over measured samples.
 
@@ -47,7 +66,7 @@ class Shooting:
         nodes: Numbers of the samples at which segments begin; the last one is the end.
         parameters: Names of the unknown ones.
         inputs: Of the runs.
-        options: Method and tolerances of the runs.
+        method, rtol: Of the runs.
     """
 
     model: LoadedModel
@@ -55,83 +74,95 @@ class Shooting:
     nodes: tuple[int, ...]
     parameters: tuple[str, ...]
     inputs: Inputs | None
-    options: Mapping[str, object]
+    method: str
+    rtol: float
 
-    def segment(self, number: int, x: Array, values: Array, wide: bool = True) -> Segment:
-        """The run from a node.
+    def every(self, states: Array, values: Array) -> list[Segment]:
+        """All segments.
 
         Args:
-            number: Of the segment.
-            x: State at the node (nx,).
+            states: At the nodes (segments, nx).
             values: Of the parameters.
-            wide: Whether derivatives are wanted.
-
-        Raises:
-            SolveError: it breaks down.
-        """
-        first, last = self.nodes[number], self.nodes[number + 1]
-        model = self.model.with_parameters(dict(zip(self.parameters, values, strict=True)))
-        t, closed = self.samples.t, number + 2 == len(self.nodes)
-        # the sample at the next node belongs to the next segment
-        rows = np.arange(first, last + closed)
-        motion = simulate(
-            model,
-            (float(t[first]), float(t[last])),
-            x0=x,
-            inputs=self.inputs,
-            sensitivity=("x0", *self.parameters),
-            **self.options,  # type: ignore[arg-type]
-        )
-        # along the speeds of the node, and by parameters
-        changes = motion.sensitivity
-        assert isinstance(changes, Sensitivities)
-        states, moved = changes.states_at(np.append(t[rows], t[last]))
-        count = len(self.parameters)
-        by_parameters = np.vstack([np.zeros((moved.shape[1] - count, count)), np.eye(count)])
-        r = motion.inputs_at(t[rows]) if motion.inputs_at is not None else motion.r[:1]
-        channels = Channels(model, self.samples.formulas, self.parameters)
-        computed, slopes = channels(
-            t[rows], states[:-1], r, motion.event_log.s[-1], moved[:-1], by_parameters
-        )
-        present = self.samples.present[rows]
-        scale = self.samples.noise
-        residuals = ((self.samples.values[rows] - computed) / scale)[present]
-        return Segment(
-            residuals,
-            (-slopes / scale[:, None])[present],
-            states[-1],
-            self.along_speeds(states[-1], moved[-1]),
-        )
-
-    def along_speeds(self, x: Array, changes: Array) -> Array:
-        """Changes (k, nx) of a state as increments along the speeds (2 nu + nz, k)."""
-        model = self.model
-        q, u, _ = model.parts_of(x)
-        N = model.derivative("qdot", wrt="u")(q, u)
-        along = np.linalg.lstsq(N, changes[:, : model.nq].T, rcond=None)[0]
-        return np.vstack([along, changes[:, model.nq :].T])
-
-    def moved(self, x: Array, step: Array) -> Array:
-        """The state (nx,) an increment along the speeds away."""
-        model, nu = self.model, self.model.nu
-        q, u, z = model.parts_of(x)
-        return np.concatenate(
-            [model.integrate(q, step[:nu]), u + step[nu : 2 * nu], z + step[2 * nu :]]
-        )
-
-    def gap(self, x: Array, node: Array) -> Array:
-        """The increment along the speeds (2 nu + nz,) from a node to the end before it."""
-        model = self.model
-        q0, u0, z0 = model.parts_of(node)
-        q, u, z = model.parts_of(x)
-        return np.concatenate([model.difference(q0, q), u - u0, z - z0])
-
-    def every(self, states: Sequence[Array], values: Array) -> list[Segment]:
-        """All segments.
 
         Raises:
             SolveError: one breaks down.
         """
         if not np.isfinite(values).all():
             raise SolveError("fit: parameters are not finite")
-        return [self.segment(k, x, values) for k, x in enumerate(states)]
+        model = self.model.with_parameters(dict(zip(self.parameters, values, strict=True)))
+        t, nodes = self.samples.t, self.nodes
+        # one runner serves all segments
+        state, options = _whole(states[0]), (self.method, self.rtol, None, None, None)
+        span = (float(t[0]), float(t[-1])), None
+        setup = run_setup(model, span, state, None, options, self.inputs, None)
+        runs = SensitiveRuns(setup, ("x0", *self.parameters), self.inputs)
+        parts = [self._run(runs, k, x) for k, x in enumerate(states)]
+        # channels of all samples at once
+        count = len(self.parameters)
+        channels = Channels(model, self.samples.formulas, self.parameters)
+        x, r, s, changes = (
+            np.concatenate([getattr(one, name) for one in parts])
+            for name in ("x", "r", "s", "changes")
+        )
+        by_parameters = np.vstack([np.zeros((changes.shape[1] - count, count)), np.eye(count)])
+        computed, slopes = channels(t, x, r, s, changes, by_parameters)
+        residuals = (self.samples.values - computed) / self.samples.noise
+        slopes = -slopes / self.samples.noise[:, None]
+        ends, moved = (np.array([getattr(one, name) for one in parts]) for name in ("end", "moved"))
+        segments = list[Segment]()
+        for k, transition in enumerate(self.along_speeds(ends, moved)):
+            rows = slice(nodes[k], nodes[k + 1] + (k + 2 == len(nodes)))
+            present = self.samples.present[rows]
+            segments.append(
+                Segment(residuals[rows][present], slopes[rows][present], ends[k], transition)
+            )
+        return segments
+
+    def _run(self, runs: SensitiveRuns, number: int, x: Array) -> _Run:
+        """The run from a node, whose steps end at the samples."""
+        first, last = self.nodes[number], self.nodes[number + 1]
+        t, closed = self.samples.t, number + 2 == len(self.nodes)
+        over = Span(float(t[first]), float(t[last]), stops=tuple(t[first + 1 : last].tolist()))
+        state = _whole(x)
+        setup = runs.setup
+        begin = beginning(setup.model, Start(x, ()), state, over.start, setup.input_signals)
+        motion = runs.run(over, begin, state, dense=False)
+        # the sample at the next node belongs to the next segment
+        times = t[first : last + 1]
+        rows = slice(None, None if closed else -1)
+        assert isinstance(motion.sensitivity, Sensitivities)
+        states, changes = motion.sensitivity.states_at(times)
+        places = np.searchsorted(motion.t, times, side="right") - 1
+        r = motion.r[places] if motion.inputs_at is None else motion.inputs_at(times)
+        s = motion.event_log.s.reshape(len(motion.t), -1)[places]
+        return _Run(states[rows], r[rows], s[rows], changes[rows], states[-1], changes[-1])
+
+    def along_speeds(self, x: Array, changes: Array) -> Array:
+        """Changes (m, k, nx) of states (m, nx) as increments along the speeds (m, n, k).
+
+        n is 2 nu + nz.
+        """
+        model = self.model
+        q, u, _ = model.parts_of(x)
+        N = model.derivative("qdot", wrt="u")(q, u)
+        along = np.linalg.pinv(N) @ np.swapaxes(changes[:, :, : model.nq], 1, 2)
+        return np.concatenate([along, np.swapaxes(changes[:, :, model.nq :], 1, 2)], axis=1)
+
+    def moved(self, x: Array, step: Array) -> Array:
+        """States (m, nx) increments along the speeds (m, 2 nu + nz) away."""
+        model, nu = self.model, self.model.nu
+        q, u, z = model.parts_of(x)
+        place = model.integrate(q, step[:, :nu])
+        return np.hstack([place, u + step[:, nu : 2 * nu], z + step[:, 2 * nu :]])
+
+    def gaps(self, ends: Array, nodes: Array) -> Array:
+        """Increments along the speeds (m, 2 nu + nz) from nodes to the ends before them."""
+        model = self.model
+        q0, u0, z0 = model.parts_of(nodes)
+        q, u, z = model.parts_of(ends)
+        return np.hstack([model.difference(q0, q), u - u0, z - z0])
+
+
+def _whole(x: Array) -> dict[str, object]:
+    """A start by the whole state."""
+    return {"x0": x, "q": None, "u": None, "z": None}
