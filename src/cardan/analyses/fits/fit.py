@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,12 +15,13 @@ from ...runtime.models.loaded_model import LoadedModel
 from ..gradients.unknowns import start_blocks, start_places
 from ..simulation.settings import Values, start
 from ..simulation.simulate import simulate
+from .division import divided
 from .record import Fit
 from .samples import Samples, samples_of
 from .search import Search
 from .shooting import Shooting
 
-SAMPLES = 8  # of a segment, by default
+SAMPLES = 8  # of a segment at least, by default
 MOST_SEGMENTS = 60
 
 
@@ -59,8 +61,8 @@ def fit(
         noise: Standard deviation of measurements, one number or by formula; its ratios weigh them.
         bounds: Parameter -> (least, most).
         loss: ``"linear"`` for least squares, ``"huber"`` where some samples are wrong.
-        segments: Number of runs that the motion is divided into; ``"auto"``: one for every eight
-            samples, at most 60.
+        segments: Number of runs that the motion is divided into; ``"auto"``: as many as errors
+            grow by e^2, and as leave what was measured, at most one for every eight samples and 60.
         q, u, z: Start at the first sample, where the search begins; what is no unknown stays.
         inputs, parameters, method, rtol, progress: As :meth:`simulate` takes them.
         most: Iterations.
@@ -81,11 +83,15 @@ def fit(
     chosen, places = _unknowns(model, unknown)
     limits = _bounds(chosen, bounds)
     nodes = _nodes(samples, segments)
-    shooting = Shooting(model, samples, nodes, chosen, inputs, method, rtol)
     values = np.array([model.parameters[name] for name in chosen])
+    shooting = Shooting(model, samples, nodes, chosen, inputs, method, rtol)
+    first = _first_nodes(shooting, start(model, None, q, u, z).x, values)
+    if segments == "auto":
+        begins = divided(shooting, first, values)
+        shooting = replace(shooting, nodes=(*(nodes[k] for k in begins), nodes[-1]))
+        first = first[begins]
     search = Search(shooting, places, limits, loss, values)
-    first = start(model, None, q, u, z).x
-    return search.run(_first_nodes(shooting, first, values), values, most, progress)
+    return search.run(first, values, most, progress)
 
 
 def _unknowns(

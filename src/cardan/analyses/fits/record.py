@@ -29,6 +29,7 @@ class Fit:
         undetermined: Combinations of unknowns that the data do not tell: name -> change, of
             parameters as a part of their value.
         motion: The motion from the start, in one run.
+        segments: Runs that the motion was divided into.
         cost: Half the sum of the squares of all residuals over the noise.
         iterations: Linear problems solved.
         converged: Whether it is a minimum.
@@ -46,6 +47,7 @@ class Fit:
     durbin_watson: dict[str, float]
     undetermined: tuple[dict[str, float], ...]
     motion: TrajectoryRecord = field(repr=False)
+    segments: int
     cost: float
     iterations: int
     converged: bool

@@ -90,7 +90,7 @@ class Search:
     def _point(self, states: Array, values: Array) -> _Point:
         segments = self.shooting.every(states, values)
         ends = np.array([one.end for one in segments])
-        return _Point(states, values, segments, self.shooting.gaps(ends[:-1], states[1:]))
+        return _Point(states, values, segments, self.shooting.increments(states[1:], ends[:-1]))
 
     def _weights(self, residuals: Array) -> Array:
         if self.loss == "linear":
@@ -190,6 +190,7 @@ class Search:
             durbin_watson={name: _durbin_watson(x) for name, x in by_channel.items()},
             undetermined=untold,
             motion=motion,
+            segments=len(point.segments),
             cost=float(residuals @ residuals) / 2,
             iterations=iterations,
             converged=converged,

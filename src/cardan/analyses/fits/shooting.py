@@ -6,6 +6,7 @@ Treatment of Inverse Problems in Differential and Integral Equations (1983), 95-
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -39,15 +40,17 @@ class Segment:
 
 
 @dataclass(frozen=True)
-class _Run:
-    """A run from one node: at its samples, and at its end behind them.
+class NodeRun:
+    """A run from a node: at its samples, and at its end behind them.
 
     Attributes:
+        first: Number of its first sample.
         x, r, s: States (m, nx), inputs (m, nr), modes (m, ns) at samples.
         changes: Of the states, along the speeds of the node and by parameters (m, k, nx).
         end, moved: State (nx,) and its changes (k, nx) at the next node.
     """
 
+    first: int
     x: Array
     r: Array
     s: Array
@@ -87,66 +90,8 @@ class Shooting:
         Raises:
             SolveError: one breaks down.
         """
-        if not np.isfinite(values).all():
-            raise SolveError("fit: parameters are not finite")
-        model = self.model.with_parameters(dict(zip(self.parameters, values, strict=True)))
-        t, nodes = self.samples.t, self.nodes
-        # one runner serves all segments
-        state, options = _whole(states[0]), (self.method, self.rtol, None, None, None)
-        span = (float(t[0]), float(t[-1])), None
-        setup = run_setup(model, span, state, None, options, self.inputs, None)
-        runs = SensitiveRuns(setup, ("x0", *self.parameters), self.inputs)
-        parts = [self._run(runs, k, x) for k, x in enumerate(states)]
-        # channels of all samples at once
-        count = len(self.parameters)
-        channels = Channels(model, self.samples.formulas, self.parameters)
-        x, r, s, changes = (
-            np.concatenate([getattr(one, name) for one in parts])
-            for name in ("x", "r", "s", "changes")
-        )
-        by_parameters = np.vstack([np.zeros((changes.shape[1] - count, count)), np.eye(count)])
-        computed, slopes = channels(t, x, r, s, changes, by_parameters)
-        residuals = (self.samples.values - computed) / self.samples.noise
-        slopes = -slopes / self.samples.noise[:, None]
-        ends, moved = (np.array([getattr(one, name) for one in parts]) for name in ("end", "moved"))
-        segments = list[Segment]()
-        for k, transition in enumerate(self.along_speeds(ends, moved)):
-            rows = slice(nodes[k], nodes[k + 1] + (k + 2 == len(nodes)))
-            present = self.samples.present[rows]
-            segments.append(
-                Segment(residuals[rows][present], slopes[rows][present], ends[k], transition)
-            )
-        return segments
-
-    def _run(self, runs: SensitiveRuns, number: int, x: Array) -> _Run:
-        """The run from a node, whose steps end at the samples."""
-        first, last = self.nodes[number], self.nodes[number + 1]
-        t, closed = self.samples.t, number + 2 == len(self.nodes)
-        over = Span(float(t[first]), float(t[last]), stops=tuple(t[first + 1 : last].tolist()))
-        state = _whole(x)
-        setup = runs.setup
-        begin = beginning(setup.model, Start(x, ()), state, over.start, setup.input_signals)
-        motion = runs.run(over, begin, state, dense=False)
-        # the sample at the next node belongs to the next segment
-        times = t[first : last + 1]
-        rows = slice(None, None if closed else -1)
-        assert isinstance(motion.sensitivity, Sensitivities)
-        states, changes = motion.sensitivity.states_at(times)
-        places = np.searchsorted(motion.t, times, side="right") - 1
-        r = motion.r[places] if motion.inputs_at is None else motion.inputs_at(times)
-        s = motion.event_log.s.reshape(len(motion.t), -1)[places]
-        return _Run(states[rows], r[rows], s[rows], changes[rows], states[-1], changes[-1])
-
-    def along_speeds(self, x: Array, changes: Array) -> Array:
-        """Changes (m, k, nx) of states (m, nx) as increments along the speeds (m, n, k).
-
-        n is 2 nu + nz.
-        """
-        model = self.model
-        q, u, _ = model.parts_of(x)
-        N = model.derivative("qdot", wrt="u")(q, u)
-        along = np.linalg.pinv(N) @ np.swapaxes(changes[:, :, : model.nq], 1, 2)
-        return np.concatenate([along, np.swapaxes(changes[:, :, model.nq :], 1, 2)], axis=1)
+        trial = Trial(self, states[0], values)
+        return trial.segments([trial.run(k, x) for k, x in enumerate(states)])
 
     def moved(self, x: Array, step: Array) -> Array:
         """States (m, nx) increments along the speeds (m, 2 nu + nz) away."""
@@ -155,12 +100,96 @@ class Shooting:
         place = model.integrate(q, step[:, :nu])
         return np.hstack([place, u + step[:, nu : 2 * nu], z + step[:, 2 * nu :]])
 
-    def gaps(self, ends: Array, nodes: Array) -> Array:
-        """Increments along the speeds (m, 2 nu + nz) from nodes to the ends before them."""
+    def increments(self, nodes: Array, ends: Array) -> Array:
+        """Increments along the speeds (m, 2 nu + nz) from states (m, nx) to others."""
         model = self.model
         q0, u0, z0 = model.parts_of(nodes)
         q, u, z = model.parts_of(ends)
         return np.hstack([model.difference(q0, q), u - u0, z - z0])
+
+
+class Trial:
+    """Runs with one set of parameters: one model and one runner serve all segments."""
+
+    def __init__(self, shooting: Shooting, x: Array, values: Array) -> None:
+        """Args:
+        shooting: What is measured where.
+        x: A state (nx,) to begin with.
+        values: Of the parameters.
+
+        Raises:
+            SolveError: they are not finite.
+        """
+        if not np.isfinite(values).all():
+            raise SolveError("fit: parameters are not finite")
+        self.shooting, names = shooting, shooting.parameters
+        model = shooting.model.with_parameters(dict(zip(names, values, strict=True)))
+        t, inputs = shooting.samples.t, shooting.inputs
+        span = (float(t[0]), float(t[-1])), None
+        options = shooting.method, shooting.rtol, None, None, None
+        setup = run_setup(model, span, _whole(x), None, options, inputs, None)
+        self._setup, self._runs = setup, SensitiveRuns(setup, ("x0", *names), inputs)
+        self._channels = Channels(model, shooting.samples.formulas, names)
+
+    def run(self, number: int, x: Array) -> NodeRun:
+        """The run over a segment from a state (nx,); its steps end at the samples.
+
+        Raises:
+            SolveError: it breaks down.
+        """
+        nodes, setup = self.shooting.nodes, self._setup
+        first, last = nodes[number], nodes[number + 1]
+        times = self.shooting.samples.t[first : last + 1]
+        over = Span(float(times[0]), float(times[-1]), stops=tuple(times[1:-1].tolist()))
+        state = _whole(x)
+        begin = beginning(setup.model, Start(x, ()), state, over.start, setup.input_signals)
+        motion = self._runs.run(over, begin, state, dense=False)
+        # the sample at the next node belongs to the next segment
+        rows = slice(None, None if number + 2 == len(nodes) else -1)
+        assert isinstance(motion.sensitivity, Sensitivities)
+        states, changes = motion.sensitivity.states_at(times)
+        places = np.searchsorted(motion.t, times, side="right") - 1
+        r = motion.r[places] if motion.inputs_at is None else motion.inputs_at(times)
+        s = motion.event_log.s.reshape(len(motion.t), -1)[places]
+        end, moved = states[-1], changes[-1]
+        return NodeRun(first, states[rows], r[rows], s[rows], changes[rows], end, moved)
+
+    def segments(self, runs: Sequence[NodeRun]) -> list[Segment]:
+        """What runs over segments that follow each other say; channels of all at once.
+
+        Raises:
+            SolveError: a measured quantity has no finite value.
+        """
+        samples, count = self.shooting.samples, len(self.shooting.parameters)
+        x, r, s, changes = (
+            np.concatenate([getattr(one, name) for one in runs])
+            for name in ("x", "r", "s", "changes")
+        )
+        first = runs[0].first
+        rows = slice(first, first + len(x))
+        by_parameters = np.vstack([np.zeros((changes.shape[1] - count, count)), np.eye(count)])
+        computed, slopes = self._channels(samples.t[rows], x, r, s, changes, by_parameters)
+        residuals = (samples.values[rows] - computed) / samples.noise
+        slopes = -slopes / samples.noise[:, None]
+        present = samples.present[rows]
+        ends, moved = (np.array([getattr(one, name) for one in runs]) for name in ("end", "moved"))
+        segments = list[Segment]()
+        for one, transition in zip(runs, self._along_speeds(ends, moved), strict=True):
+            part = slice(one.first - first, one.first - first + len(one.x))
+            mask = present[part]
+            segments.append(Segment(residuals[part][mask], slopes[part][mask], one.end, transition))
+        return segments
+
+    def _along_speeds(self, x: Array, changes: Array) -> Array:
+        """Changes (m, k, nx) of states (m, nx) as increments along the speeds (m, n, k).
+
+        n is 2 nu + nz.
+        """
+        model = self._setup.model
+        q, u, _ = model.parts_of(x)
+        N = model.derivative("qdot", wrt="u")(q, u)
+        along = np.linalg.pinv(N) @ np.swapaxes(changes[:, :, : model.nq], 1, 2)
+        return np.concatenate([along, np.swapaxes(changes[:, :, model.nq :], 1, 2)], axis=1)
 
 
 def _whole(x: Array) -> dict[str, object]:
