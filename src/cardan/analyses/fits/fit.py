@@ -6,23 +6,24 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ...arguments import Inputs, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
 from ..gradients.unknowns import start_blocks, start_places
-from ..simulation.settings import Values, start
-from ..simulation.simulate import simulate
+from ..identification.result import IdentificationRecord
+from ..simulation.settings import Values
 from .division import divided
+from .nodes import Begin, first_states, nodes_of
 from .record import Fit
-from .samples import Samples, samples_of
+from .samples import samples_of
 from .search import Search
+from .seeds import seed_models
 from .shooting import Shooting
 
-SAMPLES = 8  # of a segment at least, by default
-MOST_SEGMENTS = 60
+Places = NDArray[np.intp]
 
 
 @checked
@@ -36,6 +37,7 @@ def fit(
     bounds: Mapping[str, Sequence[float]] | None = None,
     loss: str = "linear",
     segments: str | int = "auto",
+    seeds: str | IdentificationRecord | None = None,
     q: Values | ArrayLike | None = None,
     u: Values | ArrayLike | None = None,
     z: Values | ArrayLike | None = None,
@@ -63,6 +65,9 @@ def fit(
         loss: ``"linear"`` for least squares, ``"huber"`` where some samples are wrong.
         segments: Number of runs that the motion is divided into; ``"auto"``: as many as errors
             grow by e^2, and as leave what was measured, at most one for every eight samples and 60.
+        seeds: ``"identify"``: unknown masses, inertias and coefficients of forces begin with what
+            :meth:`identify` says of the measured coordinates and the inputs, however far off their
+            values are; or an identification, such as ``model.identify(data, cutoff=10)``.
         q, u, z: Start at the first sample, where the search begins; what is no unknown stays.
         inputs, parameters, method, rtol, progress: As :meth:`simulate` takes them.
         most: Iterations.
@@ -80,32 +85,48 @@ def fit(
         raise ArgumentError(f"fit: loss='{loss}': give 'linear' or 'huber'")
     model = model if parameters is None else model.with_parameters(parameters)
     samples = samples_of(model, data, measured, noise)
-    chosen, places = _unknowns(model, unknown)
+    chosen, free = _unknowns(model, unknown)
     limits = _bounds(chosen, bounds)
-    nodes = _nodes(samples, segments)
-    values = np.array([model.parameters[name] for name in chosen])
-    shooting = Shooting(model, samples, nodes, chosen, inputs, method, rtol)
-    first = _first_nodes(shooting, start(model, None, q, u, z).x, values)
+    nodes = nodes_of(samples, segments)
+    shooting, begin = Shooting(model, samples, nodes, chosen, inputs, method, rtol), (q, u, z)
+    if seeds is not None:
+        shooting = replace(shooting, model=_seeded(shooting, begin, free, seeds))
+    values = np.clip([shooting.model.parameters[name] for name in chosen], *limits.T)
+    first = first_states(shooting, begin, free)
     if segments == "auto":
         begins = divided(shooting, first, values)
         shooting = replace(shooting, nodes=(*(nodes[k] for k in begins), nodes[-1]))
         first = first[begins]
-    search = Search(shooting, places, limits, loss, values)
+    search = Search(shooting, free, limits, loss, values)
     return search.run(first, values, most, progress)
 
 
-def _unknowns(
-    model: LoadedModel, unknown: str | Sequence[str]
-) -> tuple[tuple[str, ...], dict[str, slice]]:
-    """Names of parameters, and where unknown starts are."""
+def _seeded(
+    shooting: Shooting, begin: Begin, free: Places, seeds: str | IdentificationRecord
+) -> LoadedModel:
+    """Of the models that filters of the noise give, the one nearest to the measurements."""
+
+    def misfit(model: LoadedModel) -> float:
+        alone = replace(shooting, model=model, parameters=())
+        try:
+            segments = alone.every(first_states(alone, begin, free), np.zeros(0))
+        except SolveError:
+            return np.inf
+        return sum(float(one.residuals @ one.residuals) for one in segments)
+
+    return min(seed_models(shooting, seeds), key=misfit)
+
+
+def _unknowns(model: LoadedModel, unknown: str | Sequence[str]) -> tuple[tuple[str, ...], Places]:
+    """Names of parameters, and places of unknown starts along the speeds."""
     names = (unknown,) if isinstance(unknown, str) else tuple(unknown)
     places = start_places(model) | start_blocks(model)
-    chosen, starts = [], {}
+    chosen, starts = list[str](), set[int]()
     for name in names:
         if name in model.parameters:
             chosen.append(name)
         elif name in places:
-            starts[name] = places[name]
+            starts |= {*range(places[name].start, places[name].stop)}
         else:
             candidates = [*model.parameters, *places]
             raise ModelError(
@@ -113,7 +134,7 @@ def _unknowns(
             )
     if not names:
         raise ArgumentError("fit: unknown is empty; name parameters or starts, such as 'q0'")
-    return tuple(dict.fromkeys(chosen)), starts
+    return tuple(dict.fromkeys(chosen)), np.array(sorted(starts), dtype=np.intp)
 
 
 def _bounds(chosen: tuple[str, ...], bounds: Mapping[str, Sequence[float]] | None) -> Array:
@@ -128,50 +149,3 @@ def _bounds(chosen: tuple[str, ...], bounds: Mapping[str, Sequence[float]] | Non
             raise ArgumentError(f"fit: bounds of '{name}': {brief(pair)}: give (least, most)")
         limits[chosen.index(name)] = ends
     return limits
-
-
-def _nodes(samples: Samples, segments: str | int) -> tuple[int, ...]:
-    count = len(samples.t) - 1
-    number = min(MOST_SEGMENTS, max(1, count // SAMPLES)) if segments == "auto" else segments
-    if not isinstance(number, int) or not 1 <= number <= count:
-        raise ArgumentError(
-            f"fit: segments={brief(segments)}: give 'auto' or a number from 1 to {count}"
-        )
-    return tuple(int(k) for k in np.round(np.linspace(0, count, number + 1)))
-
-
-def _first_nodes(shooting: Shooting, first: Array, values: Array) -> Array:
-    """States at the nodes: measured coordinates and their slopes, the rest along the first run."""
-    model, samples = shooting.model, shooting.samples
-    t, names = samples.t, samples.formulas
-    begin = first.copy()
-    # entries that were not measured come from a run with the first values, if there is one
-    run = None
-    if len(shooting.nodes) > 2:
-        try:
-            present = dict(zip(shooting.parameters, values, strict=True))
-            run = simulate(
-                model, t_eval=t[list(shooting.nodes[:-1])], x0=begin, inputs=shooting.inputs,
-                parameters=present, method=shooting.method, rtol=1e-6, progress=False,
-            ).x  # fmt: skip
-        except SolveError:
-            run = None
-    # the first one is the start that was named; others begin where the measurements are
-    states = []
-    for number, node in enumerate(shooting.nodes[:-1]):
-        x = begin.copy() if run is None or len(run) <= number else run[number].copy()
-        for k, name in enumerate(names if number else ()):
-            column, present_rows = samples.values[:, k], samples.present[:, k]
-            if name in model.coordinates and present_rows[node]:
-                place = model.coordinates.index(name)
-                x[place] = column[node]
-                slope = np.gradient(column[present_rows], t[present_rows])
-                at = int(np.count_nonzero(present_rows[:node]))
-                for speed, joint in enumerate(model.manifest.joints):
-                    if joint.q == (place, 1) and joint.u is not None and joint.u[1] == 1:
-                        del speed
-                        x[model.nq + joint.u[0]] = slope[at]
-            elif name in model.speeds and present_rows[node]:
-                x[model.nq + model.speeds.index(name)] = column[node]
-        states.append(x)
-    return np.array(states)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, warn
@@ -46,22 +47,14 @@ class Search:
     """The search for the minimum."""
 
     def __init__(
-        self,
-        shooting: Shooting,
-        places: Mapping[str, slice],
-        limits: Array,
-        loss: str,
-        values: Array,
+        self, shooting: Shooting, free: NDArray[np.intp], limits: Array, loss: str, values: Array
     ) -> None:
         self.shooting, self.limits, self.loss = shooting, limits, loss
         # of parameters: what they begin with, so that one which becomes small may grow again
         self.units = np.where(values != 0, np.abs(values), 1.0)
         model = shooting.model
         self.n, self.count = 2 * model.nu + model.nz, len(shooting.parameters)
-        free = np.zeros(self.n, dtype=bool)
-        for place in places.values():
-            free[place] = True
-        self.free = np.flatnonzero(free)
+        self.free = free
         self.first = np.hstack([np.eye(self.n)[:, self.free], np.zeros((self.n, self.count))])
 
     def run(

@@ -186,7 +186,8 @@ class SensitiveRuns:
         motion = driven(self._runner, over, begin, progress, dense=dense)
         if motion.status == "interrupted":
             raise KeyboardInterrupt
-        check_complete(reported(motion, check))
+        check_complete(motion)
+        reported(motion, check)
         setup = replace(self.setup, over=over, begin=begin)
         return replace(motion, sensitivity=self._sensitivities(setup, motion, state))
 
