@@ -17,8 +17,8 @@ from ..identification.result import IdentificationRecord
 from ..simulation.settings import Values
 from .division import divided
 from .nodes import Begin, first_states, nodes_of
-from .record import Fit
-from .samples import samples_of
+from .record import FitRecord
+from .samples import inputs_of, samples_of, table_of
 from .search import Search
 from .seeds import seed_models
 from .shooting import Shooting
@@ -47,7 +47,7 @@ def fit(
     rtol: float = 1e-9,
     most: int = 60,
     progress: bool | Callable[[float], None] | None = None,
-) -> Fit:
+) -> FitRecord:
     """Parameters and the start of a motion from measurements, by multiple shooting.
 
     ``fit = model.fit("run.csv", unknown=("m2", "damping", "q0"), measured={"hand.z": "z"})``
@@ -69,11 +69,12 @@ def fit(
             :meth:`identify` says of the measured coordinates and the inputs, however far off their
             values are; or an identification, such as ``model.identify(data, cutoff=10)``.
         q, u, z: Start at the first sample, where the search begins; what is no unknown stays.
-        inputs, parameters, method, rtol, progress: As :meth:`simulate` takes them.
+        inputs: As :meth:`simulate` takes them; else columns of data with their names.
+        parameters, method, rtol, progress: As :meth:`simulate` takes them.
         most: Iterations.
 
     Returns:
-        A :class:`cardan.Fit`.
+        A fit: ``parameters``, ``standard_errors``, ``interval(name)``, ``residuals``, ``motion``.
 
     Raises:
         ArgumentError, ModelError: data or names that do not fit the model, and what has no
@@ -84,7 +85,8 @@ def fit(
     if loss not in ("linear", "huber"):
         raise ArgumentError(f"fit: loss='{loss}': give 'linear' or 'huber'")
     model = model if parameters is None else model.with_parameters(parameters)
-    samples = samples_of(model, data, measured, noise)
+    table = table_of(data)
+    samples, inputs = samples_of(model, table, measured, noise), inputs_of(model, table, inputs)
     chosen, free = _unknowns(model, unknown)
     limits = _bounds(chosen, bounds)
     nodes = nodes_of(samples, segments)

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...arrays import Array
 from ...errors import ArgumentError, SolveError, SolveWarning, brief
 from ...runtime.models.loaded_model import LoadedModel
+from ...schema.blocks import of_rate
 from ..simulation.settings import Values, start
 from ..simulation.simulate import simulate
 from .samples import Samples
@@ -40,7 +41,7 @@ def first_states(shooting: Shooting, begin: Begin, free: NDArray[np.intp]) -> Ar
     """States (segments, nx) that the search begins with.
 
     Measured coordinates and their slopes, the rest along the run from the first state. In that
-    one, what was named stays, and so does what is no unknown.
+    one, what is no unknown stays.
 
     Args:
         shooting: The samples and the nodes.
@@ -48,13 +49,14 @@ def first_states(shooting: Shooting, begin: Begin, free: NDArray[np.intp]) -> Ar
         free: Places of unknown starts along the speeds.
     """
     model, nodes = shooting.model, list(shooting.nodes[:-1])
-    known = _measured(model, shooting.samples)[nodes]
+    direct, slopes = (one[nodes] for one in _measured(model, shooting.samples))
     named = start(model, None, *begin)
-    # where nobody said where an unknown start is, the measurements do
+    # measurements are better than what was named, slopes of them than what nobody has named
     names = (*model.coordinates, *model.speeds, *model.internals)
-    places = _places(model)
-    stays = [n not in named.defaulted or p not in free for n, p in zip(names, places, strict=True)]
-    known[0, stays] = named.x[stays]
+    unknown = np.isin(speed_places(model), free)
+    nobody = np.array([name in named.defaulted for name in names], dtype=np.bool_)
+    direct[0, ~unknown] = slopes[0, ~(unknown & nobody)] = np.nan
+    known = np.where(np.isfinite(direct), direct, slopes)
     first = np.where(np.isfinite(known[0]), known[0], named.x)
     states = np.tile(first, (len(nodes), 1))
     if len(nodes) > 1 and not np.isfinite(known[1:]).all():
@@ -79,26 +81,21 @@ def _run(shooting: Shooting, first: Array, nodes: list[int]) -> Array:
             return first[None, :]
 
 
-def _measured(model: LoadedModel, samples: Samples) -> Array:
-    """States (nt, nx) as far as they were measured or are slopes of what was, else NaN."""
-    known = np.full((len(samples.t), model.nx), np.nan)
-    rates = {joint.q: joint.u for joint in model.manifest.joints if joint.u is not None}
-    columns = dict(zip(samples.formulas, samples.values.T, strict=True))
-    for name, column in columns.items():
-        present = np.isfinite(column)
-        if name in model.coordinates and present.any():
-            place = model.coordinates.index(name)
-            known[:, place] = _between(samples.t, column)
-            speed = rates.get((place, 1))
-            if speed is not None and speed[1] == 1 and np.count_nonzero(present) > 1:
-                slopes = np.full(len(column), np.nan)
-                slopes[present] = np.gradient(column[present], samples.t[present])
-                known[:, model.nq + speed[0]] = _between(samples.t, slopes)
-    # what was measured itself is better than a slope
-    for name, column in columns.items():
-        if name in model.speeds and np.isfinite(column).any():
-            known[:, model.nq + model.speeds.index(name)] = _between(samples.t, column)
-    return known
+def _measured(model: LoadedModel, samples: Samples) -> tuple[Array, Array]:
+    """States (nt, nx) as far as they were measured, and speeds by slopes (nt, nx), else NaN."""
+    direct = np.full((len(samples.t), model.nx), np.nan)
+    slopes, places = direct.copy(), speed_places(model)
+    entries = {n: k for k, n in enumerate((*model.coordinates, *model.speeds, *model.internals))}
+    for name, column in zip(samples.formulas, samples.values.T, strict=True):
+        place, present = entries.get(name, -1), np.isfinite(column)
+        if place < 0 or not present.any():
+            continue
+        direct[:, place] = _between(samples.t, column)
+        if place < model.nq and places[place] >= 0 and np.count_nonzero(present) > 1:
+            rates = np.full(len(column), np.nan)
+            rates[present] = np.gradient(column[present], samples.t[present])
+            slopes[:, model.nq + places[place]] = _between(samples.t, rates)
+    return direct, slopes
 
 
 def _between(t: Array, column: Array) -> Array:
@@ -107,10 +104,11 @@ def _between(t: Array, column: Array) -> Array:
     return np.interp(t, t[present], column[present], left=np.nan, right=np.nan)
 
 
-def _places(model: LoadedModel) -> list[int]:
-    """Place along the speeds (nx,) of every entry of the state; -1 of a coordinate without one."""
-    places = [-1] * model.nq
-    for joint in model.manifest.joints:
-        if joint.q is not None and joint.u is not None and joint.q[1] == joint.u[1] == 1:
-            places[joint.q[0]] = joint.u[0]
+def speed_places(model: LoadedModel) -> list[int]:
+    """Place along the speeds (nx,) of every entry of the state; -1 of one that is no direction.
+
+    Such are coordinates of rotations in space.
+    """
+    rates = [row.of or of_rate(str(row.name)) for row in model.manifest.speeds]
+    places = [rates.index(name) if name in rates else -1 for name in model.coordinates]
     return [*places, *range(model.nu, 2 * model.nu + model.nz)]

@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, warn
-from ..gradients.unknowns import BLOCKS, start_places
 from ..simulation.progress import showing
 from ..simulation.simulate import simulate
 from .estimate import Condensed, Solved, condensed, solved
-from .record import Fit
+from .nodes import speed_places
+from .record import FitRecord
 from .shooting import Segment, Shooting
 
 CLOSED = 1e-8  # gaps between nodes that are none
@@ -63,14 +63,20 @@ class Search:
         values: Array,
         most: int,
         progress: bool | Callable[[float], None] | None,
-    ) -> Fit:
+    ) -> FitRecord:
         """The fit from first nodes and parameters."""
         point = self._point(states, values)
-        converged, message, iterations = False, f"not converged after {most} iterations", 0
+        converged, interrupted, iterations = False, False, 0
+        message = f"not converged after {most} iterations"
         with showing(progress, self.shooting.model.name) as show:
             for iterations in range(1, most + 1):
-                problem, step = self._step(point)
-                point, size, change = self._along(point, problem, step)
+                try:
+                    problem, step = self._step(point)
+                    point, size, change = self._along(point, problem, step)
+                except KeyboardInterrupt:
+                    message = f"interrupted in iteration {iterations}; what was found is kept"
+                    interrupted = True
+                    break
                 show(min(0.99, iterations / most))
                 if size <= EXACT or (change <= FLAT and point.gap <= CLOSED):
                     converged, message = True, f"converged after {iterations} iterations"
@@ -78,7 +84,7 @@ class Search:
                 if size == np.inf:
                     message = f"the motion breaks down along the step of iteration {iterations}"
                     break
-        return self._fit(point, converged, message, iterations)
+        return self._fit(point, converged, interrupted, message, iterations)
 
     def _point(self, states: Array, values: Array) -> _Point:
         segments = self.shooting.every(states, values)
@@ -144,7 +150,9 @@ class Search:
         weighted = self._weights(point.residuals) * point.residuals**2
         return float(np.sum(weighted) + np.sum(point.gaps**2))
 
-    def _fit(self, point: _Point, converged: bool, message: str, iterations: int) -> Fit:
+    def _fit(
+        self, point: _Point, converged: bool, interrupted: bool, message: str, iterations: int
+    ) -> FitRecord:
         shooting, samples = self.shooting, self.shooting.samples
         # the last problem once more: its covariance is that at the answer
         _, last = self._step(point)
@@ -171,15 +179,19 @@ class Search:
                 + (f"; the data do not tell combinations of {said}" if said else ""),
                 SolveWarning,
             )
-        return Fit(
+        return FitRecord(
             model=model,
             parameters=values,
             start=point.states[0],
-            standard_errors=dict(zip(names, np.sqrt(np.diag(covariance)).tolist(), strict=True)),
             names=names,
+            values=self._values(point.states[0]) | values,
+            standard_errors=dict(zip(names, np.sqrt(np.diag(covariance)).tolist(), strict=True)),
             covariance=covariance,
+            t=t,
+            measured=dict(zip(samples.formulas, samples.values.T, strict=True)),
             residuals=by_channel,
             sigma=float(np.sqrt(variance)),
+            freedom=freedom,
             durbin_watson={name: _durbin_watson(x) for name, x in by_channel.items()},
             undetermined=untold,
             motion=motion,
@@ -187,6 +199,7 @@ class Search:
             cost=float(residuals @ residuals) / 2,
             iterations=iterations,
             converged=converged,
+            interrupted=interrupted,
             message=message,
         )
 
@@ -200,12 +213,18 @@ class Search:
         parts /= np.linalg.norm(parts)
         return {name: float(x) for name, x in zip(names, parts, strict=True) if abs(x) > 1e-6}
 
+    def _values(self, x: Array) -> dict[str, float]:
+        """Values of the unknown starts by name; nan along rotations in space, which have none."""
+        names, places = self._names()[: len(self.free)], speed_places(self.shooting.model)
+        entries = [places.index(k) if k in places else -1 for k in self.free]
+        return {n: float(x[k]) if k >= 0 else np.nan for n, k in zip(names, entries, strict=True)}
+
     def _names(self) -> list[str]:
-        model, nu = self.shooting.model, self.shooting.model.nu
+        model = self.shooting.model
         entries = [f"q0 along {name}" for name in model.speeds]
-        for name, place in start_places(model).items():
-            if name not in BLOCKS and place.stop - place.start == 1 and place.start < nu:
-                entries[place.start] = name
+        for k, place in enumerate(speed_places(model)[: model.nq]):
+            if place >= 0:
+                entries[place] = f"q0.{model.coordinates[k]}"
         entries += [f"u0.{name}" for name in model.speeds]
         entries += [f"z0.{name}" for name in model.internals]
         return [*(entries[k] for k in self.free), *self.shooting.parameters]
