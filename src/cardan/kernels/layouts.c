@@ -45,8 +45,8 @@ const size_t cardan_lane_method_layout[4] = {
 #include "solids.h"
 #include "wasm_calls.h"
 
-extern const size_t cardan_run_layout[142];
-const size_t cardan_run_layout[142] = {
+extern const size_t cardan_run_layout[145];
+const size_t cardan_run_layout[145] = {
     sizeof(cardan_run), offsetof(cardan_run, init), offsetof(cardan_run, step), offsetof(cardan_run,
     dense), offsetof(cardan_run, length), offsetof(cardan_run, rhs.function), offsetof(cardan_run,
     rhs.w), offsetof(cardan_run, power.function), offsetof(cardan_run, power.w),
@@ -88,17 +88,18 @@ const size_t cardan_run_layout[142] = {
     rank_margin), offsetof(cardan_run, best_rank_margin), offsetof(cardan_run, pass_start),
     offsetof(cardan_run, pass_length), offsetof(cardan_run, constraint_rank), offsetof(cardan_run,
     ranks), offsetof(cardan_run, pass_points), offsetof(cardan_run, pass_part), offsetof(cardan_run,
-    pass_parts), offsetof(cardan_run, rows), offsetof(cardan_run, nlam), offsetof(cardan_run,
-    spreads), offsetof(cardan_run, times), offsetof(cardan_run, time_count), offsetof(cardan_run,
-    next_time), offsetof(cardan_run, capacity), offsetof(cardan_run, count), offsetof(cardan_run,
-    row_open), offsetof(cardan_run, log), offsetof(cardan_run, log_capacity), offsetof(cardan_run,
-    log_count), offsetof(cardan_run, event_pending), offsetof(cardan_run, at_once),
-    offsetof(cardan_run, occurred), offsetof(cardan_run, steps), offsetof(cardan_run, rejections),
-    offsetof(cardan_run, evaluations), offsetof(cardan_run, budget), offsetof(cardan_run, culprit),
-    offsetof(cardan_run, model_status), offsetof(cardan_run, open_row), offsetof(cardan_run,
-    projections), offsetof(cardan_run, passed), offsetof(cardan_run, looked), offsetof(cardan_run,
-    limited), offsetof(cardan_run, jacobians), offsetof(cardan_run, factorizations),
-    offsetof(cardan_run, stop)
+    pass_parts), offsetof(cardan_run, passes), offsetof(cardan_run, pass_capacity),
+    offsetof(cardan_run, pass_count), offsetof(cardan_run, rows), offsetof(cardan_run, nlam),
+    offsetof(cardan_run, spreads), offsetof(cardan_run, times), offsetof(cardan_run, time_count),
+    offsetof(cardan_run, next_time), offsetof(cardan_run, capacity), offsetof(cardan_run, count),
+    offsetof(cardan_run, row_open), offsetof(cardan_run, log), offsetof(cardan_run, log_capacity),
+    offsetof(cardan_run, log_count), offsetof(cardan_run, event_pending), offsetof(cardan_run,
+    at_once), offsetof(cardan_run, occurred), offsetof(cardan_run, steps), offsetof(cardan_run,
+    rejections), offsetof(cardan_run, evaluations), offsetof(cardan_run, budget),
+    offsetof(cardan_run, culprit), offsetof(cardan_run, model_status), offsetof(cardan_run,
+    open_row), offsetof(cardan_run, projections), offsetof(cardan_run, passed), offsetof(cardan_run,
+    looked), offsetof(cardan_run, limited), offsetof(cardan_run, jacobians), offsetof(cardan_run,
+    factorizations), offsetof(cardan_run, stop)
 };
 
 extern const size_t cardan_method_layout[8];
@@ -121,17 +122,18 @@ const size_t cardan_tick_layout[6] = {
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
 };
 
-extern const size_t cardan_steps_layout[14];
-const size_t cardan_steps_layout[14] = {
+extern const size_t cardan_steps_layout[17];
+const size_t cardan_steps_layout[17] = {
     sizeof(cardan_steps), offsetof(cardan_steps, run), offsetof(cardan_steps, stages),
-    offsetof(cardan_steps, nodes), offsetof(cardan_steps, weights), offsetof(cardan_steps, matrix),
-    offsetof(cardan_steps, rows), offsetof(cardan_steps, count), offsetof(cardan_steps, failed),
-    offsetof(cardan_steps, states), offsetof(cardan_steps, slopes), offsetof(cardan_steps, end),
-    offsetof(cardan_steps, place), offsetof(cardan_steps, work)
+    offsetof(cardan_steps, kind), offsetof(cardan_steps, nodes), offsetof(cardan_steps, weights),
+    offsetof(cardan_steps, matrix), offsetof(cardan_steps, rows), offsetof(cardan_steps, count),
+    offsetof(cardan_steps, failed), offsetof(cardan_steps, states), offsetof(cardan_steps, slopes),
+    offsetof(cardan_steps, open), offsetof(cardan_steps, end), offsetof(cardan_steps, place),
+    offsetof(cardan_steps, system), offsetof(cardan_steps, work)
 };
 
-extern const size_t cardan_adjoint_layout[22];
-const size_t cardan_adjoint_layout[22] = {
+extern const size_t cardan_adjoint_layout[23];
+const size_t cardan_adjoint_layout[23] = {
     sizeof(cardan_adjoint), offsetof(cardan_adjoint, steps), offsetof(cardan_adjoint,
     rates.function), offsetof(cardan_adjoint, rates.w), offsetof(cardan_adjoint,
     close_position.function), offsetof(cardan_adjoint, close_position.w), offsetof(cardan_adjoint,
@@ -140,12 +142,12 @@ const size_t cardan_adjoint_layout[22] = {
     integrand_value.function), offsetof(cardan_adjoint, integrand_value.w), offsetof(cardan_adjoint,
     np), offsetof(cardan_adjoint, lam), offsetof(cardan_adjoint, by_p), offsetof(cardan_adjoint,
     by_s), offsetof(cardan_adjoint, by_r), offsetof(cardan_adjoint, by_coefficients),
-    offsetof(cardan_adjoint, cost), offsetof(cardan_adjoint, pulled), offsetof(cardan_adjoint, v),
-    offsetof(cardan_adjoint, out)
+    offsetof(cardan_adjoint, cost), offsetof(cardan_adjoint, pulled), offsetof(cardan_adjoint,
+    weights), offsetof(cardan_adjoint, v), offsetof(cardan_adjoint, out)
 };
 
-extern const size_t cardan_tangent_layout[19];
-const size_t cardan_tangent_layout[19] = {
+extern const size_t cardan_tangent_layout[20];
+const size_t cardan_tangent_layout[20] = {
     sizeof(cardan_tangent), offsetof(cardan_tangent, steps), offsetof(cardan_tangent,
     rates.function), offsetof(cardan_tangent, rates.w), offsetof(cardan_tangent,
     close_position.function), offsetof(cardan_tangent, close_position.w), offsetof(cardan_tangent,
@@ -154,7 +156,7 @@ const size_t cardan_tangent_layout[19] = {
     offsetof(cardan_tangent, by_input), offsetof(cardan_tangent, by_coefficients),
     offsetof(cardan_tangent, by_s), offsetof(cardan_tangent, segments), offsetof(cardan_tangent,
     changes), offsetof(cardan_tangent, moved), offsetof(cardan_tangent, rising),
-    offsetof(cardan_tangent, out)
+    offsetof(cardan_tangent, coupled), offsetof(cardan_tangent, out)
 };
 
 extern const size_t cardan_input_function_layout[6];

@@ -10,6 +10,7 @@ from ...runtime.trajectory.solver_info import EVENT, FINISHED
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..simulation.discontinuities import jump_parameters
 from ..simulation.driving import RunSetup
+from ..simulation.run import Runner
 from .jumps import EventInstant
 from .steps import TABLES
 from .unknowns import Unknowns
@@ -32,12 +33,12 @@ def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
             "yet. Take differences of simulate at a tight tolerance"
         )
     if method not in TABLES:
-        why = (
-            "the Jacobian stands in its steps, which would need second derivatives. Take "
-            if method == "Rosenbrock"
-            else "there is no sweep through its steps. Take "
-        )
-        raise ModelError(f"gradient: method '{method}': {why}{', '.join(TABLES)}")
+        why = "there is no sweep through its steps"
+        cure = f"{', '.join(TABLES[:-1])} or {TABLES[-1]}"
+        if method == "Rosenbrock":
+            why = "the Jacobian stands in its steps, which would need second derivatives"
+            cure = "Radau, which is for stiff models too"
+        raise ModelError(f"gradient: method '{method}': {why}. Take {cure}")
     if setup.input_signals.functions:
         names = [model.inputs[k] for k in setup.input_signals.functions]
         raise ModelError(
@@ -56,18 +57,19 @@ def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
         )
 
 
-def check_complete(motion: TrajectoryRecord) -> None:
+def check_complete(motion: TrajectoryRecord, runner: Runner) -> None:
     """Refuse a motion that has no derivative.
 
     Raises:
-        SolveError: it ended early, or passes a place where branches meet.
+        SolveError: it ended early, or passes more places where branches meet than are noted.
     """
     if motion.solver_info.status not in (FINISHED, EVENT):
         raise SolveError(f"gradient: the motion is not complete: {motion.message}")
-    if motion.solver_info.statistics.get("passed"):
+    run = runner.record
+    if run.passes and run.pass_count > run.pass_capacity:
         raise SolveError(
-            "gradient: the motion passes a place where branches meet, at which it has no "
-            "derivative. Change the start or the parameters a little"
+            f"gradient: the motion passes more than {run.pass_capacity} places where branches "
+            "meet. Take a shorter one"
         )
 
 

@@ -75,7 +75,8 @@ def gradient(
             input ``(times, values)`` the gradient is by the values.
         x0, q, u, z, events, rtol, atol, step, max_step, inputs, parameters, progress: As
             :meth:`simulate` takes them.
-        method: ``"DOP853"``, ``"RK45"`` or ``"RK4"``; ``"auto"`` takes the first of them.
+        method: ``"DOP853"``, ``"RK45"``, ``"RK4"``, or ``"Radau"`` for stiff models; ``"auto"``
+            takes the first of them.
 
     Returns:
         A :class:`cardan.Gradient`: ``value``, ``slope`` by name, ``motion``. It is exact for the
@@ -95,7 +96,7 @@ def gradient(
     refuse(setup, names)
     runner = runner_of(setup.model, chosen(setup.how, None), setup.input_signals, setup.event_table)
     motion = driven(runner, setup.over, setup.begin, progress, dense=False)
-    check_complete(motion)
+    check_complete(motion, runner)
     return _swept(setup, runner, reported(motion, False), cost, names, state)
 
 

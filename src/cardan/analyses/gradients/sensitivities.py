@@ -90,9 +90,25 @@ class Sensitivities(Mapping[str, Array]):
                 step = np.vstack([rows[row], rows[row]])
                 step[1, 0] = time
                 self._tangents.by_s[:] = next(s for at, s in reversed(self._modes) if at <= row)
-                changes[k] = self._inside(step, self._changes[row])
-                states[k] = step[1, 1 : 1 + nx]
+                over = self._tangents.pass_at(float(time))
+                if over is None:
+                    changes[k] = self._inside(step, self._changes[row])
+                    states[k] = step[1, 1 : 1 + nx]
+                else:
+                    states[k], changes[k] = self._within_pass(over, float(time))
         return states, changes
+
+    def _within_pass(self, over: tuple[float, float, int], time: float) -> tuple[Array, Array]:
+        """State (nx,) and changes (k, nx) within a step over a place where branches meet."""
+        tangents, nx = self._tangents, self._changes.shape[2]
+        sign = np.sign(over[1])
+        # its end may have been moved to a stop beside it
+        ends = [sign * over[0], sign * (over[0] + over[1] * (1 - 1e-9))]
+        first, last = np.searchsorted(sign * self._rows[:, 0], ends)
+        rows = self._rows[[first, first, last]].copy()
+        rows[1, 0] = time
+        changes = tangents.over(rows, self._changes[first])[1]
+        return tangents.state_within(over, time, rows[0, 1 : 1 + nx]), changes
 
     def _inside(self, step: Array, first: Array) -> Array:
         """Changes at the end of a step, whose state is filled in."""
@@ -186,7 +202,7 @@ class SensitiveRuns:
         motion = driven(self._runner, over, begin, progress, dense=dense)
         if motion.status == "interrupted":
             raise KeyboardInterrupt
-        check_complete(motion)
+        check_complete(motion, self._runner)
         reported(motion, check)
         setup = replace(self.setup, over=over, begin=begin)
         return replace(motion, sensitivity=self._sensitivities(setup, motion, state))

@@ -6,6 +6,7 @@ import ctypes
 from collections.abc import Callable, Sequence
 
 import numpy as np
+from numpy.polynomial.legendre import leggauss, legint, legval, legvander
 
 from ...arrays import Array
 from ...errors import SolveError
@@ -13,6 +14,7 @@ from ...runtime.calls.loaded_function import LoadedFunction
 from ...runtime.trajectory.input_history import PiecewiseInput
 from ...schema.blocks import COORDINATES
 from ...schema.records import Steps
+from ..simulation import run_record as abi
 from ..simulation.run import Runner
 
 # what derivatives are along, as far as a model has any of it
@@ -20,7 +22,7 @@ BLOCKS = (COORDINATES, "u", "z", "s", "r")
 CLOSING = ("close_position", "close_velocity")
 MOST_STAGES = 16
 # methods whose steps are known as a table of coefficients
-TABLES = ("RK4", "RK45", "DOP853")
+TABLES = ("RK4", "RK45", "DOP853", "Radau")
 
 
 class StepsAgain:
@@ -43,8 +45,13 @@ class StepsAgain:
         steps.stages = tableau(*(ctypes.c_void_p(table.ctypes.data) for table in tables))
         nx = self.model.nx
         rooms = dict(zip(("nodes", "weights", "matrix"), tables, strict=True))
-        rooms |= {"states": np.zeros(steps.stages * nx), "slopes": np.zeros(steps.stages * nx)}
+        rooms |= {name: np.zeros(MOST_STAGES * nx) for name in ("states", "slopes", "open")}
         rooms |= {"end": np.zeros(nx), "place": np.zeros(nx)}
+        square = tables[2][: steps.stages**2].reshape(steps.stages, steps.stages)
+        steps.kind = int(np.triu(square).any())  # CARDAN_EXPLICIT or CARDAN_COUPLED
+        if steps.kind:
+            length = runner.library.cardan_stages_length(runner.record, steps.stages)
+            rooms["system"] = np.zeros(length)
         self.rooms = rooms
         for name, room in rooms.items():
             setattr(steps, name, self.pointer(room))
@@ -66,7 +73,7 @@ class StepsAgain:
             setattr(record, name, function.address)
             setattr(record, f"{name}_w", self.pointer(function.w))
         # one room serves all of them, one after the other
-        called = [*functions.values(), self.runner.functions[0]]
+        called = [*functions.values(), self.runner.functions[0], *self.runner.needed]
         room = np.zeros(max(function.work_size for function in called) + 1)
         self.steps.work = self.pointer(room)
 
@@ -74,16 +81,39 @@ class StepsAgain:
         """Sweep over the steps between rows (count, width) as the run wrote them.
 
         Raises:
-            SolveError: a function has no value at a stage of a step.
+            SolveError: a function has no value at a stage of a step, or stages cannot be found.
         """
         table = np.ascontiguousarray(rows)
         self.steps.rows, self.steps.count = table.ctypes.data, len(table)
         record.steps = ctypes.addressof(self.steps)
-        if sweep(record):
-            at = float(table[self.steps.failed, 0])
-            raise SolveError(
-                f"gradient: a derivative has no finite value within the step from t = {at:.6g} s"
-            )
+        status = sweep(record)
+        if status:
+            at = f"the step from t = {float(table[self.steps.failed, 0]):.6g} s"
+            why = f"a derivative has no finite value within {at}"
+            if status == abi.CONSTRAINT_OPEN:
+                why = (
+                    f"{at} leads over a place where branches meet, and an event lies in it or "
+                    "stages do not settle. Change the start or the parameters a little"
+                )
+            elif status == abi.UNSOLVED:
+                why = f"stages of {at} do not settle. Take a smaller rtol"
+            raise SolveError(f"gradient: {why}")
+
+    def pass_at(self, t: float) -> tuple[float, float, int] | None:
+        """Start, length and points of the step over a place where branches meet that holds t."""
+        for start, length, points in self.runner.passes[: self.runner.record.pass_count]:
+            if 0 < (t - start) / length < 1:
+                return float(start), float(length), int(points)
+        return None
+
+    def state_within(self, at: tuple[float, float, int], t: float, start: Array) -> Array:
+        """State (nx,) within such a step that was just swept over, from that at its start."""
+        begin, length, points = at
+        nodes = leggauss(points)[0]
+        slopes = self.rooms["slopes"][: points * len(start)].reshape(points, len(start))
+        rising = legint(np.linalg.solve(legvander(nodes, points - 1), slopes), lbnd=-1)
+        result: Array = start + length / 2 * legval(2 * (t - begin) / length - 1, rising)
+        return result
 
     def inputs_at(self, t: float) -> tuple[Array, Array]:
         """Inputs and their rates (nr,) at a time, as they are before it."""

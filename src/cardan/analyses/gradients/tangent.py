@@ -15,7 +15,7 @@ from ...schema.blocks import DIRECTIONS
 from ...schema.records import Tangent
 from ...schema.request import Request
 from ..simulation.run import Runner
-from .steps import CLOSING, StepsAgain, powers_at, segment_at
+from .steps import CLOSING, MOST_STAGES, StepsAgain, powers_at, segment_at
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,8 @@ class Tangents(StepsAgain):
             "by_named": by_named, "by_input": directions.r,
             "by_coefficients": directions.coefficients,
             "by_s": self.by_s, "moved": np.zeros(model.nx + model.ns + model.nr + 1),
-            "rising": np.zeros(self.steps.stages * k * model.nx), "out": np.zeros(longest),
+            "rising": np.zeros(MOST_STAGES * k * model.nx), "out": np.zeros(longest),
+            "coupled": np.zeros(max(self.steps.stages, k) * model.nx),
         }  # fmt: skip
         for name, room in rooms.items():
             setattr(record, name, self.pointer(_filled(room)))

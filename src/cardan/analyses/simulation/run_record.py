@@ -80,6 +80,8 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     library.cardan_run_at.argtypes = [record, REAL, POINTER]
     library.cardan_adjoint_sweep.argtypes = [ctypes.POINTER(Adjoint)]
     library.cardan_tangent_sweep.argtypes = [ctypes.POINTER(Tangent)]
+    library.cardan_stages_length.argtypes = [record, ctypes.c_ssize_t]
+    library.cardan_stages_length.restype = ctypes.c_ssize_t
     rooms = [ctypes.c_size_t, ctypes.c_size_t]
     library.cardan_run_length.argtypes = [record, *rooms]
     library.cardan_run_length.restype = ctypes.c_size_t

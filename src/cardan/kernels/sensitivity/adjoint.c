@@ -5,6 +5,8 @@
 #include "adjoint.h"
 #include <math.h>
 
+enum { MOST_SWEEPS = 100 };
+
 /* Add gradients by inputs (nr) at t, times a factor, to those by constants and by pieces. */
 static void add_inputs(const cardan_adjoint *adjoint, real t, real factor, const real *by_r)
 {
@@ -62,19 +64,20 @@ static int add_cost(const cardan_adjoint *adjoint, real t, const real *x, real s
     return 0;
 }
 
-/* lam by the state before the projections of a step from that behind them: speeds first, at the
- * positions behind, then positions, then lengths of quaternions. */
-static int pull_projection(const cardan_adjoint *adjoint, real t)
+/* lam by the state `end` before the projections from that behind them: speeds first, at `place`
+ * with the positions behind, then positions, then lengths of quaternions. */
+static int pull_projection(const cardan_adjoint *adjoint, real t, const real *end, const real *place,
+                           real factor, real *lam)
 {
     const cardan_run *run = adjoint->steps->run;
     const ptrdiff_t nq = run->nq, nu = run->nu, nx = run->nx;
-    const real *end = adjoint->steps->end, *out = adjoint->out;
-    real *lam = adjoint->lam, *v = adjoint->v;
+    const real *out = adjoint->out;
+    real *v = adjoint->v;
 
     if (adjoint->close_velocity.function) {
         for (ptrdiff_t i = 0; i < nu + run->rates; i++)
             v[i] = i < nu ? lam[nq + i] : 0;
-        if (product(adjoint, &adjoint->close_velocity, t, adjoint->steps->place, 1) != 0)
+        if (product(adjoint, &adjoint->close_velocity, t, place, factor) != 0)
             return CARDAN_MODEL;
         for (ptrdiff_t i = 0; i < nx; i++)
             lam[i] = out[i] + (i < nq || i >= nq + nu ? lam[i] : 0);
@@ -82,19 +85,49 @@ static int pull_projection(const cardan_adjoint *adjoint, real t)
     if (adjoint->close_position.function) {
         for (ptrdiff_t i = 0; i < nq + run->positions; i++)
             v[i] = i < nq ? lam[i] : 0;
-        if (product(adjoint, &adjoint->close_position, t, end, 1) != 0)
+        if (product(adjoint, &adjoint->close_position, t, end, factor) != 0)
             return CARDAN_MODEL;
         for (ptrdiff_t i = 0; i < nx; i++)
             lam[i] = out[i] + (i < nq ? 0 : lam[i]);
     }
     for (ptrdiff_t k = 0; k < run->quaternion_count; k++) {
         const real *q = end + run->quaternions[k];
-        real *by_q = lam + run->quaternions[k];
-        const real square = cardan_dot(q, q, 4), along = cardan_dot(q, by_q, 4) / square;
-        for (int j = 0; j < 4; j++)
-            by_q[j] = (by_q[j] - along * q[j]) / sqrt(square);
+        cardan_unit_change(q, sqrt(cardan_dot(q, q, 4)), lam + run->quaternions[k]);
     }
     return 0;
+}
+
+/* Gradients by the states of the stages: at first those of the running cost alone. */
+static int begin(const cardan_adjoint *adjoint, real t, real h)
+{
+    const cardan_steps *steps = adjoint->steps;
+    const ptrdiff_t nx = steps->run->nx;
+
+    for (ptrdiff_t s = 0; s < steps->stages; s++) {
+        const real share = h * steps->weights[s];
+        real *by_x = adjoint->pulled + s * nx;
+        for (ptrdiff_t i = 0; i < nx; i++)
+            by_x[i] = 0;
+        if (adjoint->integrand.function && share != 0
+            && add_cost(adjoint, t + steps->nodes[s] * h, steps->states + s * nx, share, by_x) != 0)
+            return CARDAN_MODEL;
+        cardan_stage_lengths(steps, s, by_x);
+    }
+    return 0;
+}
+
+/* Gradient (nx) by the slope of a stage from those by the end and by the states of stages. */
+static void by_slope(const cardan_adjoint *adjoint, ptrdiff_t s, real h, real *weights)
+{
+    const cardan_steps *steps = adjoint->steps;
+    const ptrdiff_t nx = steps->run->nx, count = steps->stages;
+
+    for (ptrdiff_t i = 0; i < nx; i++) {
+        real sum = steps->weights[s] * adjoint->lam[i];
+        for (ptrdiff_t j = steps->kind == CARDAN_EXPLICIT ? s + 1 : 0; j < count; j++)
+            sum += steps->matrix[j * count + s] * adjoint->pulled[j * nx + i];
+        weights[i] = h * sum;
+    }
 }
 
 /* lam by the start of a step from that by its end. */
@@ -102,25 +135,27 @@ static int pull_stages(const cardan_adjoint *adjoint, real t, real h)
 {
     const cardan_steps *steps = adjoint->steps;
     const ptrdiff_t nx = steps->run->nx, count = steps->stages;
+    const int coupled = steps->kind == CARDAN_COUPLED;
     real *lam = adjoint->lam;
 
+    if (begin(adjoint, t, h) != 0)
+        return CARDAN_MODEL;
+    /* slopes of an implicit method depend on each other: all of them at once */
+    for (ptrdiff_t s = 0; s < count && coupled; s++)
+        by_slope(adjoint, s, h, adjoint->weights + s * nx);
+    if (coupled)
+        cardan_stages_backward(steps, adjoint->weights);
     for (ptrdiff_t s = count - 1; s >= 0; s--) {
-        const real *x = steps->states + s * nx;
-        const real time = t + steps->nodes[s] * h, share = h * steps->weights[s];
-        real *by_x = adjoint->pulled + s * nx;
-        for (ptrdiff_t i = 0; i < nx; i++) {
-            real sum = steps->weights[s] * lam[i];
-            for (ptrdiff_t j = s + 1; j < count; j++)
-                sum += steps->matrix[j * count + s] * adjoint->pulled[j * nx + i];
-            adjoint->v[i] = h * sum;
-        }
-        if (product(adjoint, &adjoint->rates, time, x, 1) != 0)
+        if (!coupled)
+            by_slope(adjoint, s, h, adjoint->v);
+        for (ptrdiff_t i = 0; i < nx && coupled; i++)
+            adjoint->v[i] = adjoint->weights[s * nx + i];
+        if (product(adjoint, &adjoint->rates, t + steps->nodes[s] * h, steps->states + s * nx, 1) != 0)
             return CARDAN_MODEL;
+        /* the state was scaled before the rates were asked at it */
+        cardan_stage_lengths(steps, s, adjoint->out);
         for (ptrdiff_t i = 0; i < nx; i++)
-            by_x[i] = adjoint->out[i];
-        if (adjoint->integrand.function && share != 0
-            && add_cost(adjoint, time, x, share, by_x) != 0)
-            return CARDAN_MODEL;
+            adjoint->pulled[s * nx + i] += adjoint->out[i];
     }
     for (ptrdiff_t s = 0; s < count; s++)
         for (ptrdiff_t i = 0; i < nx; i++)
@@ -128,19 +163,107 @@ static int pull_stages(const cardan_adjoint *adjoint, real t, real h)
     return 0;
 }
 
-/* Sweep over all steps between the rows, the last one first. Returns 0 or CARDAN_MODEL. */
+/* One sweep over the stages of a pass, from h lam by its end. `factor`: what derivatives by parameters,
+ * inputs and discrete states are added with; `change` and `size`: of the gradients by stages. */
+static int pass_sweep(const cardan_adjoint *adjoint, real t, real h, real factor, real *change,
+                      real *size)
+{
+    const cardan_steps *steps = adjoint->steps;
+    const ptrdiff_t nx = steps->run->nx, nq = steps->run->nq;
+    real *by_x = steps->end, *place = steps->place;
+
+    *change = *size = 0;
+    for (ptrdiff_t s = steps->stages - 1; s >= 0; s--) {
+        const real *x = steps->states + s * nx, *open = steps->open + s * nx;
+        const real time = t + steps->nodes[s] * h;
+        by_slope(adjoint, s, h, adjoint->v);
+        if (product(adjoint, &adjoint->rates, time, x, factor) != 0)
+            return CARDAN_MODEL;
+        for (ptrdiff_t i = 0; i < nx; i++) {
+            by_x[i] = adjoint->out[i] + adjoint->weights[s * nx + i];
+            place[i] = i < nq ? x[i] : open[i];
+        }
+        if (pull_projection(adjoint, time, open, place, factor, by_x) != 0)
+            return CARDAN_MODEL;
+        for (ptrdiff_t i = 0; i < nx; i++) {
+            real *by = adjoint->pulled + s * nx + i;
+            *change = fmax(*change, fabs(by_x[i] - *by));
+            *size = fmax(*size, fmax(fabs(by_x[i]), fabs(adjoint->lam[i])));
+            *by = by_x[i];
+        }
+    }
+    return 0;
+}
+
+/* lam by the start of a pass from that by its end: stages are swept until nothing changes. */
+static int pull_pass(const cardan_adjoint *adjoint, real t, real h)
+{
+    const cardan_steps *steps = adjoint->steps;
+    const ptrdiff_t nx = steps->run->nx, size = steps->stages * nx;
+    real change, largest, last = INFINITY;
+
+    /* what the running cost adds, at the projected states */
+    if (begin(adjoint, t, h) != 0)
+        return CARDAN_MODEL;
+    for (ptrdiff_t i = 0; i < size; i++) {
+        adjoint->weights[i] = adjoint->pulled[i];
+        adjoint->pulled[i] = 0;
+    }
+    for (int n = 0; n < MOST_SWEEPS; n++) {
+        if (pass_sweep(adjoint, t, h, 0, &change, &largest) != 0)
+            return CARDAN_MODEL;
+        if (cardan_swept_enough(change, largest, &last)) {
+            if (pass_sweep(adjoint, t, h, 1, &change, &largest) != 0)
+                return CARDAN_MODEL;
+            for (ptrdiff_t i = 0; i < size; i++)
+                adjoint->lam[i % nx] += adjoint->pulled[i];
+            return 0;
+        }
+    }
+    return CARDAN_CONSTRAINT_OPEN;
+}
+
+/* lam by the start of the step from row *k, or of the pass that ends behind it; then *k is its first. */
+static int pull_step(const cardan_adjoint *adjoint, ptrdiff_t *k)
+{
+    cardan_steps *steps = adjoint->steps;
+    const ptrdiff_t width = cardan_row_width(steps->run), pass = cardan_pass_of(steps, *k);
+    const real end = steps->rows[(*k + 1) * width];
+    cardan_adjoint over = *adjoint;
+    cardan_pass again;
+    real t;
+    int status;
+
+    if (pass < 0)
+        status = cardan_step_again(steps, *k);
+    else {
+        status = cardan_pass_again(steps, pass, *k, &again);
+        over.steps = &again.steps;
+        /* a sweep begins where rows do: behind a pass, not within it */
+        if (status == 0 && again.to != *k + 1)
+            status = CARDAN_CONSTRAINT_OPEN;
+        if (status == 0)
+            *k = again.from;
+    }
+    if (status == 0)
+        status = pull_projection(&over, end, steps->end, steps->place, 1, adjoint->lam);
+    if (status != 0)
+        return status;
+    t = steps->rows[*k * width];
+    return pass < 0 ? pull_stages(&over, t, end - t) : pull_pass(&over, t, end - t);
+}
+
+/* Sweep over all steps between the rows, the last one first. Returns 0 or a status. */
 int cardan_adjoint_sweep(cardan_adjoint *adjoint)
 {
     cardan_steps *steps = adjoint->steps;
-    const ptrdiff_t width = cardan_row_width(steps->run);
 
     steps->failed = -1;
     for (ptrdiff_t k = steps->count - 2; k >= 0; k--) {
-        const real *row = steps->rows + k * width;
-        if (cardan_step_again(steps, k) != 0 || pull_projection(adjoint, row[width]) != 0
-            || pull_stages(adjoint, row[0], row[width] - row[0]) != 0) {
-            steps->failed = k;
-            return CARDAN_MODEL;
+        const int status = pull_step(adjoint, &k);
+        if (status != 0) {
+            steps->failed = k > 0 ? k : 0;
+            return status;
         }
     }
     return 0;

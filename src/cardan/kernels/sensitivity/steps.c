@@ -6,7 +6,7 @@
 #include <math.h>
 
 /* Prepare inputs and discrete states for the step between two rows. */
-static void enter(cardan_run *run, const real *row, const real *next)
+void cardan_enter_step(cardan_run *run, const real *row, const real *next)
 {
     const real middle = 0.5 * (row[0] + next[0]);
 
@@ -33,29 +33,40 @@ cardan_in cardan_step_in(const cardan_steps *steps, const real *t, const real *x
     return cardan_at(steps->run, t, x);
 }
 
-/* Stages and end of the step from row k, before any projection. Returns 0 or CARDAN_MODEL. */
-int cardan_step_again(cardan_steps *steps, ptrdiff_t k)
+/* Right-hand side (nx) at t, x. Returns 0 or CARDAN_MODEL. */
+int cardan_rates_at(const cardan_steps *steps, real t, const real *x, real *rates)
 {
-    cardan_run *run = steps->run;
-    const ptrdiff_t nx = run->nx, width = cardan_row_width(run);
-    const real *row = steps->rows + k * width, *y = row + 1, h = row[width] - row[0];
+    cardan_in in = cardan_step_in(steps, &t, x);
 
-    enter(run, row, row + width);
-    for (ptrdiff_t s = 0; s < steps->stages; s++) {
-        const real *a = steps->matrix + s * steps->stages, t = row[0] + steps->nodes[s] * h;
+    in.w = steps->run->rhs.w;
+    return steps->run->rhs.function(&in, rates, steps->work) == 0 ? 0 : CARDAN_MODEL;
+}
+
+/* Stages of an explicit method from state y at t. */
+static int explicit_stages(const cardan_steps *steps, real t, real h, const real *y)
+{
+    const ptrdiff_t nx = steps->run->nx;
+    int status = 0;
+
+    for (ptrdiff_t s = 0; s < steps->stages && status == 0; s++) {
+        const real *a = steps->matrix + s * steps->stages;
         real *x = steps->states + s * nx;
-        cardan_in in;
         for (ptrdiff_t i = 0; i < nx; i++) {
             real sum = 0;
             for (ptrdiff_t j = 0; j < s; j++)
                 sum += a[j] * steps->slopes[j * nx + i];
             x[i] = y[i] + h * sum;
         }
-        in = cardan_step_in(steps, &t, x);
-        in.w = run->rhs.w;
-        if (run->rhs.function(&in, steps->slopes + s * nx, steps->work) != 0)
-            return CARDAN_MODEL;
+        status = cardan_rates_at(steps, t + steps->nodes[s] * h, x, steps->slopes + s * nx);
     }
+    return status;
+}
+
+/* End of a step from y before its projections; `behind`: the state behind them. */
+void cardan_end_step(const cardan_steps *steps, const real *y, real h, const real *behind)
+{
+    const ptrdiff_t nx = steps->run->nx;
+
     for (ptrdiff_t i = 0; i < nx; i++) {
         real sum = 0;
         for (ptrdiff_t j = 0; j < steps->stages; j++)
@@ -64,6 +75,20 @@ int cardan_step_again(cardan_steps *steps, ptrdiff_t k)
     }
     /* positions are those behind the projection where speeds are projected */
     for (ptrdiff_t i = 0; i < nx; i++)
-        steps->place[i] = i < run->nq ? row[width + 1 + i] : steps->end[i];
-    return 0;
+        steps->place[i] = i < steps->run->nq ? behind[i] : steps->end[i];
+}
+
+/* Stages and end of the step from row k, before any projection. Returns 0 or a status. */
+int cardan_step_again(cardan_steps *steps, ptrdiff_t k)
+{
+    const ptrdiff_t width = cardan_row_width(steps->run);
+    const real *row = steps->rows + k * width, *y = row + 1, h = row[width] - row[0];
+    int status;
+
+    cardan_enter_step(steps->run, row, row + width);
+    status = steps->kind == CARDAN_COUPLED ? cardan_stages_solve(steps, k)
+                                           : explicit_stages(steps, row[0], h, y);
+    if (status == 0)
+        cardan_end_step(steps, y, h, row + width + 1);
+    return status;
 }

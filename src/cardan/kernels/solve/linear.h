@@ -70,7 +70,22 @@ static inline void cardan_substitute(ptrdiff_t n, const real *a, const real *ord
     }
 }
 
-/* The same for A = re + i im. */
+/* b (n) becomes the solution of Aᵀ x = b, by the factors of A. */
+static inline void cardan_substitute_transposed(ptrdiff_t n, const real *a, const real *order, real *b)
+{
+    for (ptrdiff_t i = 0; i < n; i++) {
+        b[i] /= a[i * n + i];
+        for (ptrdiff_t j = i + 1; j < n; j++)
+            b[j] -= a[i * n + j] * b[i];
+    }
+    for (ptrdiff_t i = n - 1; i > 0; i--)
+        for (ptrdiff_t j = 0; j < i; j++)
+            b[j] -= a[i * n + j] * b[i];
+    for (ptrdiff_t k = n - 1; k >= 0; k--)
+        cardan_exchange(1, b + (ptrdiff_t)order[k], b + k);
+}
+
+/* The same as the first two for A = re + i im. */
 static inline int cardan_factor_complex(ptrdiff_t n, real *re, real *im, real *order)
 {
     for (ptrdiff_t k = 0; k < n; k++) {
