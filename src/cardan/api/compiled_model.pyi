@@ -890,7 +890,8 @@ class CompiledModel(LoadedModel):
                 input ``(times, values)`` the gradient is by the values.
             x0, q, u, z, events, rtol, atol, step, max_step, inputs, parameters, progress: As
                 :meth:`simulate` takes them.
-            method: ``"DOP853"``, ``"RK45"`` or ``"RK4"``; ``"auto"`` takes the first of them.
+            method: ``"DOP853"``, ``"RK45"``, ``"RK4"``, or ``"Radau"`` for stiff models; ``"auto"``
+                takes the first of them.
 
         Returns:
             A :class:`cardan.Gradient`: ``value``, ``slope`` by name, ``motion``. It is exact for the

@@ -30,7 +30,7 @@ from __future__ import annotations
 import argparse
 import json
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ..errors import ModelError
 from . import INTERRUPTED
@@ -39,8 +39,6 @@ from .options import scene as scene_options
 from .options.equilibrium import finite
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from ..api.results import Fit
     from ..api.scene import Scene
 
@@ -101,7 +99,26 @@ def run(options: argparse.Namespace) -> int:
         show("deriving and compiling")
         model = compile(scene)
         show("fitting", 0.0)
-        fit = model.fit(**settings(scene, options), progress=lambda part: show("fitting", part))
+        q, u, z = (_start(scene, options, block) for block in "quz")
+        fit = model.fit(
+            options.data,
+            unknown=options.unknown,
+            measured=dict(options.measured) or None,
+            noise=_noise(options),
+            bounds=dict(options.bounds) or None,
+            loss="huber" if options.robust else "linear",
+            segments=options.segments,
+            seeds=options.seeds,
+            q=q,
+            u=u,
+            z=z,
+            inputs=_inputs(options),
+            parameters=dict(options.set) or None,
+            method=options.method,
+            rtol=options.rtol,
+            most=options.most,
+            progress=lambda part: show("fitting", part),
+        )
     written = _write(fit, options)
     if options.json:
         print(json.dumps(numbers(fit) | {"files": written}, indent=1))
@@ -112,65 +129,49 @@ def run(options: argparse.Namespace) -> int:
     return INTERRUPTED if fit.interrupted else 0 if fit.converged else 1
 
 
-def settings(scene: Scene, options: argparse.Namespace) -> dict[str, Any]:
-    """Arguments of ``model.fit``."""
-    stated = dict(options.noise)
-    common = stated.pop("", None)
-    if common is not None and stated:
+def _start(scene: Scene, options: argparse.Namespace, block: str) -> dict[str, float] | None:
+    """Start by names: what the file says, then what was typed."""
+    return {**scene.settings.get(block, {}), **dict(getattr(options, block))} or None
+
+
+def _noise(options: argparse.Namespace) -> float | dict[str, float] | None:
+    """One number, or one for each channel."""
+    stated: dict[str, float] = dict(options.noise)
+    if "" in stated and len(stated) > 1:
         raise ModelError("--noise: give one value for all, or one for each FORMULA=")
-    blocks = {
-        b: {**scene.settings.get(b, {}), **dict(getattr(options, b))} or None
-        for b in ("q", "u", "z")
-    }
-    return {
-        **blocks,
-        "data": options.data,
-        "unknown": options.unknown,
-        "measured": dict(options.measured) or None,
-        "noise": common if common is not None else stated or None,
-        "bounds": dict(options.bounds) or None,
-        "loss": "huber" if options.robust else "linear",
-        "segments": options.segments,
-        "seeds": options.seeds,
-        "most": options.most,
-        "parameters": dict(options.set) or None,
-        "inputs": _inputs(options) or None,
-        "method": options.method,
-        "rtol": options.rtol,
-    }
+    return stated.get("", stated or None)
 
 
-def _inputs(options: argparse.Namespace) -> dict[str, Any]:
+def _inputs(options: argparse.Namespace) -> dict[str, float | tuple[object, object]] | None:
     """Inputs as numbers, or as columns of the table."""
     from ..analyses.fits.samples import column, table_of
 
-    inputs: dict[str, Any] = {}
+    inputs: dict[str, float | tuple[object, object]] = {}
     table = table_of(options.data) if options.input else {}
     for name, text in options.input:
         try:
             inputs[name] = float(text)
         except ValueError:
             inputs[name] = (column(table, "t"), column(table, text))
-    return inputs
+    return inputs or None
 
 
 def _write(fit: Fit, options: argparse.Namespace) -> list[str]:
     """The files that were asked for."""
-    motion: Any = fit.motion
-    outputs: tuple[tuple[Path | None, Any], ...] = (
-        (options.output, motion.save),
-        (options.plot, fit.plot),
-    )
-    written = []
-    for path, make in outputs:
-        if path is not None:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            make(path)
-            written.append(str(path))
+    from ..api.trajectory import Trajectory
+
+    written = list[str]()
+    if options.output is not None:
+        assert isinstance(fit.motion, Trajectory)
+        options.output.parent.mkdir(parents=True, exist_ok=True)
+        written.append(str(fit.motion.save(options.output)))
+    if options.plot is not None:
+        fit.plot(options.plot)
+        written.append(str(options.plot))
     return written
 
 
-def numbers(fit: Fit) -> dict[str, Any]:
+def numbers(fit: Fit) -> dict[str, object]:
     """The fit as data for JSON; null where the data do not tell."""
     return {
         "converged": fit.converged,

@@ -4,8 +4,8 @@ A segment goes on until errors at its start have grown by e^2, or until its run 
 measured. So a chaotic motion has many of them, a mild one near the first values one, and the same
 from values that are far off several: single runs would be led astray.
 
-Growth is the norm of the transition matrix, coordinates and speeds in units of their own spread
-along the motion, in which an oscillation is no growth.
+Growth is the norm of the transition matrix, coordinates and speeds in units of their standard
+deviations along the motion, in which an oscillation is no growth.
 
 Source: H. G. Bock, in: Numerical Treatment of Inverse Problems in Differential and Integral
 Equations (1983), 95-121, for what the division does to the search.
@@ -20,8 +20,8 @@ from ...errors import SolveError
 from .shooting import NodeRun, Segment, Shooting, Trial
 
 GROWTH = float(np.exp(2.0))
-LEFT = 0.25  # of the spread of a channel: a run that far off has left the measurements
-LEAST = 1e-3  # of the largest spread of a block: coordinates that hardly move
+LEFT = 0.25  # of the standard deviation of a channel: a run that far off has left the measurements
+LEAST = 1e-3  # of the largest deviation of a block: coordinates that hardly move
 
 
 def divided(shooting: Shooting, states: Array, values: Array) -> list[int]:
@@ -64,7 +64,7 @@ def _onward(
 
 
 def _transition(segment: Segment, units: Array) -> Array:
-    """Transition matrix (n, n) in units of the spread."""
+    """Transition matrix (n, n) in these units."""
     n = len(units)
     return np.asarray(segment.transition[:, :n] * units / units[:, None])
 
@@ -83,10 +83,10 @@ def _has_left(shooting: Shooting, run: NodeRun, segment: Segment) -> bool:
 
 
 def _units(shooting: Shooting, states: Array) -> Array:
-    """Spread (n,) of coordinates along the speeds, of speeds and internal states."""
+    """Standard deviations (n,) of coordinates along the speeds, of speeds and internal states."""
     moves = shooting.increments(np.repeat(states[:1], len(states), axis=0), states)
-    spread, nu = moves.std(axis=0), shooting.model.nu
+    units, nu = moves.std(axis=0), shooting.model.nu
     for block in (slice(0, nu), slice(nu, 2 * nu), slice(2 * nu, None)):
-        most = float(spread[block].max(initial=0.0))
-        spread[block] = np.maximum(spread[block], LEAST * most) if most > 0 else 1.0
-    return np.asarray(spread)
+        most = float(units[block].max(initial=0.0))
+        units[block] = np.maximum(units[block], LEAST * most) if most > 0 else 1.0
+    return np.asarray(units)

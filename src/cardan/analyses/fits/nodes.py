@@ -56,13 +56,13 @@ def first_states(shooting: Shooting, begin: Begin, free: NDArray[np.intp]) -> Ar
     unknown = np.isin(speed_places(model), free)
     nobody = np.array([name in named.defaulted for name in names], dtype=np.bool_)
     direct[0, ~unknown] = slopes[0, ~(unknown & nobody)] = np.nan
-    known = np.where(np.isfinite(direct), direct, slopes)
-    first = np.where(np.isfinite(known[0]), known[0], named.x)
+    measured = np.where(np.isfinite(direct), direct, slopes)
+    first = np.where(np.isfinite(measured[0]), measured[0], named.x)
     states = np.tile(first, (len(nodes), 1))
-    if len(nodes) > 1 and not np.isfinite(known[1:]).all():
+    if len(nodes) > 1 and not np.isfinite(measured[1:]).all():
         run = _run(shooting, first, nodes)
         states[: len(run)] = run
-    return np.where(np.isfinite(known), known, states)
+    return np.where(np.isfinite(measured), measured, states)
 
 
 def _run(shooting: Shooting, first: Array, nodes: list[int]) -> Array:
@@ -90,15 +90,15 @@ def _measured(model: LoadedModel, samples: Samples) -> tuple[Array, Array]:
         place, present = entries.get(name, -1), np.isfinite(column)
         if place < 0 or not present.any():
             continue
-        direct[:, place] = _between(samples.t, column)
+        direct[:, place] = _interpolated(samples.t, column)
         if place < model.nq and places[place] >= 0 and np.count_nonzero(present) > 1:
             rates = np.full(len(column), np.nan)
             rates[present] = np.gradient(column[present], samples.t[present])
-            slopes[:, model.nq + places[place]] = _between(samples.t, rates)
+            slopes[:, model.nq + places[place]] = _interpolated(samples.t, rates)
     return direct, slopes
 
 
-def _between(t: Array, column: Array) -> Array:
+def _interpolated(t: Array, column: Array) -> Array:
     """A column (nt,) by straight lines where nothing was measured, NaN before and behind."""
     present = np.isfinite(column)
     return np.interp(t, t[present], column[present], left=np.nan, right=np.nan)

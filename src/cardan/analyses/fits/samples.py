@@ -85,10 +85,10 @@ def inputs_of(
     model: LoadedModel, table: Mapping[str, object], inputs: Inputs | None
 ) -> Inputs | None:
     """Inputs as ``simulate`` takes them: as they are given, else columns of their names."""
-    given = inputs or {}
-    named = {n for key in given for n in (key if isinstance(key, tuple) else (key,))}
+    stated = inputs or {}
+    named = {n for key in stated for n in (key if isinstance(key, tuple) else (key,))}
     columns = [name for name in model.inputs if name in table and name not in named]
-    return {name: (table[TIME], table[name]) for name in columns} | dict(given) or None
+    return {name: (table[TIME], table[name]) for name in columns} | dict(stated) or None
 
 
 def column(table: Mapping[str, object], name: str) -> object:
@@ -98,11 +98,11 @@ def column(table: Mapping[str, object], name: str) -> object:
         ArgumentError: there is none.
     """
     match = HEADING.fullmatch(name)
-    found = name if name in table or match is None else match[1]
-    if found not in table:
-        what = ", the times [s]" if name == TIME else f".{near(found, table)}"
+    key = name if name in table or match is None else match[1]
+    if key not in table:
+        what = ", the times [s]" if name == TIME else f".{near(key, table)}"
         raise ArgumentError(f"fit: data has no column '{name}'{what}")
-    return table[found]
+    return table[key]
 
 
 def table_of(data: object) -> dict[str, object]:

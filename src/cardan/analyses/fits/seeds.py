@@ -50,8 +50,8 @@ def seed_models(shooting: Shooting, seeds: str | IdentificationRecord) -> list[L
     models, problems = list[LoadedModel](), list[CardanError]()
     for cutoff in _cutoffs(data["t"]):
         try:
-            found = identify(model, data, cutoff=cutoff)
-            models.append(_plausible(model, found.nearest_to(model, names)))
+            identification = identify(model, data, cutoff=cutoff)
+            models.append(_plausible(model, identification.nearest_to(model, names)))
         except (ArgumentError, SolveError) as problem:
             problems.append(problem)
     if not models:
@@ -113,9 +113,9 @@ def _measured(shooting: Shooting) -> dict[str, Array]:
             f"identification needs all coordinates, and '{missing[0]}' was not measured"
         )
     span = float(samples.t[0]), float(samples.t[-1])
-    given = signals(model.manifest.inputs, shooting.inputs, None, span)
-    if given.functions:
-        name = model.inputs[next(iter(given.functions))]
+    input_signals = signals(model.manifest.inputs, shooting.inputs, None, span)
+    if input_signals.functions:
+        name = model.inputs[next(iter(input_signals.functions))]
         raise ArgumentError(f"input '{name}' is a function: give it as (times, values)")
     blocks = {"q": model.coordinates}
     if model.nu and all(name in samples.formulas for name in model.speeds):
@@ -125,5 +125,5 @@ def _measured(shooting: Shooting) -> dict[str, Array]:
     }
     rows = samples.present[:, [k for one in places.values() for k in one]].all(axis=1)
     t = samples.t[rows]
-    r = given.recorded(t[:1], given.constants[None])(t)
+    r = input_signals.recorded(t[:1], input_signals.constants[None])(t)
     return {"t": t, "r": r} | {b: samples.values[rows][:, one] for b, one in places.items()}

@@ -127,7 +127,7 @@ class Trial:
         t, inputs = shooting.samples.t, shooting.inputs
         span = (float(t[0]), float(t[-1])), None
         options = shooting.method, shooting.rtol, None, None, None
-        setup = run_setup(model, span, _whole(x), None, options, inputs, None)
+        setup = run_setup(model, span, _full_state(x), None, options, inputs, None)
         self._setup, self._runs = setup, SensitiveRuns(setup, ("x0", *names), inputs)
         self._channels = Channels(model, shooting.samples.formulas, names)
 
@@ -141,7 +141,7 @@ class Trial:
         first, last = nodes[number], nodes[number + 1]
         times = self.shooting.samples.t[first : last + 1]
         over = Span(float(times[0]), float(times[-1]), stops=tuple(times[1:-1].tolist()))
-        state = _whole(x)
+        state = _full_state(x)
         begin = beginning(setup.model, Start(x, ()), state, over.start, setup.input_signals)
         motion = self._runs.run(over, begin, state, dense=False)
         # the sample at the next node belongs to the next segment
@@ -192,6 +192,6 @@ class Trial:
         return np.concatenate([along, np.swapaxes(changes[:, :, model.nq :], 1, 2)], axis=1)
 
 
-def _whole(x: Array) -> dict[str, object]:
+def _full_state(x: Array) -> dict[str, object]:
     """A start by the whole state."""
     return {"x0": x, "q": None, "u": None, "z": None}
