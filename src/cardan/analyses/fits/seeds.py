@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...arrays import Array
-from ...errors import ArgumentError, CardanError, SolveError, brief
+from ...errors import ArgumentError, CardanError, ModelError, SolveError, brief
 from ...runtime.models.loaded_model import LoadedModel
 from ..identification.base_parameters import REQUIRED, needed
 from ..identification.identify import identify
@@ -20,6 +20,10 @@ from ..simulation.signals import signals
 from .shooting import Shooting
 
 IDENTIFY = "identify"
+POOR = (
+    "the motion excites too little, or noise hides it; model.excitation() finds a better one, "
+    "seeds=model.identify(..., cutoff=) takes another filter"
+)
 FILTERS = 6  # each with half the cutoff of the one before
 
 
@@ -81,12 +85,14 @@ def _plausible(model: LoadedModel, values: dict[str, float]) -> LoadedModel:
     Raises:
         SolveError: they cannot.
     """
-    seeded = model.with_parameters(values)
+    try:
+        seeded = model.with_parameters(values)
+    except ModelError as problem:
+        raise SolveError(f"{problem}: {POOR}") from problem
     wrong = sorted({*implausible(seeded)} - {*implausible(model)})
     if wrong:
         raise SolveError(
-            f"no body has the mass, center and inertia that come out for '{wrong[0]}': the motion "
-            "excites too little, or noise hides it; model.excitation() finds a better one"
+            f"no body has the mass, center and inertia that come out for '{wrong[0]}': {POOR}"
         )
     return seeded
 
