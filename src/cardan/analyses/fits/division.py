@@ -35,7 +35,7 @@ def divided(shooting: Shooting, states: Array, values: Array) -> list[int]:
     Raises:
         SolveError: a run from a node breaks down before the next one.
     """
-    trial, units = Trial(shooting, states[0], values), _units(shooting, states)
+    trial, units = Trial(shooting, values), _units(shooting, states)
     n = len(units)
     begins, x, grown = [0], states[0], np.eye(n)
     for k in range(len(states)):

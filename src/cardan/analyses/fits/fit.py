@@ -13,10 +13,11 @@ from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
 from ..gradients.unknowns import start_blocks, start_places
+from ..identification.base_parameters import circuits
 from ..identification.result import IdentificationRecord
 from ..simulation.settings import Values
 from .division import divided
-from .nodes import Begin, first_states, nodes_of
+from .nodes import Begin, first_states, held_names, nodes_of
 from .record import FitRecord
 from .samples import inputs_of, samples_of, table_of
 from .search import Search
@@ -90,7 +91,9 @@ def fit(
     chosen, free = _unknowns(model, unknown)
     limits = _bounds(chosen, bounds)
     nodes = nodes_of(samples, segments)
-    shooting, begin = Shooting(model, samples, nodes, chosen, inputs, method, rtol), (q, u, z)
+    begin = (q, u, z)
+    held = held_names(model, begin, free)
+    shooting = Shooting(model, samples, nodes, chosen, inputs, method, rtol, held)
     if seeds is not None:
         shooting = replace(shooting, model=_seeded(shooting, begin, free, seeds))
     values = np.clip([shooting.model.parameters[name] for name in chosen], *limits.T)
@@ -122,11 +125,18 @@ def _seeded(
 def _unknowns(model: LoadedModel, unknown: str | Sequence[str]) -> tuple[tuple[str, ...], Places]:
     """Names of parameters, and places of unknown starts along the speeds."""
     names = (unknown,) if isinstance(unknown, str) else tuple(unknown)
-    places = start_places(model) | start_blocks(model)
+    blocks = start_blocks(model)
+    places = start_places(model) | blocks
     chosen, starts = list[str](), set[int]()
     for name in names:
         if name in model.parameters:
             chosen.append(name)
+        elif name in blocks and circuits(model):
+            one = next(iter(start_places(model)))
+            raise ModelError(
+                f"fit: unknown: '{name}': loops determine most of it. Name what is free, such as "
+                f"'{one}'"
+            )
         elif name in places:
             starts |= {*range(places[name].start, places[name].stop)}
         else:

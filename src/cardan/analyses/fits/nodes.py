@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,13 +13,15 @@ from ...arrays import Array
 from ...errors import ArgumentError, SolveError, SolveWarning, brief
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.blocks import of_rate
+from ..identification.base_parameters import circuits
 from ..simulation.settings import Values, start
 from ..simulation.simulate import simulate
 from .samples import Samples
-from .shooting import Shooting
+from .shooting import Shooting, Trial
 
 SAMPLES = 8  # of a segment at least, by default
 MOST_SEGMENTS = 60
+Held = dict[str, tuple[str, ...]]
 ROUGH = 1e-6  # tolerance of a run that only says where states are about
 Begin = tuple[Values | ArrayLike | None, ...]
 
@@ -58,11 +62,36 @@ def first_states(shooting: Shooting, begin: Begin, free: NDArray[np.intp]) -> Ar
     direct[0, ~unknown] = slopes[0, ~(unknown & nobody)] = np.nan
     measured = np.where(np.isfinite(direct), direct, slopes)
     first = np.where(np.isfinite(measured[0]), measured[0], named.x)
+    trial = Trial(replace(shooting, parameters=()), np.zeros(0))
+    first = trial.begin(0, first).x
     states = np.tile(first, (len(nodes), 1))
     if len(nodes) > 1 and not np.isfinite(measured[1:]).all():
         run = _run(shooting, first, nodes)
         states[: len(run)] = run
-    return np.where(np.isfinite(measured), measured, states)
+    states[1:] = np.where(np.isfinite(measured), measured, states)[1:]
+    return np.array([trial.begin(k, x).x for k, x in enumerate(states)])
+
+
+def held_names(model: LoadedModel, begin: Begin, free: NDArray[np.intp]) -> Held | None:
+    """Names of coordinates and speeds that a start with loops is given by; None of a tree.
+
+    Args:
+        model: The model.
+        begin: q, u and z of the start as they were named.
+        free: Places of unknown starts along the speeds.
+    """
+    if not circuits(model):
+        return None
+    names, places = {"q": model.coordinates, "u": model.speeds}, speed_places(model)
+    held = {}
+    for block, stated, first in zip("qu", begin, (0, model.nq), strict=False):
+        slots = model.manifest.slots(block)
+        whole = {} if stated is None else dict.fromkeys(names[block])
+        keys = stated if isinstance(stated, Mapping) else whole
+        named = {k for key in keys for k in range(*slots[key].indices(len(names[block])))}
+        unknown = {k for k in range(len(names[block])) if places[first + k] in free}
+        held[block] = tuple(names[block][k] for k in sorted(named | unknown))
+    return held
 
 
 def _run(shooting: Shooting, first: Array, nodes: list[int]) -> Array:

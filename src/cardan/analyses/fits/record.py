@@ -115,8 +115,12 @@ class FitRecord:
         for name in self.names:
             low, high = self.interval(name)
             error = self.standard_errors[name]
-            row = f"  {name:{width}}  {self.values[name]:13.8g} {error:9.2g}"
-            lines.append(f"{row}  {low:.6g} ... {high:.6g}")
+            if np.isnan(low):
+                # along a rotation in space: no number of its own
+                lines.append(f"  {name:{width}}  {'':13} {error:9.2g}")
+            else:
+                row = f"  {name:{width}}  {self.values[name]:13.8g} {error:9.2g}"
+                lines.append(f"{row}  {low:.6g} ... {high:.6g}")
         lines += [f"  the data do not tell {one}" for one in self.combinations]
         tests = [f"{name} {number:.2f}" for name, number in self.durbin_watson.items()]
         lines.append(f"sigma {self.sigma:.4g}, Durbin-Watson {', '.join(tests)}")

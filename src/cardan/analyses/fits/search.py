@@ -88,6 +88,8 @@ class Search:
 
     def _point(self, states: Array, values: Array) -> _Point:
         segments = self.shooting.every(states, values)
+        # where loops are closed
+        states = np.array([one.begin for one in segments])
         ends = np.array([one.end for one in segments])
         return _Point(states, values, segments, self.shooting.increments(states[1:], ends[:-1]))
 

@@ -6,7 +6,7 @@ Treatment of Inverse Problems in Differential and Integral Equations (1983), 95-
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -29,12 +29,13 @@ class Segment:
     Attributes:
         residuals: Measured less computed, over the noise (m,), of what is present.
         slopes: Derivatives of the residuals by the node along the speeds and by parameters (m, k).
-        end: State at the next node (nx,).
+        begin, end: States (nx,) at the node, loops closed, and at the next one.
         transition: Derivatives (n, k) of the end along the speeds, n = 2 nu + nz.
     """
 
     residuals: Array
     slopes: Array
+    begin: Array
     end: Array
     transition: Array
 
@@ -45,12 +46,14 @@ class NodeRun:
 
     Attributes:
         first: Number of its first sample.
+        begin: State at the node (nx,), loops closed.
         x, r, s: States (m, nx), inputs (m, nr), modes (m, ns) at samples.
         changes: Of the states, along the speeds of the node and by parameters (m, k, nx).
         end, moved: State (nx,) and its changes (k, nx) at the next node.
     """
 
     first: int
+    begin: Array
     x: Array
     r: Array
     s: Array
@@ -70,6 +73,8 @@ class Shooting:
         parameters: Names of the unknown ones.
         inputs: Of the runs.
         method, rtol: Of the runs.
+        held: Of a model with loops: names of coordinates and speeds, by ``"q"`` and ``"u"``, that
+            the start was given by, whereas loops determine the others; None of a tree.
     """
 
     model: LoadedModel
@@ -79,6 +84,7 @@ class Shooting:
     inputs: Inputs | None
     method: str
     rtol: float
+    held: Mapping[str, tuple[str, ...]] | None = None
 
     def every(self, states: Array, values: Array) -> list[Segment]:
         """All segments.
@@ -90,7 +96,7 @@ class Shooting:
         Raises:
             SolveError: one breaks down.
         """
-        trial = Trial(self, states[0], values)
+        trial = Trial(self, values)
         return trial.segments([trial.run(k, x) for k, x in enumerate(states)])
 
     def moved(self, x: Array, step: Array) -> Array:
@@ -111,10 +117,9 @@ class Shooting:
 class Trial:
     """Runs with one set of parameters: one model and one runner serve all segments."""
 
-    def __init__(self, shooting: Shooting, x: Array, values: Array) -> None:
+    def __init__(self, shooting: Shooting, values: Array) -> None:
         """Args:
         shooting: What is measured where.
-        x: A state (nx,) to begin with.
         values: Of the parameters.
 
         Raises:
@@ -127,9 +132,28 @@ class Trial:
         t, inputs = shooting.samples.t, shooting.inputs
         span = (float(t[0]), float(t[-1])), None
         options = shooting.method, shooting.rtol, None, None, None
-        setup = run_setup(model, span, _full_state(x), None, options, inputs, None)
+        setup = run_setup(model, span, None, None, options, inputs, None)
         self._setup, self._runs = setup, SensitiveRuns(setup, ("x0", *names), inputs)
         self._channels = Channels(model, shooting.samples.formulas, names)
+
+    def begin(self, number: int, x: Array) -> Start:
+        """The start at a node next to a state (nx,): loops are closed, what is held there stays.
+
+        Raises:
+            ModelError: loops cannot be closed.
+        """
+        setup, t = self._setup, float(self.shooting.samples.t[self.shooting.nodes[number]])
+        state = self._named(number, x)
+        return beginning(setup.model, Start(x, ()), state, t, setup.input_signals)
+
+    def _named(self, number: int, x: Array) -> dict[str, object]:
+        """A start as ``simulate`` takes it: whole, or by what is held at the first node."""
+        held, model = self.shooting.held, self._setup.model
+        if held is None:
+            return {"x0": x, "q": None, "u": None, "z": None}
+        entries = dict(zip((*model.coordinates, *model.speeds), x.tolist(), strict=False))
+        blocks = {b: {n: entries[n] for n in held[b] if number == 0} for b in "qu"}
+        return {"x0": None, **blocks, "z": None}
 
     def run(self, number: int, x: Array) -> NodeRun:
         """The run over a segment from a state (nx,); its steps end at the samples.
@@ -137,13 +161,12 @@ class Trial:
         Raises:
             SolveError: it breaks down.
         """
-        nodes, setup = self.shooting.nodes, self._setup
+        nodes = self.shooting.nodes
         first, last = nodes[number], nodes[number + 1]
         times = self.shooting.samples.t[first : last + 1]
         over = Span(float(times[0]), float(times[-1]), stops=tuple(times[1:-1].tolist()))
-        state = _full_state(x)
-        begin = beginning(setup.model, Start(x, ()), state, over.start, setup.input_signals)
-        motion = self._runs.run(over, begin, state, dense=False)
+        begin = self.begin(number, x)
+        motion = self._runs.run(over, begin, self._named(number, x), dense=False)
         # the sample at the next node belongs to the next segment
         rows = slice(None, None if number + 2 == len(nodes) else -1)
         assert isinstance(motion.sensitivity, Sensitivities)
@@ -152,7 +175,7 @@ class Trial:
         r = motion.r[places] if motion.inputs_at is None else motion.inputs_at(times)
         s = motion.event_log.s.reshape(len(motion.t), -1)[places]
         end, moved = states[-1], changes[-1]
-        return NodeRun(first, states[rows], r[rows], s[rows], changes[rows], end, moved)
+        return NodeRun(first, begin.x, states[rows], r[rows], s[rows], changes[rows], end, moved)
 
     def segments(self, runs: Sequence[NodeRun]) -> list[Segment]:
         """What runs over segments that follow each other say; channels of all at once.
@@ -177,7 +200,9 @@ class Trial:
         for one, transition in zip(runs, self._along_speeds(ends, moved), strict=True):
             part = slice(one.first - first, one.first - first + len(one.x))
             mask = present[part]
-            segments.append(Segment(residuals[part][mask], slopes[part][mask], one.end, transition))
+            segments.append(
+                Segment(residuals[part][mask], slopes[part][mask], one.begin, one.end, transition)
+            )
         return segments
 
     def _along_speeds(self, x: Array, changes: Array) -> Array:
@@ -190,8 +215,3 @@ class Trial:
         N = model.derivative("qdot", wrt="u")(q, u)
         along = np.linalg.pinv(N) @ np.swapaxes(changes[:, :, : model.nq], 1, 2)
         return np.concatenate([along, np.swapaxes(changes[:, :, model.nq :], 1, 2)], axis=1)
-
-
-def _full_state(x: Array) -> dict[str, object]:
-    """A start by the whole state."""
-    return {"x0": x, "q": None, "u": None, "z": None}

@@ -67,7 +67,7 @@ class RunSetup:
 def run_setup(
     model: LoadedModel,
     times: tuple[object, object],
-    state: Mapping[str, object],
+    state: Mapping[str, object] | None,
     events: Mapping[str, object] | None,
     options: tuple[str | GeneralizedAlpha | Alpha, float, float | None, float | None, float | None],
     inputs: Inputs | None,
@@ -79,7 +79,7 @@ def run_setup(
     Args:
         model, events, inputs, parameters, sample: As there.
         times: t and t_eval.
-        state: x0, q, u and z by name.
+        state: x0, q, u and z by name; None of several runs, each of which has its own.
         options: method, rtol, atol, step and max_step.
     """
     method, rtol, atol, step, max_step = options
@@ -90,8 +90,9 @@ def run_setup(
     input_signals = signals(model.manifest.inputs, inputs, sample, (over.start, over.end))
     how = settings(method, rtol, atol, step, max_step, over.length)
     how = watched(how, input_signals, over.length, max_step)
-    begin = start(model, *(state[name] for name in ("x0", "q", "u", "z")))
-    begin = beginning(model, begin, state, over.start, input_signals)
+    begin = start(model, *(state[name] if state else None for name in ("x0", "q", "u", "z")))
+    if state is not None:
+        begin = beginning(model, begin, state, over.start, input_signals)
     case = case_of(model, rtol, over, input_signals, event_table) if method == "auto" else None
     return RunSetup(model, how, input_signals, event_table, over, begin, case)
 
