@@ -17,7 +17,7 @@ from ..identification.base_parameters import circuits
 from ..identification.result import IdentificationRecord
 from ..simulation.settings import Values
 from .division import divided
-from .nodes import Begin, first_states, held_names, nodes_of
+from .nodes import Begin, first_states, locked_names, nodes_of
 from .record import FitRecord
 from .samples import inputs_of, samples_of, table_of
 from .search import Search
@@ -92,8 +92,8 @@ def fit(
     limits = _bounds(chosen, bounds)
     nodes = nodes_of(samples, segments)
     begin = (q, u, z)
-    held = held_names(model, begin, free)
-    shooting = Shooting(model, samples, nodes, chosen, inputs, method, rtol, held)
+    locked = locked_names(model, begin, free)
+    shooting = Shooting(model, samples, nodes, chosen, inputs, method, rtol, locked)
     if seeds is not None:
         shooting = replace(shooting, model=_seeded(shooting, begin, free, seeds))
     values = np.clip([shooting.model.parameters[name] for name in chosen], *limits.T)

@@ -21,7 +21,7 @@ from .shooting import Shooting, Trial
 
 SAMPLES = 8  # of a segment at least, by default
 MOST_SEGMENTS = 60
-Held = dict[str, tuple[str, ...]]
+Locked = dict[str, tuple[str, ...]]
 ROUGH = 1e-6  # tolerance of a run that only says where states are about
 Begin = tuple[Values | ArrayLike | None, ...]
 
@@ -72,7 +72,7 @@ def first_states(shooting: Shooting, begin: Begin, free: NDArray[np.intp]) -> Ar
     return np.array([trial.begin(k, x).x for k, x in enumerate(states)])
 
 
-def held_names(model: LoadedModel, begin: Begin, free: NDArray[np.intp]) -> Held | None:
+def locked_names(model: LoadedModel, begin: Begin, free: NDArray[np.intp]) -> Locked | None:
     """Names of coordinates and speeds that a start with loops is given by; None of a tree.
 
     Args:
@@ -83,15 +83,15 @@ def held_names(model: LoadedModel, begin: Begin, free: NDArray[np.intp]) -> Held
     if not circuits(model):
         return None
     names, places = {"q": model.coordinates, "u": model.speeds}, speed_places(model)
-    held = {}
+    locked = {}
     for block, stated, first in zip("qu", begin, (0, model.nq), strict=False):
         slots = model.manifest.slots(block)
-        whole = {} if stated is None else dict.fromkeys(names[block])
-        keys = stated if isinstance(stated, Mapping) else whole
+        everything = {} if stated is None else dict.fromkeys(names[block])
+        keys = stated if isinstance(stated, Mapping) else everything
         named = {k for key in keys for k in range(*slots[key].indices(len(names[block])))}
         unknown = {k for k in range(len(names[block])) if places[first + k] in free}
-        held[block] = tuple(names[block][k] for k in sorted(named | unknown))
-    return held
+        locked[block] = tuple(names[block][k] for k in sorted(named | unknown))
+    return locked
 
 
 def _run(shooting: Shooting, first: Array, nodes: list[int]) -> Array:

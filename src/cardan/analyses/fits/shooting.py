@@ -73,7 +73,7 @@ class Shooting:
         parameters: Names of the unknown ones.
         inputs: Of the runs.
         method, rtol: Of the runs.
-        held: Of a model with loops: names of coordinates and speeds, by ``"q"`` and ``"u"``, that
+        locked: Of a model with loops: names of coordinates and speeds, by ``"q"`` and ``"u"``, that
             the start was given by, whereas loops determine the others; None of a tree.
     """
 
@@ -84,7 +84,7 @@ class Shooting:
     inputs: Inputs | None
     method: str
     rtol: float
-    held: Mapping[str, tuple[str, ...]] | None = None
+    locked: Mapping[str, tuple[str, ...]] | None = None
 
     def every(self, states: Array, values: Array) -> list[Segment]:
         """All segments.
@@ -137,7 +137,7 @@ class Trial:
         self._channels = Channels(model, shooting.samples.formulas, names)
 
     def begin(self, number: int, x: Array) -> Start:
-        """The start at a node next to a state (nx,): loops are closed, what is held there stays.
+        """The start at a node next to a state (nx,): loops are closed, what is locked there stays.
 
         Raises:
             ModelError: loops cannot be closed.
@@ -147,12 +147,12 @@ class Trial:
         return beginning(setup.model, Start(x, ()), state, t, setup.input_signals)
 
     def _named(self, number: int, x: Array) -> dict[str, object]:
-        """A start as ``simulate`` takes it: whole, or by what is held at the first node."""
-        held, model = self.shooting.held, self._setup.model
-        if held is None:
+        """A start as ``simulate`` takes it: whole, or by what is locked at the first node."""
+        locked, model = self.shooting.locked, self._setup.model
+        if locked is None:
             return {"x0": x, "q": None, "u": None, "z": None}
         entries = dict(zip((*model.coordinates, *model.speeds), x.tolist(), strict=False))
-        blocks = {b: {n: entries[n] for n in held[b] if number == 0} for b in "qu"}
+        blocks = {b: {n: entries[n] for n in locked[b] if number == 0} for b in "qu"}
         return {"x0": None, **blocks, "z": None}
 
     def run(self, number: int, x: Array) -> NodeRun:
