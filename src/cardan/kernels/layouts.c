@@ -40,6 +40,7 @@ const size_t cardan_lane_method_layout[4] = {
 #include "input_functions.h"
 #include "ensemble.h"
 #include "mesh.h"
+#include "mesh_product.h"
 #include "sparse.h"
 #include "position.h"
 #include "solids.h"
@@ -122,10 +123,11 @@ const size_t cardan_tick_layout[6] = {
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
 };
 
-extern const size_t cardan_steps_layout[17];
-const size_t cardan_steps_layout[17] = {
+extern const size_t cardan_steps_layout[19];
+const size_t cardan_steps_layout[19] = {
     sizeof(cardan_steps), offsetof(cardan_steps, run), offsetof(cardan_steps, stages),
-    offsetof(cardan_steps, kind), offsetof(cardan_steps, nodes), offsetof(cardan_steps, weights),
+    offsetof(cardan_steps, kind), offsetof(cardan_steps, jacobian.function), offsetof(cardan_steps,
+    jacobian.w), offsetof(cardan_steps, nodes), offsetof(cardan_steps, weights),
     offsetof(cardan_steps, matrix), offsetof(cardan_steps, rows), offsetof(cardan_steps, count),
     offsetof(cardan_steps, failed), offsetof(cardan_steps, states), offsetof(cardan_steps, slopes),
     offsetof(cardan_steps, open), offsetof(cardan_steps, end), offsetof(cardan_steps, place),
@@ -247,13 +249,33 @@ const size_t cardan_mesh_layout[33] = {
     frictions), offsetof(cardan_mesh, outputs), offsetof(cardan_mesh, solved)
 };
 
-extern const size_t cardan_state_layout[15];
-const size_t cardan_state_layout[15] = {
+extern const size_t cardan_state_layout[17];
+const size_t cardan_state_layout[17] = {
     sizeof(cardan_state), offsetof(cardan_state, t), offsetof(cardan_state, q),
     offsetof(cardan_state, u), offsetof(cardan_state, udot), offsetof(cardan_state, lam),
     offsetof(cardan_state, z), offsetof(cardan_state, s), offsetof(cardan_state, r),
     offsetof(cardan_state, du), offsetof(cardan_state, inner), offsetof(cardan_state, behind),
-    offsetof(cardan_state, e), offsetof(cardan_state, responses), offsetof(cardan_state, certainty)
+    offsetof(cardan_state, e), offsetof(cardan_state, responses), offsetof(cardan_state, certainty),
+    offsetof(cardan_state, weighed), offsetof(cardan_state, v)
+};
+
+extern const size_t cardan_data_slopes_layout[6];
+const size_t cardan_data_slopes_layout[6] = {
+    sizeof(cardan_data_slopes), offsetof(cardan_data_slopes, count), offsetof(cardan_data_slopes,
+    shared), offsetof(cardan_data_slopes, start), offsetof(cardan_data_slopes, parameter),
+    offsetof(cardan_data_slopes, slope)
+};
+
+extern const size_t cardan_mesh_product_layout[16];
+const size_t cardan_mesh_product_layout[16] = {
+    sizeof(cardan_mesh_product), offsetof(cardan_mesh_product, mesh), offsetof(cardan_mesh_product,
+    function), offsetof(cardan_mesh_product, results), offsetof(cardan_mesh_product, dynamics),
+    offsetof(cardan_mesh_product, direct), offsetof(cardan_mesh_product, rates),
+    offsetof(cardan_mesh_product, formula), offsetof(cardan_mesh_product, data),
+    offsetof(cardan_mesh_product, np), offsetof(cardan_mesh_product, quaternion),
+    offsetof(cardan_mesh_product, quaternions), offsetof(cardan_mesh_product, columns),
+    offsetof(cardan_mesh_product, column), offsetof(cardan_mesh_product, parts),
+    offsetof(cardan_mesh_product, part)
 };
 
 extern const size_t cardan_sparse_layout[27];

@@ -273,9 +273,8 @@ def test_two_events_at_one_time_have_no_derivative() -> None:
 def test_what_has_no_gradient_is_refused_with_the_cure() -> None:
     model = double_pendulum()
     cost = cd.cost(final="a")
-    for method, cure in (("Rosenbrock", "Radau"), ("RKMK853", "DOP853")):
-        with pytest.raises(ModelError, match=rf"{method}.*{cure}"):
-            model.gradient(1.0, cost, method=method)
+    with pytest.raises(ModelError, match=r"Rosenbrock.*Take Radau"):
+        model.gradient(1.0, cost, method="Rosenbrock")
     with pytest.raises(ModelError, match=r"'c' is not a start.*parameter or input"):
         model.gradient(1.0, cost, wrt=("x0", "c"))
     with pytest.raises(ModelError, match="not known"):
@@ -307,7 +306,7 @@ def test_forward_and_backward_are_the_same() -> None:
     model = double_pendulum()
     names = ("x0", "m1", "p", "q0.b")
     given = {"q": {"a": 1.0, "b": 0.5}, "u": {"a": 0.2}}
-    for method in ("DOP853", "RK45", "Radau"):
+    for method in ("DOP853", "RK45", "Radau", "RKMK853", "GeneralizedAlpha", "EnergyMidpoint"):
         both(model, 2.0, "b", names, method=method, **given)
     both(ball(), 2.0, "z", ("q0.z", "e", "gravity.z"), q={"z": 1.0})
 

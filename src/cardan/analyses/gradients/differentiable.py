@@ -12,8 +12,9 @@ from ..simulation.discontinuities import jump_parameters
 from ..simulation.driving import RunSetup
 from ..simulation.run import Runner
 from .jumps import EventInstant
-from .steps import TABLES
 from .unknowns import Unknowns
+
+EXPLICIT = ("rk4", "rk45", "dop853")
 
 
 def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
@@ -27,18 +28,16 @@ def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
         ModelError: with the cure.
     """
     model, method = setup.model, setup.how.method.name
-    if model.manifest.absolute:
+    if method == "Rosenbrock":
         raise ModelError(
-            f"gradient: '{model.name}' has finite elements, through whose steps there is no sweep "
-            "yet. Take differences of simulate at a tight tolerance"
+            "gradient: method 'Rosenbrock': the Jacobian stands in its steps, which would need "
+            "second derivatives. Take Radau, which is for stiff models too"
         )
-    if method not in TABLES:
-        why = "there is no sweep through its steps"
-        cure = f"{', '.join(TABLES[:-1])} or {TABLES[-1]}"
-        if method == "Rosenbrock":
-            why = "the Jacobian stands in its steps, which would need second derivatives"
-            cure = "Radau, which is for stiff models too"
-        raise ModelError(f"gradient: method '{method}': {why}. Take {cure}")
+    if model.manifest.absolute and setup.how.method.kernel not in EXPLICIT:
+        raise ModelError(
+            f"gradient: method '{method}': there is no sweep through its steps over finite "
+            "elements yet. Take DOP853"
+        )
     if setup.input_signals.functions:
         names = [model.inputs[k] for k in setup.input_signals.functions]
         raise ModelError(

@@ -21,7 +21,7 @@ from ..simulation.spare_runners import rewind
 from ..simulation.times import Span
 from .differentiable import check_complete, refuse, row_behind, rows_of
 from .jumps import event_instants
-from .start import NamedStart
+from .start import named_start
 from .tangent import Directions, Tangents, columns_of, directions_of
 from .tangent_jumps import TangentJumps
 from .unknowns import Unknowns, start_blocks, start_places, unknowns
@@ -214,7 +214,7 @@ class SensitiveRuns:
         model, log, tangents = setup.model, motion.event_log, self._tangents
         directions = tangents.directions
         tangents.by_s[:] = 0.0
-        begin = NamedStart.of(setup, tangents, state, log.s[0], bool(directions.moved))
+        begin = named_start(setup, tangents, state, log.s[0], bool(directions.moved))
         by_r = tangents.input_changes(setup.over.start)
         by_p = directions.p if directions.moved else np.zeros((len(by_r), 0))
         first = np.array(

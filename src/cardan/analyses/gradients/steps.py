@@ -21,8 +21,8 @@ from ..simulation.run import Runner
 BLOCKS = (COORDINATES, "u", "z", "s", "r")
 CLOSING = ("close_position", "close_velocity")
 MOST_STAGES = 16
-# methods whose steps are known as a table of coefficients
-TABLES = ("RK4", "RK45", "DOP853", "Radau")
+# kernels whose steps are a table of coefficients; between the rows of others steps of Radau lead
+TABLES = ("rk4", "rk45", "dop853", "radau")
 
 
 class StepsAgain:
@@ -39,7 +39,9 @@ class StepsAgain:
         self._references: list[Array] = []
         steps = self.steps = Steps()
         steps.run = ctypes.addressof(runner.record)
-        tableau = getattr(runner.library, f"cardan_{runner.settings.method.kernel}_tableau")
+        kernel = runner.settings.method.kernel
+        kernel = kernel if kernel in TABLES else "radau"
+        tableau = getattr(runner.library, f"cardan_{kernel}_tableau")
         tableau.restype = ctypes.c_ssize_t
         tables = [np.zeros(size) for size in (MOST_STAGES, MOST_STAGES, MOST_STAGES**2)]
         steps.stages = tableau(*(ctypes.c_void_p(table.ctypes.data) for table in tables))
@@ -69,11 +71,14 @@ class StepsAgain:
 
     def call(self, record: ctypes.Structure, functions: dict[str, LoadedFunction]) -> None:
         """Let a record call functions, by the names of its fields."""
-        for name, function in functions.items():
-            setattr(record, name, function.address)
-            setattr(record, f"{name}_w", self.pointer(function.w))
+        listed = [(record, name, function) for name, function in functions.items()]
+        if self.steps.kind:
+            listed.append((self.steps, "jacobian", self.model._function("rhs_jacobian")))
+        for owner, name, function in listed:
+            setattr(owner, name, function.address)
+            setattr(owner, f"{name}_w", self.pointer(function.w))
         # one room serves all of them, one after the other
-        called = [*functions.values(), self.runner.functions[0], *self.runner.needed]
+        called = [self.runner.functions[0], *(function for _, _, function in listed)]
         room = np.zeros(max(function.work_size for function in called) + 1)
         self.steps.work = self.pointer(room)
 

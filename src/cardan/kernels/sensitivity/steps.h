@@ -19,6 +19,7 @@ typedef struct cardan_steps {
     cardan_run *run; /* that took the steps: its functions, signals and sizes */
     ptrdiff_t stages;
     ptrdiff_t kind;
+    cardan_call jacobian; /* d rhs / d x (nx, nx), d t, d r, of coupled stages */
     const real *nodes;   /* (stages) */
     const real *weights; /* (stages) */
     const real *matrix;  /* (stages, stages), of explicit methods below the diagonal */
