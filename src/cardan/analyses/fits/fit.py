@@ -85,6 +85,11 @@ def fit(
     """
     if loss not in ("linear", "huber"):
         raise ArgumentError(f"fit: loss='{loss}': give 'linear' or 'huber'")
+    if model.manifest.absolute:
+        raise ModelError(
+            f"fit: '{model.name}' is in absolute coordinates, whose states no fit takes. Compile "
+            "it in joint coordinates, or minimize with model.gradient where it has beams"
+        )
     model = model if parameters is None else model.with_parameters(parameters)
     table = table_of(data)
     samples, inputs = samples_of(model, table, measured, noise), inputs_of(model, table, inputs)
