@@ -869,7 +869,7 @@ class CompiledModel(LoadedModel):
         u: Values | ArrayLike | None = None,
         z: Values | ArrayLike | None = None,
         events: Mapping[str, object] | None = None,
-        method: str = "auto",
+        method: str | GeneralizedAlpha | Alpha = "auto",
         rtol: float = 1e-09,
         atol: float | None = None,
         step: float | None = None,
@@ -890,12 +890,13 @@ class CompiledModel(LoadedModel):
                 input ``(times, values)`` the gradient is by the values.
             x0, q, u, z, events, rtol, atol, step, max_step, inputs, parameters, progress: As
                 :meth:`simulate` takes them.
-            method: ``"DOP853"``, ``"RK45"``, ``"RK4"``, or ``"Radau"`` for stiff models; ``"auto"``
-                takes the first of them.
+            method: As :meth:`simulate` takes it, but Rosenbrock; ``"auto"`` takes DOP853, of
+                elements Radau.
 
         Returns:
-            A :class:`cardan.Gradient`: ``value``, ``slope`` by name, ``motion``. It is exact for the
-            steps that were taken: its error is that of the motion.
+            A :class:`cardan.Gradient`: ``value``, ``slope`` by name, ``motion``. Of Runge-Kutta methods
+            it is exact for the steps that were taken; of others it is that of the exact motion beside
+            the computed one. Either way its error is that of the motion.
 
         Raises:
             ModelError, ArgumentError: as :meth:`simulate`, and a method or an input whose derivative is
