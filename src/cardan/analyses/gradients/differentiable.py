@@ -14,8 +14,6 @@ from ..simulation.run import Runner
 from .jumps import EventInstant
 from .unknowns import Unknowns
 
-EXPLICIT = ("rk4", "rk45", "dop853")
-
 
 def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
     """Refuse what has no gradient.
@@ -32,11 +30,6 @@ def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
         raise ModelError(
             "gradient: method 'Rosenbrock': the Jacobian stands in its steps, which would need "
             "second derivatives. Take Radau, which is for stiff models too"
-        )
-    if model.manifest.absolute and setup.how.method.kernel not in EXPLICIT:
-        raise ModelError(
-            f"gradient: method '{method}': there is no sweep through its steps over finite "
-            "elements yet. Take DOP853"
         )
     if setup.input_signals.functions:
         names = [model.inputs[k] for k in setup.input_signals.functions]

@@ -91,7 +91,8 @@ def gradient(
     """
     named_inputs = dict(inputs or {})
     state = {"x0": x0, "q": q, "u": u, "z": z}
-    method = "DOP853" if method == "auto" else method
+    if method == "auto":
+        method = "Radau" if model.manifest.absolute else "DOP853"
     options = (method, rtol, atol, step, max_step)
     setup = run_setup(model, (t, None), state, events, options, inputs, parameters)
     names = unknowns(setup.model, wrt, {str(k): v for k, v in named_inputs.items()})

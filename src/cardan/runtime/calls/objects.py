@@ -64,7 +64,7 @@ class Objects:
         self.lanes: dict[str, int] = {}
         self.tables: Any = None  # of elements: what no parameter changes
         self.mesh: Any = None  # parameters (np,) and the elements that were loaded for them first
-        self.parameters_read: dict[str, frozenset[int]] = {}  # numbers, by what reads them
+        self.entries_read: dict[tuple[str, str], frozenset[int]] = {}  # by function and block
         self.sizes: dict[bytes, float] = {}  # of the mechanism, by parameters
         self.reference: tuple[tuple[Any, ...], Any] | None = (
             None  # of the last judgement, and for what
