@@ -19,8 +19,8 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
+from ..gradients.differentiable import EXPLICIT
 from ..gradients.jumps import EventInstant, event_instants
-from ..gradients.steps import TABLES
 from ..gradients.tangent import Directions, Tangents, directions_of
 from ..gradients.tangent_jumps import TangentJumps
 from ..simulation import run_record as abi
@@ -63,7 +63,7 @@ def refusal(problem: CycleProblem) -> str:
     method, inputs = problem.how.method, problem.flow({}).runner.signals
     if problem.model.manifest.absolute:
         return "there is no sweep through steps of finite elements"
-    if method.kernel not in TABLES:
+    if method.kernel not in EXPLICIT:
         return f"there is no sweep through steps of {method.name}"
     if inputs.functions:
         names = [problem.model.inputs[k] for k in inputs.functions]
