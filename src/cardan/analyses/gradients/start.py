@@ -95,8 +95,8 @@ class NamedStart:
                 columns.get(name, np.zeros((len(rows), size))) for name, size in empty.items()
             )
             by_q = columns["q"] if speeds else None
-            held = (np.eye(model.nu) if speeds else N)[_named(model, letter, state[letter])]
-            levels[letter] = Level(rows, by_q, by_r, by_p, null_space(held, rcond=RANK))
+            fixed = (np.eye(model.nu) if speeds else N)[_named(model, letter, state[letter])]
+            levels[letter] = Level(rows, by_q, by_r, by_p, null_space(fixed, rcond=RANK))
         return cls(model, N, levels.get("q"), levels.get("u"))
 
     def backward(self, lam: Array) -> tuple[Array, Array, Array]:
