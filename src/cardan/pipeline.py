@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -258,13 +259,14 @@ def compile(
     )
     if isinstance(equations, FiniteElementRecord):
         folder = _of_elements(equations, directory)
-        return CompiledModel(folder, threads=threads, reproducible=reproducible)
+        write = partial(model_folder.add_requested, folder, equations)
+        return CompiledModel(folder, write, threads=threads, reproducible=reproducible)
     functions = requested(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
     _say_what_stays_open(equations, folder)
-    named = directory is not None
-    folder = _written(folder, named, lambda place: layout.write_model(place, base))
+    write_base = partial(layout.write_model, base=base)
+    folder = _written(folder, directory is not None, write_base)
 
     def provide(keys: Sequence[tuple[str, str | None]]) -> list[str]:
         """Write the C of functions unless it is there."""
@@ -337,11 +339,9 @@ def _say_what_stays_open(equations: EquationRecord, folder: Path) -> None:
 def _of_elements(equations: FiniteElementRecord, directory: str | Path | None) -> Path:
     """Folder of equations in absolute coordinates: C of their kinds of elements, and tables."""
     folder = Path(directory) if directory is not None else _workspace(equations, None)
-    named = directory is not None
+    write = partial(model_folder.write, absolute=equations, available=OF_ELEMENTS)
     with stage(f"model '{equations.system.name}': writing the functions of elements"):
-        return _written(
-            folder, named, lambda place: model_folder.write(place, equations, OF_ELEMENTS)
-        )
+        return _written(folder, directory is not None, write)
 
 
 def _derived(

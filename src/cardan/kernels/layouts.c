@@ -40,13 +40,14 @@ const size_t cardan_lane_method_layout[4] = {
 #include "input_functions.h"
 #include "ensemble.h"
 #include "mesh.h"
+#include "mesh_product.h"
 #include "sparse.h"
 #include "position.h"
 #include "solids.h"
 #include "wasm_calls.h"
 
-extern const size_t cardan_run_layout[142];
-const size_t cardan_run_layout[142] = {
+extern const size_t cardan_run_layout[145];
+const size_t cardan_run_layout[145] = {
     sizeof(cardan_run), offsetof(cardan_run, init), offsetof(cardan_run, step), offsetof(cardan_run,
     dense), offsetof(cardan_run, length), offsetof(cardan_run, rhs.function), offsetof(cardan_run,
     rhs.w), offsetof(cardan_run, power.function), offsetof(cardan_run, power.w),
@@ -88,17 +89,18 @@ const size_t cardan_run_layout[142] = {
     rank_margin), offsetof(cardan_run, best_rank_margin), offsetof(cardan_run, pass_start),
     offsetof(cardan_run, pass_length), offsetof(cardan_run, constraint_rank), offsetof(cardan_run,
     ranks), offsetof(cardan_run, pass_points), offsetof(cardan_run, pass_part), offsetof(cardan_run,
-    pass_parts), offsetof(cardan_run, rows), offsetof(cardan_run, nlam), offsetof(cardan_run,
-    spreads), offsetof(cardan_run, times), offsetof(cardan_run, time_count), offsetof(cardan_run,
-    next_time), offsetof(cardan_run, capacity), offsetof(cardan_run, count), offsetof(cardan_run,
-    row_open), offsetof(cardan_run, log), offsetof(cardan_run, log_capacity), offsetof(cardan_run,
-    log_count), offsetof(cardan_run, event_pending), offsetof(cardan_run, at_once),
-    offsetof(cardan_run, occurred), offsetof(cardan_run, steps), offsetof(cardan_run, rejections),
-    offsetof(cardan_run, evaluations), offsetof(cardan_run, budget), offsetof(cardan_run, culprit),
-    offsetof(cardan_run, model_status), offsetof(cardan_run, open_row), offsetof(cardan_run,
-    projections), offsetof(cardan_run, passed), offsetof(cardan_run, looked), offsetof(cardan_run,
-    limited), offsetof(cardan_run, jacobians), offsetof(cardan_run, factorizations),
-    offsetof(cardan_run, stop)
+    pass_parts), offsetof(cardan_run, passes), offsetof(cardan_run, pass_capacity),
+    offsetof(cardan_run, pass_count), offsetof(cardan_run, rows), offsetof(cardan_run, nlam),
+    offsetof(cardan_run, spreads), offsetof(cardan_run, times), offsetof(cardan_run, time_count),
+    offsetof(cardan_run, next_time), offsetof(cardan_run, capacity), offsetof(cardan_run, count),
+    offsetof(cardan_run, row_open), offsetof(cardan_run, log), offsetof(cardan_run, log_capacity),
+    offsetof(cardan_run, log_count), offsetof(cardan_run, event_pending), offsetof(cardan_run,
+    at_once), offsetof(cardan_run, occurred), offsetof(cardan_run, steps), offsetof(cardan_run,
+    rejections), offsetof(cardan_run, evaluations), offsetof(cardan_run, budget),
+    offsetof(cardan_run, culprit), offsetof(cardan_run, model_status), offsetof(cardan_run,
+    open_row), offsetof(cardan_run, projections), offsetof(cardan_run, passed), offsetof(cardan_run,
+    looked), offsetof(cardan_run, limited), offsetof(cardan_run, jacobians), offsetof(cardan_run,
+    factorizations), offsetof(cardan_run, stop)
 };
 
 extern const size_t cardan_method_layout[8];
@@ -121,14 +123,15 @@ const size_t cardan_tick_layout[6] = {
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
 };
 
-extern const size_t cardan_steps_layout[16];
-const size_t cardan_steps_layout[16] = {
+extern const size_t cardan_steps_layout[19];
+const size_t cardan_steps_layout[19] = {
     sizeof(cardan_steps), offsetof(cardan_steps, run), offsetof(cardan_steps, stages),
-    offsetof(cardan_steps, implicit), offsetof(cardan_steps, nodes), offsetof(cardan_steps,
-    weights), offsetof(cardan_steps, matrix), offsetof(cardan_steps, rows), offsetof(cardan_steps,
-    count), offsetof(cardan_steps, failed), offsetof(cardan_steps, states), offsetof(cardan_steps,
-    slopes), offsetof(cardan_steps, end), offsetof(cardan_steps, place), offsetof(cardan_steps,
-    system), offsetof(cardan_steps, work)
+    offsetof(cardan_steps, kind), offsetof(cardan_steps, jacobian.function), offsetof(cardan_steps,
+    jacobian.w), offsetof(cardan_steps, nodes), offsetof(cardan_steps, weights),
+    offsetof(cardan_steps, matrix), offsetof(cardan_steps, rows), offsetof(cardan_steps, count),
+    offsetof(cardan_steps, failed), offsetof(cardan_steps, states), offsetof(cardan_steps, slopes),
+    offsetof(cardan_steps, open), offsetof(cardan_steps, end), offsetof(cardan_steps, place),
+    offsetof(cardan_steps, system), offsetof(cardan_steps, work)
 };
 
 extern const size_t cardan_adjoint_layout[23];
@@ -246,13 +249,33 @@ const size_t cardan_mesh_layout[33] = {
     frictions), offsetof(cardan_mesh, outputs), offsetof(cardan_mesh, solved)
 };
 
-extern const size_t cardan_state_layout[15];
-const size_t cardan_state_layout[15] = {
+extern const size_t cardan_state_layout[17];
+const size_t cardan_state_layout[17] = {
     sizeof(cardan_state), offsetof(cardan_state, t), offsetof(cardan_state, q),
     offsetof(cardan_state, u), offsetof(cardan_state, udot), offsetof(cardan_state, lam),
     offsetof(cardan_state, z), offsetof(cardan_state, s), offsetof(cardan_state, r),
     offsetof(cardan_state, du), offsetof(cardan_state, inner), offsetof(cardan_state, behind),
-    offsetof(cardan_state, e), offsetof(cardan_state, responses), offsetof(cardan_state, certainty)
+    offsetof(cardan_state, e), offsetof(cardan_state, responses), offsetof(cardan_state, certainty),
+    offsetof(cardan_state, weighed), offsetof(cardan_state, v)
+};
+
+extern const size_t cardan_data_slopes_layout[6];
+const size_t cardan_data_slopes_layout[6] = {
+    sizeof(cardan_data_slopes), offsetof(cardan_data_slopes, count), offsetof(cardan_data_slopes,
+    shared), offsetof(cardan_data_slopes, start), offsetof(cardan_data_slopes, parameter),
+    offsetof(cardan_data_slopes, slope)
+};
+
+extern const size_t cardan_mesh_product_layout[16];
+const size_t cardan_mesh_product_layout[16] = {
+    sizeof(cardan_mesh_product), offsetof(cardan_mesh_product, mesh), offsetof(cardan_mesh_product,
+    function), offsetof(cardan_mesh_product, results), offsetof(cardan_mesh_product, dynamics),
+    offsetof(cardan_mesh_product, direct), offsetof(cardan_mesh_product, rates),
+    offsetof(cardan_mesh_product, formula), offsetof(cardan_mesh_product, data),
+    offsetof(cardan_mesh_product, np), offsetof(cardan_mesh_product, quaternion),
+    offsetof(cardan_mesh_product, quaternions), offsetof(cardan_mesh_product, columns),
+    offsetof(cardan_mesh_product, column), offsetof(cardan_mesh_product, parts),
+    offsetof(cardan_mesh_product, part)
 };
 
 extern const size_t cardan_sparse_layout[27];

@@ -5,6 +5,7 @@ Their numbers, such as which places an element couples, stand in tables beside t
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping, Sequence
 
 from .fields import NOTHING, Record, count, field, listed, number, pair, table, text
@@ -16,6 +17,31 @@ GROUND, ON_TREE = -1, -2
 JUMP_NUMBERS = 4
 # numbers of the motion of a body in "bodies": R (9), p (3), velocity (6), acceleration (6)
 MOTION_NUMBERS = 24
+# gradients of weighted sums of results of elements -> the functions whose results these are; they
+# are written when products with derivatives are asked for
+GRADIENTS = {
+    "dynamics_gradient": ("balance", "balance_tangent", "gamma", "zdot"),
+    "energy_gradient": ("energy",),
+    "momentum_gradient": ("momentum",),
+    "power_gradient": ("power",),
+    "outputs_gradient": ("outputs",),
+}
+# that of the rates of coordinates of a place, by q and u
+RATES_GRADIENT = "qdot_gradient"
+# a formula in the names of the model with outputs in v, and its derivatives
+EXPRESSION, EXPRESSION_GRADIENT = "expression", "expression_gradient"
+
+
+def requested_name(form: str, of: str) -> str:
+    """C name of a function that is written when derivatives are asked for.
+
+    Args:
+        form: Such as ``dynamics_gradient``.
+        of: The kind of element or place, or the formula.
+    """
+    if form in (EXPRESSION, EXPRESSION_GRADIENT):
+        return f"{form}__{hashlib.sha256(of.encode()).hexdigest()[:16]}"
+    return f"{of}__{form}"
 
 
 class Plane(Record):
@@ -42,6 +68,12 @@ class PlaceKind(Record):
         table(text), "C names of move and qdot where speeds are not rates", default=NOTHING
     )
     plane: Plane | None = field(Plane, "of nodes of a plane how they stand in space", default=None)
+
+    @property
+    def gradients(self) -> Mapping[str, str]:
+        """Gradients that may be asked for -> C names."""
+        moves = "qdot" in self.functions
+        return {RATES_GRADIENT: requested_name(RATES_GRADIENT, self.name)} if moves else {}
 
     @property
     def node(self) -> bool:
@@ -77,6 +109,15 @@ class ElementKind(Record):
     parts: Mapping[str, int] = field(
         table(count), "matrices of the tangent -> where they begin in it", default=NOTHING
     )
+
+    @property
+    def gradients(self) -> Mapping[str, str]:
+        """Gradients that may be asked for -> C names."""
+        return {
+            form: requested_name(form, self.name)
+            for form, sums in GRADIENTS.items()
+            if not self.functions.keys().isdisjoint(sums)
+        }
 
     @property
     def released(self) -> int:

@@ -45,6 +45,8 @@ RECORDS = {
     "cardan_movers": "mesh.h",
     "cardan_mesh": "mesh.h",
     "cardan_state": "mesh.h",
+    "cardan_data_slopes": "mesh_product.h",
+    "cardan_mesh_product": "mesh_product.h",
     "cardan_sparse": "sparse.h",
     "cardan_sparse_factors": "sparse.h",
     "cardan_target": "position.h",

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from scipy.integrate import solve_ivp
 
 import cardan as cd
 from cardan.errors import ModelError, SolveError
@@ -98,45 +97,6 @@ def test_twenty_impacts() -> None:
     assert found.value == pytest.approx(z(height, e).real, abs=1e-10)
     assert found.slope["q0.z"] == pytest.approx(z(height + 1j * step, e).imag / step, rel=1e-10)
     assert found.slope["e"] == pytest.approx(z(height, e + 1j * step).imag / step, rel=1e-10)
-
-
-def windows() -> cd.CompiledModel:
-    """Three parallel cranks with two couplers: the IFToMM four-bars, one degree of freedom."""
-    scene = cd.Scene("windows", gravity=(0, -9.81, 0))
-    inertia = cd.inertia.rod(1.0, 1.0, axis="x")
-    cranks = [scene.body(f"crank{k}", mass=1.0, com=(0.5, 0, 0), inertia=inertia) for k in range(3)]
-    for k, crank in enumerate(cranks):
-        scene.joint(f"A{k}", cd.Revolute("z"), scene.ground.at(k, 0, 0), crank)
-    for k in range(2):
-        coupler = scene.body(f"coupler{k}", mass=1.0, com=(0.5, 0, 0), inertia=inertia)
-        scene.joint(f"B{k}", cd.Revolute("z"), cranks[k].at(1, 0, 0), coupler)
-        scene.joint(f"C{k}", cd.Revolute("z"), coupler.at(1, 0, 0), cranks[k + 1].at(1, 0, 0))
-    end = cranks[0].at(1, 0, 0).position()
-    scene.output("x", end[0])
-    scene.output("y", end[1])
-    return cd.compile(scene)
-
-
-def test_loops_move_as_one() -> None:
-    """Against the motion of one coordinate and its own sensitivities, before cranks lie down."""
-    t, h, k = 0.3, np.pi / 2, (1.5 + 2) / (1 + 2)
-
-    def rates(_: float, y: Any) -> list[float]:
-        phi, w, a, b, c, d = y
-        pull = k * 9.81 * np.sin(phi)
-        return [w, -k * 9.81 * np.cos(phi), b, pull * a, d, pull * c - k * np.cos(phi)]
-
-    y = solve_ivp(rates, (0, t), [h, -1, 0, 1, 0, 0], method="DOP853", rtol=1e-13, atol=1e-14).y
-    phi, _, by_speed, _, by_g, _ = y[:, -1]
-    model = windows()
-    q = {"A0": h, "A1": h, "A2": h, "B0": -h, "B1": -h}
-    start = {name: value for name, value in q.items() if name in model.joints}
-    for output, slope in (("x", -np.sin(phi)), ("y", np.cos(phi))):
-        found = model.gradient(
-            t, cd.cost(final=output), wrt=("u0.A0", "gravity.y"), q=start, u={"A0": -1.0}, **TIGHT
-        )
-        assert found.slope["u0.A0"] == pytest.approx(slope * by_speed, abs=1e-10)
-        assert -found.slope["gravity.y"] == pytest.approx(slope * by_g, abs=1e-10)
 
 
 # against differences of whole motions
@@ -313,9 +273,8 @@ def test_two_events_at_one_time_have_no_derivative() -> None:
 def test_what_has_no_gradient_is_refused_with_the_cure() -> None:
     model = double_pendulum()
     cost = cd.cost(final="a")
-    for method, cure in (("Rosenbrock", "Radau"), ("RKMK853", "DOP853")):
-        with pytest.raises(ModelError, match=rf"{method}.*{cure}"):
-            model.gradient(1.0, cost, method=method)
+    with pytest.raises(ModelError, match=r"Rosenbrock.*Take Radau"):
+        model.gradient(1.0, cost, method="Rosenbrock")
     with pytest.raises(ModelError, match=r"'c' is not a start.*parameter or input"):
         model.gradient(1.0, cost, wrt=("x0", "c"))
     with pytest.raises(ModelError, match="not known"):
@@ -347,10 +306,9 @@ def test_forward_and_backward_are_the_same() -> None:
     model = double_pendulum()
     names = ("x0", "m1", "p", "q0.b")
     given = {"q": {"a": 1.0, "b": 0.5}, "u": {"a": 0.2}}
-    for method in ("DOP853", "RK45", "Radau"):
+    for method in ("DOP853", "RK45", "Radau", "RKMK853", "GeneralizedAlpha", "EnergyMidpoint"):
         both(model, 2.0, "b", names, method=method, **given)
     both(ball(), 2.0, "z", ("q0.z", "e", "gravity.z"), q={"z": 1.0})
-    both(windows(), 0.3, "A0", ("u0.A0", "gravity.y", "x0"), q={"A0": np.pi / 2}, u={"A0": -1.0})
 
 
 def _with_input() -> cd.Scene:

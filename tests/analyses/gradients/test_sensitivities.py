@@ -9,10 +9,12 @@ import numpy as np
 import pytest
 
 from analyses.gradients.test_gradients import TIGHT, difference, double_pendulum
+from cardan import compile as compile_scene
 from cardan import cost as cost_of
 from cardan.errors import ModelError, SolveError
 from laws.circuits import compiled
 from laws.circuits import start as closed_start
+from laws.event_scenes import bouncing
 
 
 def test_sensitivities_at_any_time() -> None:
@@ -75,3 +77,25 @@ def test_one_coordinate_of_a_joint_is_named() -> None:
 
         found = slope["p"][names.index(name)]
         assert found == pytest.approx(difference(value, 1e-3), rel=1e-7)
+
+
+def test_steps_too_long_for_a_stiff_force_are_refused() -> None:
+    """A ball falls straight: nothing slides, but a change would, and friction damps it in 4 us."""
+    scene, q = bouncing()
+    model = compile_scene(scene)
+    given = {"x0": model.initial(q=q)}
+    cost = cost_of(final="J.u.px")
+    with pytest.raises(SolveError, match=r"stiff force.*Radau"):
+        model.gradient(0.3, cost, wrt="u0", **given)
+    with pytest.raises(SolveError, match=r"stiff force.*Radau"):
+        model.simulate(0.3, sensitivity="u0", method="DOP853", **given)
+    slope = model.gradient(0.3, cost, wrt="u0", method="Radau", **given).slope["u0"]
+
+    def speed(by: float) -> float:
+        x0 = given["x0"].copy()
+        x0[model.nq + 3] += by
+        return float(
+            model.simulate(0.3, x0=x0, method="Radau", rtol=1e-10, atol=1e-13)["J.u.px"][-1]
+        )
+
+    assert slope[3] == pytest.approx((speed(1e-7) - speed(-1e-7)) / 2e-7, rel=1e-5)

@@ -200,8 +200,9 @@ class _Run:
         course = flow.course(at.x, at.s, t, t + length, problem.lap_match())
         if course is None:
             raise SolveError("cycle: a lap does not come to its section")
-        if flow.runner.record.passed:
-            raise SolveError("cycle: a lap passes a place where branches meet")
+        run = flow.runner.record
+        if run.pass_count > run.pass_capacity:
+            raise SolveError("cycle: a lap passes more places where branches meet than are noted")
         # time and section move along with changes only behind the run
         first = self._stored(changes, at)
         took = length if problem.section is None else course.t - t

@@ -12,7 +12,7 @@ from ...schema.records import Adjoint
 from ...schema.request import Request
 from ..simulation.run import Runner
 from .cost import Cost
-from .steps import CLOSING, StepsAgain, powers_at, segment_at
+from .steps import CLOSING, MOST_STAGES, StepsAgain, check_growth, powers_at, segment_at
 
 
 class Slopes(NamedTuple):
@@ -74,8 +74,8 @@ class Sweep(StepsAgain):
         rooms = {
             "lam": self.lam, "by_p": self.by_p, "by_r": self.by_r, "by_s": self.by_s,
             "by_coefficients": coefficients, "cost": self._cost,
-            "pulled": np.zeros(self.steps.stages * model.nx), "out": np.zeros(longest),
-            "weights": np.zeros(self.steps.stages * model.nx),
+            "pulled": np.zeros(MOST_STAGES * model.nx), "out": np.zeros(longest),
+            "weights": np.zeros(MOST_STAGES * model.nx),
             "v": np.zeros(model.nx + closing.positions + closing.rates + 1),
         }  # fmt: skip
         for name, room in rooms.items():
@@ -125,6 +125,9 @@ class Sweep(StepsAgain):
         """Sweep over the steps between rows (count, width) as the run wrote them.
 
         Raises:
-            SolveError: a function has no value at a stage of a step.
+            SolveError: a function has no value at a stage of a step, or derivatives grow beyond
+                all use.
         """
+        before = self.lam.copy()
         self.swept(rows, self.runner.library.cardan_adjoint_sweep, self.record)
+        check_growth(before, self.lam, rows[:, 0])

@@ -10,9 +10,11 @@ from ...runtime.trajectory.solver_info import EVENT, FINISHED
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..simulation.discontinuities import jump_parameters
 from ..simulation.driving import RunSetup
+from ..simulation.run import Runner
 from .jumps import EventInstant
-from .steps import TABLES
 from .unknowns import Unknowns
+
+EXPLICIT = ("rk4", "rk45", "dop853")
 
 
 def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
@@ -26,18 +28,16 @@ def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
         ModelError: with the cure.
     """
     model, method = setup.model, setup.how.method.name
-    if model.manifest.absolute:
+    if method == "Rosenbrock":
         raise ModelError(
-            f"gradient: '{model.name}' has finite elements, through whose steps there is no sweep "
-            "yet. Take differences of simulate at a tight tolerance"
+            "gradient: method 'Rosenbrock': the Jacobian stands in its steps, which would need "
+            "second derivatives. Take Radau, which is for stiff models too"
         )
-    if method not in TABLES:
-        why = "there is no sweep through its steps"
-        cure = f"{', '.join(TABLES[:-1])} or {TABLES[-1]}"
-        if method == "Rosenbrock":
-            why = "the Jacobian stands in its steps, which would need second derivatives"
-            cure = "Radau, which is for stiff models too"
-        raise ModelError(f"gradient: method '{method}': {why}. Take {cure}")
+    if model.manifest.absolute and setup.how.method.kernel not in EXPLICIT:
+        raise ModelError(
+            f"gradient: method '{method}': there is no sweep through its steps over finite "
+            "elements yet. Take DOP853"
+        )
     if setup.input_signals.functions:
         names = [model.inputs[k] for k in setup.input_signals.functions]
         raise ModelError(
@@ -56,18 +56,19 @@ def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
         )
 
 
-def check_complete(motion: TrajectoryRecord) -> None:
+def check_complete(motion: TrajectoryRecord, runner: Runner) -> None:
     """Refuse a motion that has no derivative.
 
     Raises:
-        SolveError: it ended early, or passes a place where branches meet.
+        SolveError: it ended early, or passes more places where branches meet than are noted.
     """
     if motion.solver_info.status not in (FINISHED, EVENT):
         raise SolveError(f"gradient: the motion is not complete: {motion.message}")
-    if motion.solver_info.statistics.get("passed"):
+    run = runner.record
+    if run.passes and run.pass_count > run.pass_capacity:
         raise SolveError(
-            "gradient: the motion passes a place where branches meet, at which it has no "
-            "derivative. Change the start or the parameters a little"
+            f"gradient: the motion passes more than {run.pass_capacity} places where branches "
+            "meet. Take a shorter one"
         )
 
 

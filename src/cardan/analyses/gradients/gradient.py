@@ -11,6 +11,7 @@ from ...arguments import Inputs, checked
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT
 from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ..simulation.alpha_methods import Alpha, GeneralizedAlpha
 from ..simulation.driving import RunSetup, chosen, driven, reported, run_setup, runner_of
 from ..simulation.run import Runner
 from ..simulation.settings import Values
@@ -18,7 +19,7 @@ from .adjoint import Sweep
 from .cost import Cost
 from .differentiable import check_complete, refuse, row_behind, rows_of
 from .jumps import Jumps, event_instants
-from .start import NamedStart
+from .start import named_start
 from .unknowns import InputSlopes, Slope, Unknowns, unknowns
 
 
@@ -53,7 +54,7 @@ def gradient(
     u: Values | ArrayLike | None = None,
     z: Values | ArrayLike | None = None,
     events: Mapping[str, object] | None = None,
-    method: str = "auto",
+    method: str | GeneralizedAlpha | Alpha = "auto",
     rtol: float = 1e-9,
     atol: float | None = None,
     step: float | None = None,
@@ -75,12 +76,13 @@ def gradient(
             input ``(times, values)`` the gradient is by the values.
         x0, q, u, z, events, rtol, atol, step, max_step, inputs, parameters, progress: As
             :meth:`simulate` takes them.
-        method: ``"DOP853"``, ``"RK45"``, ``"RK4"``, or ``"Radau"`` for stiff models; ``"auto"``
-            takes the first of them.
+        method: As :meth:`simulate` takes it, but Rosenbrock; ``"auto"`` takes DOP853, of
+            elements Radau.
 
     Returns:
-        A :class:`cardan.Gradient`: ``value``, ``slope`` by name, ``motion``. It is exact for the
-        steps that were taken: its error is that of the motion.
+        A :class:`cardan.Gradient`: ``value``, ``slope`` by name, ``motion``. Of Runge-Kutta methods
+        it is exact for the steps that were taken; of others it is that of the exact motion beside
+        the computed one. Either way its error is that of the motion.
 
     Raises:
         ModelError, ArgumentError: as :meth:`simulate`, and a method or an input whose derivative is
@@ -96,7 +98,7 @@ def gradient(
     refuse(setup, names)
     runner = runner_of(setup.model, chosen(setup.how, None), setup.input_signals, setup.event_table)
     motion = driven(runner, setup.over, setup.begin, progress, dense=False)
-    check_complete(motion)
+    check_complete(motion, runner)
     return _swept(setup, runner, reported(motion, False), cost, names, state)
 
 
@@ -128,7 +130,7 @@ def _swept(
         jumps.pull(at, final_rate if last else None)
     sweep.over(rows[:end])
     # what was not named at the start followed from what was
-    begin = NamedStart.of(setup, sweep, state, log.s[0], names.parameters)
+    begin = named_start(setup, sweep, state, log.s[0], names.parameters)
     start, by_r, by_p = begin.backward(sweep.lam)
     if by_r.size:
         sweep.add_inputs(setup.over.start, by_r)

@@ -18,7 +18,7 @@ from ..simulation.run import Runner
 from ..simulation.signals import signals
 from .differentiable import check_complete, refuse, row_behind, rows_of
 from .jumps import event_instants
-from .start import NamedStart
+from .start import named_start
 from .tangent import Directions, Tangents, columns_of, directions_of
 from .tangent_jumps import TangentJumps
 from .unknowns import Unknowns, start_blocks, start_places, unknowns
@@ -87,9 +87,25 @@ class Sensitivities(Mapping[str, Array]):
                 step = np.vstack([rows[row], rows[row]])
                 step[1, 0] = time
                 self._tangents.by_s[:] = next(s for at, s in reversed(self._modes) if at <= row)
-                changes[k] = self._inside(step, self._changes[row])
-                states[k] = step[1, 1 : 1 + nx]
+                over = self._tangents.pass_at(float(time))
+                if over is None:
+                    changes[k] = self._inside(step, self._changes[row])
+                    states[k] = step[1, 1 : 1 + nx]
+                else:
+                    states[k], changes[k] = self._within_pass(over, float(time))
         return states, changes
+
+    def _within_pass(self, over: tuple[float, float, int], time: float) -> tuple[Array, Array]:
+        """State (nx,) and changes (k, nx) within a step over a place where branches meet."""
+        tangents, nx = self._tangents, self._changes.shape[2]
+        sign = np.sign(over[1])
+        # its end may have been moved to a stop beside it
+        ends = [sign * over[0], sign * (over[0] + over[1] * (1 - 1e-9))]
+        first, last = np.searchsorted(sign * self._rows[:, 0], ends)
+        rows = self._rows[[first, first, last]].copy()
+        rows[1, 0] = time
+        changes = tangents.over(rows, self._changes[first])[1]
+        return tangents.state_within(over, time, rows[0, 1 : 1 + nx]), changes
 
     def _inside(self, step: Array, first: Array) -> Array:
         """Changes at the end of a step, whose state is filled in."""
@@ -134,7 +150,7 @@ def differentiated(
     refuse(setup, listed)
     runner = runner_of(setup.model, setup.how, setup.input_signals, setup.event_table)
     motion = reported(driven(runner, setup.over, setup.begin, progress), check)
-    check_complete(motion)
+    check_complete(motion, runner)
     return replace(motion, sensitivity=_sensitivities(setup, runner, motion, listed, state))
 
 
@@ -149,7 +165,7 @@ def _sensitivities(
     model, log = setup.model, motion.event_log
     directions, parts = _directions(setup, listed)
     tangents = Tangents(runner, directions)
-    begin = NamedStart.of(setup, tangents, state, log.s[0], bool(directions.moved))
+    begin = named_start(setup, tangents, state, log.s[0], bool(directions.moved))
     by_r = tangents.input_changes(setup.over.start)
     by_p = directions.p if directions.moved else np.zeros((len(by_r), 0))
     first = np.array(

@@ -16,6 +16,7 @@ from ...arrays import Array
 from ...runtime.calls.methods import ByName
 from ...runtime.models.loaded_model import LoadedModel
 from ..simulation.driving import RunSetup
+from .nodal_start import NodalStart
 from .steps import StepsAgain
 
 RANK = 1e-9  # of the largest singular value: rows that say nothing new
@@ -132,6 +133,14 @@ class NamedStart:
                 missed = missed + level.by_q @ q
             change -= level.inverse @ missed
         return np.concatenate([self.kinematic @ q, u, start[2 * nu :]])
+
+
+def named_start(
+    setup: RunSetup, steps: StepsAgain, state: Mapping[str, object], s: Array, wide: bool
+) -> NamedStart | NodalStart:
+    """The derivatives at the start of a run, see :meth:`NamedStart.of`."""
+    kind = NodalStart if setup.model.manifest.absolute else NamedStart
+    return kind.of(setup, steps, state, s, wide)
 
 
 def _named(model: LoadedModel, letter: str, values: object) -> list[int]:

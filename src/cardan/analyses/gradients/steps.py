@@ -6,6 +6,7 @@ import ctypes
 from collections.abc import Callable, Sequence
 
 import numpy as np
+from numpy.polynomial.legendre import leggauss, legint, legval, legvander
 
 from ...arrays import Array
 from ...errors import SolveError
@@ -13,14 +14,17 @@ from ...runtime.calls.loaded_function import LoadedFunction
 from ...runtime.trajectory.input_history import PiecewiseInput
 from ...schema.blocks import COORDINATES
 from ...schema.records import Steps
+from ..simulation import run_record as abi
 from ..simulation.run import Runner
 
 # what derivatives are along, as far as a model has any of it
 BLOCKS = (COORDINATES, "u", "z", "s", "r")
 CLOSING = ("close_position", "close_velocity")
 MOST_STAGES = 16
-# methods whose steps are known as a table of coefficients
-TABLES = ("RK4", "RK45", "DOP853", "Radau")
+# of derivatives within a motion: no digit of such a motion is known
+GROWTH = 1e12
+# kernels whose steps are a table of coefficients; between the rows of others steps of Radau lead
+TABLES = ("rk4", "rk45", "dop853", "radau")
 
 
 class StepsAgain:
@@ -37,17 +41,19 @@ class StepsAgain:
         self._references: list[Array] = []
         steps = self.steps = Steps()
         steps.run = ctypes.addressof(runner.record)
-        tableau = getattr(runner.library, f"cardan_{runner.settings.method.kernel}_tableau")
+        kernel = runner.settings.method.kernel
+        kernel = kernel if kernel in TABLES else "radau"
+        tableau = getattr(runner.library, f"cardan_{kernel}_tableau")
         tableau.restype = ctypes.c_ssize_t
         tables = [np.zeros(size) for size in (MOST_STAGES, MOST_STAGES, MOST_STAGES**2)]
         steps.stages = tableau(*(ctypes.c_void_p(table.ctypes.data) for table in tables))
         nx = self.model.nx
         rooms = dict(zip(("nodes", "weights", "matrix"), tables, strict=True))
-        rooms |= {"states": np.zeros(steps.stages * nx), "slopes": np.zeros(steps.stages * nx)}
+        rooms |= {name: np.zeros(MOST_STAGES * nx) for name in ("states", "slopes", "open")}
         rooms |= {"end": np.zeros(nx), "place": np.zeros(nx)}
         square = tables[2][: steps.stages**2].reshape(steps.stages, steps.stages)
-        steps.implicit = int(np.triu(square).any())
-        if steps.implicit:
+        steps.kind = int(np.triu(square).any())  # CARDAN_EXPLICIT or CARDAN_COUPLED
+        if steps.kind:
             length = runner.library.cardan_stages_length(runner.record, steps.stages)
             rooms["system"] = np.zeros(length)
         self.rooms = rooms
@@ -67,11 +73,14 @@ class StepsAgain:
 
     def call(self, record: ctypes.Structure, functions: dict[str, LoadedFunction]) -> None:
         """Let a record call functions, by the names of its fields."""
-        for name, function in functions.items():
-            setattr(record, name, function.address)
-            setattr(record, f"{name}_w", self.pointer(function.w))
+        listed = [(record, name, function) for name, function in functions.items()]
+        if self.steps.kind:
+            listed.append((self.steps, "jacobian", self.model._function("rhs_jacobian")))
+        for owner, name, function in listed:
+            setattr(owner, name, function.address)
+            setattr(owner, f"{name}_w", self.pointer(function.w))
         # one room serves all of them, one after the other
-        called = [*functions.values(), self.runner.functions[0], *self.runner.needed]
+        called = [self.runner.functions[0], *(function for _, _, function in listed)]
         room = np.zeros(max(function.work_size for function in called) + 1)
         self.steps.work = self.pointer(room)
 
@@ -79,16 +88,39 @@ class StepsAgain:
         """Sweep over the steps between rows (count, width) as the run wrote them.
 
         Raises:
-            SolveError: a function has no value at a stage of a step.
+            SolveError: a function has no value at a stage of a step, or stages cannot be found.
         """
         table = np.ascontiguousarray(rows)
         self.steps.rows, self.steps.count = table.ctypes.data, len(table)
         record.steps = ctypes.addressof(self.steps)
-        if sweep(record):
-            at = float(table[self.steps.failed, 0])
-            raise SolveError(
-                f"gradient: a derivative has no finite value within the step from t = {at:.6g} s"
-            )
+        status = sweep(record)
+        if status:
+            at = f"the step from t = {float(table[self.steps.failed, 0]):.6g} s"
+            why = f"a derivative has no finite value within {at}"
+            if status == abi.CONSTRAINT_OPEN:
+                why = (
+                    f"{at} leads over a place where branches meet, and an event lies in it or "
+                    "stages do not settle. Change the start or the parameters a little"
+                )
+            elif status == abi.UNSOLVED:
+                why = f"stages of {at} do not settle. Take a smaller rtol"
+            raise SolveError(f"gradient: {why}")
+
+    def pass_at(self, t: float) -> tuple[float, float, int] | None:
+        """Start, length and points of the step over a place where branches meet that holds t."""
+        for start, length, points in self.runner.passes[: self.runner.record.pass_count]:
+            if 0 < (t - start) / length < 1:
+                return float(start), float(length), int(points)
+        return None
+
+    def state_within(self, at: tuple[float, float, int], t: float, start: Array) -> Array:
+        """State (nx,) within such a step that was just swept over, from that at its start."""
+        begin, length, points = at
+        nodes = leggauss(points)[0]
+        slopes = self.rooms["slopes"][: points * len(start)].reshape(points, len(start))
+        rising = legint(np.linalg.solve(legvander(nodes, points - 1), slopes), lbnd=-1)
+        result: Array = start + length / 2 * legval(2 * (t - begin) / length - 1, rising)
+        return result
 
     def inputs_at(self, t: float) -> tuple[Array, Array]:
         """Inputs and their rates (nr,) at a time, as they are before it."""
@@ -104,6 +136,26 @@ class StepsAgain:
     def segment_counts(self) -> Sequence[int]:
         """Numbers of pieces of the inputs that are tabulated."""
         return [len(one.coefficients) for one in self.runner.signals.tabulated]
+
+
+def check_growth(before: Array, after: Array, span: Array) -> None:
+    """Refuse derivatives that have grown beyond all use.
+
+    Args:
+        before, after: Derivatives where a sweep began and where it ended.
+        span: Times of the steps between.
+
+    Raises:
+        SolveError: with the cure.
+    """
+    size = float(np.abs(before).max(initial=0.0)) or 1.0
+    growth = float(np.abs(after).max(initial=0.0)) / size
+    if not growth <= GROWTH:
+        raise SolveError(
+            f"gradient: derivatives grow by {growth:.0e} between t = {span.min():.6g} and "
+            f"{span.max():.6g} s. The steps are too long for a stiff force, such as friction that "
+            "is smoothed, or the motion is chaotic. Take method='Radau', or a shorter time"
+        )
 
 
 def segment_at(signal: PiecewiseInput, t: float) -> tuple[int, float]:

@@ -33,6 +33,7 @@ from .signals import Signals
 SOME_STEPS = 1 << 20
 SLICE = 0.01  # seconds between two looks at signals and progress
 ROWS = 2048
+MOST_PASSES = 256  # steps over singular positions that are noted
 LOG, ROOM = 256, 32  # rows of the log of events, and more per event
 
 
@@ -77,12 +78,8 @@ class Runner:
             power: Integrate the power of the sources too.
             event_table: What may happen.
         """
-        self.model, self.settings, self.signals, self.event_table = (
-            model,
-            settings,
-            input_signals,
-            event_table,
-        )
+        self.model, self.settings = model, settings
+        self.signals, self.event_table = input_signals, event_table
         self.library = abi.kernels(model._kernels())
         self.functions = [model._function(name) for name in ("rhs", "power")[: 1 + power]]
         self.powered = power
@@ -101,6 +98,7 @@ class Runner:
         self.in_c: InputFunctions | None = None
         self.interpreted = any(function.interpreted for function in called)
         self._references: list[Any] = []
+        self.passes = np.zeros((MOST_PASSES if self.closing.rates else 0, 3))
         self.method = abi.method(self.library, settings.method.kernel)
         self.rows, self.spreads = np.empty((0, 0)), np.empty((0, self.method.dense_rows, self.n))
         self.record = Run()
@@ -164,6 +162,7 @@ class Runner:
         limited = np.array(bounded(model.manifest), dtype=np.intp)
         run.bounded, run.bounded_count = self._pointer(limited), len(limited)
         run.culprit = -1
+        run.passes, run.pass_capacity = self._pointer(self.passes), len(self.passes)
         self.adjust()
         self._connect_signals()
         self._connect_events()

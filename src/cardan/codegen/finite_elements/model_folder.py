@@ -11,11 +11,24 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...equations.finite_elements.expressions import expression_of
+from ...equations.finite_elements.gradients import gradient_of, rates_gradient_of
 from ...equations.finite_elements.record import BlockKind, FiniteElementRecord, Group, Kind
 from ...equations.reading.typesetting import text_of
+from ...errors import DerivationError
 from ...ir.function import Function
 from ...schema.entries import MultiplierRow, OutputRow
-from ...schema.finite_elements import ElementKind, FiniteElements, GroupRow, PlaceKind
+from ...schema.finite_elements import (
+    EXPRESSION,
+    EXPRESSION_GRADIENT,
+    GRADIENTS,
+    RATES_GRADIENT,
+    ElementKind,
+    FiniteElements,
+    GroupRow,
+    PlaceKind,
+    requested_name,
+)
 from ...schema.manifest import Manifest
 from ...schema.mechanism import BeamRow, BodyRow, FrameRow
 from ...schema.records import PARTS
@@ -155,6 +168,47 @@ def write(folder: Path, absolute: FiniteElementRecord, available: Sequence[str])
     texts = [(generate(f, notes=notes.get(f.name, ())), f) for f in missing]
     if texts:
         layout.add_functions(folder, texts)
+
+
+def add_requested(
+    folder: Path, absolute: FiniteElementRecord, keys: Sequence[tuple[str, str | None]]
+) -> list[str]:
+    """Write functions that derivatives need, as far as they are not there yet.
+
+    Args:
+        folder: Of the model.
+        absolute: The equations.
+        keys: Gradients with the names of kinds of elements or places, and formulas.
+
+    Returns:
+        Their C names.
+
+    Raises:
+        DerivationError: something else is asked for, a kind has no gradient, or a formula cannot
+            be read.
+    """
+    for form, _ in keys:
+        if form not in (*GRADIENTS, RATES_GRADIENT, EXPRESSION, EXPRESSION_GRADIENT):
+            raise DerivationError(f"'{form}' is not written for elements in tables")
+    symbols = [requested_name(form, of or "") for form, of in keys]
+    missing = {*layout.missing(folder, symbols)}
+    functions_missing = [
+        _requested(absolute, form, of or "", symbol)
+        for (form, of), symbol in zip(keys, symbols, strict=True)
+        if symbol in missing
+    ]
+    if functions_missing:
+        layout.add_functions(folder, [(generate(f), f) for f in functions_missing])
+    return symbols
+
+
+def _requested(absolute: FiniteElementRecord, form: str, of: str, symbol: str) -> Function:
+    if form in (EXPRESSION, EXPRESSION_GRADIENT):
+        return expression_of(absolute, form, of, symbol)
+    if form == RATES_GRADIENT:
+        return rates_gradient_of(next(k for k in absolute.places.kinds if k.name == of))
+    group = next(group for group in absolute.groups if group.kind.name == of)
+    return gradient_of(group.kind, form, group, len(absolute.inputs))
 
 
 def _notes(kind: Kind, function: str) -> tuple[str, ...]:

@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 from ...errors import DerivationError, ModelError
 from ...ir.function import Output
+from ...ir.graph import Graph
 from .context import Context, recipe
 from .functions import give_accelerations
+
+KINDS = {
+    **{"q": "a coordinate", "u": "a speed", "z": "an internal state"},
+    **{"r": "an input", "p": "a parameter"},
+}
 
 
 @recipe
@@ -15,12 +23,26 @@ def expression(c: Context) -> tuple[Output, ...]:
     Raises:
         DerivationError: it cannot be read, or a name is unknown or stands for two things.
     """
+    formula = c.of or ""
+    return (Output("expression", (), (node_of(c.k.graph, formula, _names(c)),), (formula,)),)
+
+
+def node_of(graph: Graph, formula: str, nodes: Mapping[str, Mapping[str, int]]) -> int:
+    """The value of a formula.
+
+    Args:
+        graph: Where it is made.
+        formula: As scene files have them.
+        nodes: Name -> what it is the name of -> node.
+
+    Raises:
+        DerivationError: it cannot be read, or a name is unknown or stands for two things.
+    """
     import sympy
 
     from ...ir.forms.sympy_bridge import from_sympy
     from ...scene.files.expression import parse
 
-    formula, nodes = c.of or "", _names(c)
     symbols = {name: sympy.Symbol(name) for name in nodes}
     try:
         value = parse(formula, symbols, where="expression")
@@ -31,23 +53,25 @@ def expression(c: Context) -> tuple[Output, ...]:
                 "rename one of them"
             )
         leaves = {symbols[name]: next(iter(each.values())) for name, each in nodes.items()}
-        node = from_sympy(c.k.graph, value, leaves)
+        return from_sympy(graph, value, leaves)
     except ModelError as problem:
         raise DerivationError(str(problem)) from problem
-    return (Output("expression", (), (node,), (formula,)),)
 
 
 def _names(c: Context) -> dict[str, dict[str, int]]:
     """Name -> what it is the name of -> node."""
-    g, system = c.k.graph, c.k.system
-    kinds = {"q": "a coordinate", "u": "a speed", "z": "an internal state"}
-    kinds |= {"r": "an input", "p": "a parameter"}
-    nodes = {"t": {"the time": g.var("t", 0)}}
-    for block, kind in kinds.items():
-        for k, name in enumerate(c.names[block]):
-            nodes.setdefault(name, {})[kind] = g.var(block, k)
+    system, nodes = c.k.system, named(c.k.graph, c.names)
     if system.outputs:
         give_accelerations(c)
     for output in system.outputs:
         nodes.setdefault(output.name, {})["an output"] = c.k.resolve([output.node])[0]
+    return nodes
+
+
+def named(graph: Graph, names: Mapping[str, Sequence[str]]) -> dict[str, dict[str, int]]:
+    """Entries of blocks by name -> what it is the name of -> node."""
+    nodes = {"t": {"the time": graph.var("t", 0)}}
+    for block, kind in KINDS.items():
+        for k, name in enumerate(names[block]):
+            nodes.setdefault(name, {})[kind] = graph.var(block, k)
     return nodes

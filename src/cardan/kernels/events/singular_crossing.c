@@ -311,6 +311,18 @@ static real nearer(real error)
     return error < INFINITY ? fmin(0.5, fmax(0.1, 1 - 0.9 * pow(error, power))) : 0.5;
 }
 
+/* Note the step over a place that begins, for those who differentiate it. */
+static void note(cardan_run *run)
+{
+    if (run->passes && run->pass_count < run->pass_capacity) {
+        real *row = run->passes + 3 * run->pass_count;
+        row[0] = run->pass_start;
+        row[1] = run->pass_length;
+        row[2] = (real)run->pass_points;
+    }
+    run->pass_count++;
+}
+
 /* One step of the method, or one over a place where branches meet. */
 int cardan_step(cardan_run *run)
 {
@@ -348,6 +360,7 @@ int cardan_step(cardan_run *run)
             return status;
         if (status == 0 && error <= 1) {
             run->passed += fabs(tau) < fabs(h);
+            note(run);
             return part(run);
         }
         /* sweeps over what vibrates settle in short steps alone */

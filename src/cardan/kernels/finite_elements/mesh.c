@@ -95,6 +95,45 @@ static real *gather_events(const cardan_mesh *mesh, const cardan_group *g, const
     return follow(at->responses, responses, g->responses, element, lanes, local);
 }
 
+/* Numbers of the rows of elements: the first `count` of m of a kind, those of positions first. */
+static real *pick_rows(const cardan_group *g, ptrdiff_t count, const ptrdiff_t *element,
+                       ptrdiff_t lanes, const real *from, real *to)
+{
+    for (ptrdiff_t k = 0; k < count; k++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++) {
+            const ptrdiff_t *rows = g->rows + 2 * element[lane];
+            *to++ = from ? from[k < g->mp ? rows[0] + k : rows[1] + k - g->mp] : 0;
+        }
+    return to;
+}
+
+/* Weights of the results of elements. */
+static real *gather_weights(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
+                            ptrdiff_t lanes, const cardan_state *at, real *local)
+{
+    const real *v = at->v, *rates = v + mesh->nu + mesh->mp;
+    const ptrdiff_t size = at->weighed == CARDAN_ENERGY ? 2 : 6;
+
+    if (at->weighed == CARDAN_POWER)
+        return pick(v, g->powers, g->forms[CARDAN_POWER].size, element, lanes, local);
+    if (at->weighed == CARDAN_OUTPUTS)
+        return pick(v, g->outputs, g->forms[CARDAN_OUTPUTS].size, element, lanes, local);
+    if (at->weighed != CARDAN_BALANCE) {
+        for (ptrdiff_t i = 0; i < size; i++)
+            for (ptrdiff_t lane = 0; lane < lanes; lane++)
+                *local++ = v[i];
+        return local;
+    }
+    local = fetch_places(g, element, lanes, mesh->u, v, local);
+    local = pick_rows(g, g->mp, element, lanes, v + mesh->nu, local);
+    local = pick_rows(g, g->m, element, lanes, rates, local);
+    local = pick_rows(g, g->m, element, lanes, rates + mesh->m, local);
+    for (ptrdiff_t i = 0; i < g->z_states; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            *local++ = rates[2 * mesh->m + g->z[element[lane] * g->nz + i]];
+    return local;
+}
+
 /* What the elements read, side by side into `local`. Returns where the next block begins. */
 static real *gather(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
                     ptrdiff_t lanes, const cardan_state *at, real *local)
@@ -102,13 +141,11 @@ static real *gather(const cardan_mesh *mesh, const cardan_group *g, const ptrdif
     local = fetch_places(g, element, lanes, mesh->q, at->q, local);
     local = fetch_places(g, element, lanes, mesh->u, at->u, local);
     local = fetch_places(g, element, lanes, mesh->u, at->udot, local);
-    for (ptrdiff_t k = 0; k < g->m; k++)
-        for (ptrdiff_t lane = 0; lane < lanes; lane++, local++) {
-            const ptrdiff_t *rows = g->rows + 2 * element[lane];
-            *local = at->lam ? at->lam[k < g->mp ? rows[0] + k : rows[1] + k - g->mp] : 0;
-        }
+    local = pick_rows(g, g->m, element, lanes, at->lam, local);
     local = pick(at->z, g->z, g->nz, element, lanes, local);
     local = pick(at->s, g->s, g->ns, element, lanes, local);
+    if (at->v)
+        return gather_weights(mesh, g, element, lanes, at, local);
     if (!at->inner && !at->behind && !at->certainty)
         return local;
     local = fetch_places(g, element, lanes, mesh->u, at->behind ? at->behind : at->du, local);
@@ -137,6 +174,8 @@ static cardan_in blocks(const cardan_group *g, const real *t, const real *r, con
     in.du = in.s + g->ns * stride;
     in.e = in.du + g->nu * stride;
     in.tau = in.e + g->ne * stride;
+    /* functions of weights read nothing else behind the states */
+    in.v = in.du;
     /* kinds with unknowns of their own have no internal states */
     if (g->inner > 0)
         in.z = in.du + g->nu * stride;
@@ -155,10 +194,9 @@ static real *same_for_all(const cardan_mesh *mesh, const cardan_state *at, ptrdi
 }
 
 /* A function of the elements of a group, if they have it, in blocks of as many as it takes. */
-static int of_group(const cardan_mesh *mesh, const cardan_group *g, const cardan_state *at,
-                    int form, cardan_taker *take, void *to, real *room)
+int cardan_mesh_group(const cardan_mesh *mesh, const cardan_group *g, const cardan_form *f,
+                      const cardan_state *at, cardan_taker *take, void *to, real *room)
 {
-    const cardan_form *f = &g->forms[form];
     const ptrdiff_t lanes = f->lanes;
     int status = 0;
 
@@ -190,7 +228,8 @@ int cardan_mesh_each(const cardan_mesh *mesh, const cardan_state *at, int form,
     int status = 0;
 
     for (ptrdiff_t k = 0; k < mesh->group_count && status == 0; k++)
-        status = of_group(mesh, &mesh->groups[k], at, form, take, to, room);
+        status = cardan_mesh_group(mesh, &mesh->groups[k], &mesh->groups[k].forms[form], at, take, to,
+                                   room);
     return status;
 }
 
@@ -239,7 +278,8 @@ int cardan_mesh_gaps(const cardan_mesh *mesh, const cardan_state *at, real *out,
     for (ptrdiff_t k = 0; k < mesh->group_count && status == 0; k++) {
         const cardan_group *g = &mesh->groups[k];
         if (g->m > 0)
-            status = of_group(mesh, g, at, CARDAN_BALANCE, take_balance, out, room);
+            status = cardan_mesh_group(mesh, g, &g->forms[CARDAN_BALANCE], at, take_balance, out,
+                                       room);
     }
     return status;
 }

@@ -118,6 +118,10 @@ typedef struct cardan_state {
     /* of events: speeds behind them (nu), which happen (ne), responses of all elements; NULL else */
     const real *behind, *e, *responses;
     const real *certainty; /* of friction that follows from reactions (frictions); NULL: not known */
+    /* of gradients: the function whose results they weigh, and the weights of these; CARDAN_BALANCE:
+     * those of the balance (nu), g (mp), the rates (m), of what accelerations miss (m), of zdot (nz) */
+    ptrdiff_t weighed;
+    const real *v;
 } cardan_state;
 
 /* Elements side by side. */
@@ -135,6 +139,9 @@ typedef void cardan_taker(const cardan_mesh *mesh, const cardan_group *group,
 ptrdiff_t cardan_mesh_room(const cardan_mesh *mesh);
 int cardan_mesh_each(const cardan_mesh *mesh, const cardan_state *at, int form,
                      cardan_taker *take, void *to, real *room);
+/* the same of one group, by a function that may be none of its forms */
+int cardan_mesh_group(const cardan_mesh *mesh, const cardan_group *g, const cardan_form *form,
+                      const cardan_state *at, cardan_taker *take, void *to, real *room);
 
 /* What is missing in the balance of all elements: b (nu), g (mp), rates (m). */
 int cardan_mesh_balance(const cardan_mesh *mesh, const cardan_state *at, real *out, real *room);

@@ -92,44 +92,51 @@ static int solve(const cardan_mesh *mesh, const real *u, const real *rates,
 }
 
 /* udot (nu) and lam (m) with M udot = f - h + tau + Gᵀ lam, G udot = gamma; tau may be NULL. */
-int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *requested, const real *tau,
-                              real *out, real *work)
+int cardan_mesh_solve_motion(const cardan_mesh *mesh, const cardan_state *requested, const real *tau,
+                             real *out, real *work, cardan_mesh_system *system)
 {
     const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL, 0};
-    cardan_mesh_system system = {0};
-    real *missing = work + cardan_mesh_lay(mesh, work, &system);
+    real *missing = work + cardan_mesh_lay(mesh, work, system);
     real *gamma = missing + mesh->nu + mesh->mp + mesh->m;
     cardan_state at = *requested;
     cardan_mesh_friction friction;
     int assembled, status;
 
     at.udot = at.lam = NULL;
-    system.open = missing + mesh->nu;
-    status = cardan_mesh_balance(mesh, &at, missing, system.work);
+    system->open = missing + mesh->nu;
+    status = cardan_mesh_balance(mesh, &at, missing, system->work);
     if (status == 0)
-        status = cardan_mesh_gamma(mesh, &at, gamma, system.work);
+        status = cardan_mesh_gamma(mesh, &at, gamma, system->work);
     if (status == 0)
-        status = cardan_mesh_factor(mesh, &at, &parts, &system, &assembled);
+        status = cardan_mesh_factor(mesh, &at, &parts, system, &assembled);
     /* an unknown that is in no equation has no mass either */
     if (status == 0)
-        status = cardan_mesh_massless(mesh, &system);
+        status = cardan_mesh_massless(mesh, system);
     else if (status == CARDAN_UNSOLVED)
         status = CARDAN_SINGULAR;
     if (status != 0)
         return status;
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
-        system.right[i] = (tau ? tau[i] : 0) - missing[i];
+        system->right[i] = (tau ? tau[i] : 0) - missing[i];
     for (ptrdiff_t k = 0; k < mesh->m; k++)
-        system.right[mesh->unknown[k]] = gamma[k];
-    status = solve(mesh, at.u, missing + mesh->nu + mesh->mp, &system);
+        system->right[mesh->unknown[k]] = gamma[k];
+    status = solve(mesh, at.u, missing + mesh->nu + mesh->mp, system);
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
-        out[i] = system.solution[i];
+        out[i] = system->solution[i];
     for (ptrdiff_t k = 0; k < mesh->m; k++)
-        out[mesh->nu + k] = -system.solution[mesh->unknown[k]];
+        out[mesh->nu + k] = -system->solution[mesh->unknown[k]];
     if (status != 0 || mesh->frictions == 0)
         return status;
     (void)cardan_mesh_friction_lay(mesh, cardan_mesh_certainty(mesh, work), &friction);
-    return cardan_mesh_with_friction(mesh, &at, &system, &friction, out);
+    return cardan_mesh_with_friction(mesh, &at, system, &friction, out);
+}
+
+int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *requested, const real *tau,
+                              real *out, real *work)
+{
+    cardan_mesh_system system = {0};
+
+    return cardan_mesh_solve_motion(mesh, requested, tau, out, work, &system);
 }
 
 real *cardan_mesh_certainty(const cardan_mesh *mesh, real *work)

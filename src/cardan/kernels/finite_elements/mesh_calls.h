@@ -19,6 +19,12 @@ static inline cardan_state cardan_state_of(const cardan_in *in)
 
 int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked, const real *tau,
                               real *out, real *work);
+/* the same; the factored system stays in `work` */
+int cardan_mesh_solve_motion(const cardan_mesh *mesh, const cardan_state *asked, const real *tau,
+                             real *out, real *work, cardan_mesh_system *system);
+/* Factor M and G as they close loops by the least motion; `locked` and `fixed`: see mesh_close.c. */
+int cardan_mesh_closing_factor(const cardan_mesh *mesh, const cardan_state *at, const real *locked,
+                               int fixed, cardan_mesh_system *system);
 /* how certain friction is that follows from reactions (frictions), in `work` of the last solution */
 real *cardan_mesh_certainty(const cardan_mesh *mesh, real *work);
 int cardan_mesh_values(const cardan_mesh *mesh, const cardan_state *at, const real *shares,

@@ -39,13 +39,13 @@ static void fix(const cardan_mesh *mesh, const real *locked, real diagonal,
             system->a[mesh->diagonal[i]] = diagonal;
 }
 
-/* Solve M dx + Gᵀ y = 0, G dx = -open; what nothing resists is held a little.
+/* Factor M and G with what nothing resists held a little.
  *
  * locked: speeds that are to be held, NULL for none; if not `fixed`, they give way, a little in
  * place of others, where nothing else can close the loops.
  */
-static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const real *locked,
-                        int fixed, const real *open, ptrdiff_t rows, cardan_mesh_system *system)
+int cardan_mesh_closing_factor(const cardan_mesh *mesh, const cardan_state *at, const real *locked,
+                               int fixed, cardan_mesh_system *system)
 {
     const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL, 0};
     int status = cardan_mesh_matrix(mesh, at, &parts, system);
@@ -64,7 +64,15 @@ static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const r
     for (ptrdiff_t i = 0; i < mesh->nu && locked && !fixed; i++)
         if (locked[i] != 0)
             system->a[mesh->diagonal[i]] += HEAVY * largest;
-    status = cardan_mesh_refactor(mesh, system);
+    return cardan_mesh_refactor(mesh, system);
+}
+
+/* Solve M dx + Gᵀ y = 0, G dx = -open; what nothing resists is held a little. */
+static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const real *locked,
+                        int fixed, const real *open, ptrdiff_t rows, cardan_mesh_system *system)
+{
+    const int status = cardan_mesh_closing_factor(mesh, at, locked, fixed, system);
+
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         system->right[i] = 0;
     for (ptrdiff_t k = 0; k < mesh->m; k++)

@@ -157,6 +157,7 @@ int cardan_run_start(cardan_run *run)
         return CARDAN_SIZE;
     run->t_start = run->t_old = run->t;
     run->open_row = -1;
+    run->pass_count = 0;
     cardan_normalize(run, run->y);
     run->culprit = cardan_not_finite(run->y, run->n);
     if (run->culprit >= 0)

@@ -173,6 +173,8 @@ struct cardan_run {
     real pass_start, pass_length; /* of the step that leads over one of them */
     ptrdiff_t constraint_rank, ranks;    /* constraints that hold; how often their number has changed */
     ptrdiff_t pass_points, pass_part, pass_parts;
+    real *passes; /* (pass_capacity, 3) of such steps: start, length, points; NULL: not noted */
+    ptrdiff_t pass_capacity, pass_count; /* count: of all, noted or not */
 
     /* rows that come out: t, y, r, s, lam */
     real *rows;    /* (capacity, 1 + n + nr + ns + nlam) */

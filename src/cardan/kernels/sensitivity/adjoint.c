@@ -5,6 +5,8 @@
 #include "adjoint.h"
 #include <math.h>
 
+enum { MOST_SWEEPS = 100 };
+
 /* Add gradients by inputs (nr) at t, times a factor, to those by constants and by pieces. */
 static void add_inputs(const cardan_adjoint *adjoint, real t, real factor, const real *by_r)
 {
@@ -62,19 +64,20 @@ static int add_cost(const cardan_adjoint *adjoint, real t, const real *x, real s
     return 0;
 }
 
-/* lam by the state before the projections of a step from that behind them: speeds first, at the
- * positions behind, then positions, then lengths of quaternions. */
-static int pull_projection(const cardan_adjoint *adjoint, real t)
+/* lam by the state `end` before the projections from that behind them: speeds first, at `place`
+ * with the positions behind, then positions, then lengths of quaternions. */
+static int pull_projection(const cardan_adjoint *adjoint, real t, const real *end, const real *place,
+                           real factor, real *lam)
 {
     const cardan_run *run = adjoint->steps->run;
     const ptrdiff_t nq = run->nq, nu = run->nu, nx = run->nx;
-    const real *end = adjoint->steps->end, *out = adjoint->out;
-    real *lam = adjoint->lam, *v = adjoint->v;
+    const real *out = adjoint->out;
+    real *v = adjoint->v;
 
     if (adjoint->close_velocity.function) {
         for (ptrdiff_t i = 0; i < nu + run->rates; i++)
             v[i] = i < nu ? lam[nq + i] : 0;
-        if (product(adjoint, &adjoint->close_velocity, t, adjoint->steps->place, 1) != 0)
+        if (product(adjoint, &adjoint->close_velocity, t, place, factor) != 0)
             return CARDAN_MODEL;
         for (ptrdiff_t i = 0; i < nx; i++)
             lam[i] = out[i] + (i < nq || i >= nq + nu ? lam[i] : 0);
@@ -82,7 +85,7 @@ static int pull_projection(const cardan_adjoint *adjoint, real t)
     if (adjoint->close_position.function) {
         for (ptrdiff_t i = 0; i < nq + run->positions; i++)
             v[i] = i < nq ? lam[i] : 0;
-        if (product(adjoint, &adjoint->close_position, t, end, 1) != 0)
+        if (product(adjoint, &adjoint->close_position, t, end, factor) != 0)
             return CARDAN_MODEL;
         for (ptrdiff_t i = 0; i < nx; i++)
             lam[i] = out[i] + (i < nq ? 0 : lam[i]);
@@ -121,7 +124,7 @@ static void by_slope(const cardan_adjoint *adjoint, ptrdiff_t s, real h, real *w
 
     for (ptrdiff_t i = 0; i < nx; i++) {
         real sum = steps->weights[s] * adjoint->lam[i];
-        for (ptrdiff_t j = steps->implicit ? 0 : s + 1; j < count; j++)
+        for (ptrdiff_t j = steps->kind == CARDAN_EXPLICIT ? s + 1 : 0; j < count; j++)
             sum += steps->matrix[j * count + s] * adjoint->pulled[j * nx + i];
         weights[i] = h * sum;
     }
@@ -132,19 +135,20 @@ static int pull_stages(const cardan_adjoint *adjoint, real t, real h)
 {
     const cardan_steps *steps = adjoint->steps;
     const ptrdiff_t nx = steps->run->nx, count = steps->stages;
+    const int coupled = steps->kind == CARDAN_COUPLED;
     real *lam = adjoint->lam;
 
     if (begin(adjoint, t, h) != 0)
         return CARDAN_MODEL;
     /* slopes of an implicit method depend on each other: all of them at once */
-    for (ptrdiff_t s = 0; s < count && steps->implicit; s++)
+    for (ptrdiff_t s = 0; s < count && coupled; s++)
         by_slope(adjoint, s, h, adjoint->weights + s * nx);
-    if (steps->implicit)
+    if (coupled)
         cardan_stages_backward(steps, adjoint->weights);
     for (ptrdiff_t s = count - 1; s >= 0; s--) {
-        if (!steps->implicit)
+        if (!coupled)
             by_slope(adjoint, s, h, adjoint->v);
-        for (ptrdiff_t i = 0; i < nx && steps->implicit; i++)
+        for (ptrdiff_t i = 0; i < nx && coupled; i++)
             adjoint->v[i] = adjoint->weights[s * nx + i];
         if (product(adjoint, &adjoint->rates, t + steps->nodes[s] * h, steps->states + s * nx, 1) != 0)
             return CARDAN_MODEL;
@@ -159,22 +163,106 @@ static int pull_stages(const cardan_adjoint *adjoint, real t, real h)
     return 0;
 }
 
+/* One sweep over the stages of a pass, from h lam by its end. `factor`: what derivatives by parameters,
+ * inputs and discrete states are added with; `change` and `size`: of the gradients by stages. */
+static int pass_sweep(const cardan_adjoint *adjoint, real t, real h, real factor, real *change,
+                      real *size)
+{
+    const cardan_steps *steps = adjoint->steps;
+    const ptrdiff_t nx = steps->run->nx, nq = steps->run->nq;
+    real *by_x = steps->end, *place = steps->place;
+
+    *change = *size = 0;
+    for (ptrdiff_t s = steps->stages - 1; s >= 0; s--) {
+        const real *x = steps->states + s * nx, *open = steps->open + s * nx;
+        const real time = t + steps->nodes[s] * h;
+        by_slope(adjoint, s, h, adjoint->v);
+        if (product(adjoint, &adjoint->rates, time, x, factor) != 0)
+            return CARDAN_MODEL;
+        for (ptrdiff_t i = 0; i < nx; i++) {
+            by_x[i] = adjoint->out[i] + adjoint->weights[s * nx + i];
+            place[i] = i < nq ? x[i] : open[i];
+        }
+        if (pull_projection(adjoint, time, open, place, factor, by_x) != 0)
+            return CARDAN_MODEL;
+        for (ptrdiff_t i = 0; i < nx; i++) {
+            real *by = adjoint->pulled + s * nx + i;
+            *change = fmax(*change, fabs(by_x[i] - *by));
+            *size = fmax(*size, fmax(fabs(by_x[i]), fabs(adjoint->lam[i])));
+            *by = by_x[i];
+        }
+    }
+    return 0;
+}
+
+/* lam by the start of a pass from that by its end: stages are swept until nothing changes. */
+static int pull_pass(const cardan_adjoint *adjoint, real t, real h)
+{
+    const cardan_steps *steps = adjoint->steps;
+    const ptrdiff_t nx = steps->run->nx, size = steps->stages * nx;
+    real change, largest, last = INFINITY;
+
+    /* what the running cost adds, at the projected states */
+    if (begin(adjoint, t, h) != 0)
+        return CARDAN_MODEL;
+    for (ptrdiff_t i = 0; i < size; i++) {
+        adjoint->weights[i] = adjoint->pulled[i];
+        adjoint->pulled[i] = 0;
+    }
+    for (int n = 0; n < MOST_SWEEPS; n++) {
+        if (pass_sweep(adjoint, t, h, 0, &change, &largest) != 0)
+            return CARDAN_MODEL;
+        if (cardan_swept_enough(change, largest, &last)) {
+            if (pass_sweep(adjoint, t, h, 1, &change, &largest) != 0)
+                return CARDAN_MODEL;
+            for (ptrdiff_t i = 0; i < size; i++)
+                adjoint->lam[i % nx] += adjoint->pulled[i];
+            return 0;
+        }
+    }
+    return CARDAN_CONSTRAINT_OPEN;
+}
+
+/* lam by the start of the step from row *k, or of the pass that ends behind it; then *k is its first. */
+static int pull_step(const cardan_adjoint *adjoint, ptrdiff_t *k)
+{
+    cardan_steps *steps = adjoint->steps;
+    const ptrdiff_t width = cardan_row_width(steps->run), pass = cardan_pass_of(steps, *k);
+    const real end = steps->rows[(*k + 1) * width];
+    cardan_adjoint over = *adjoint;
+    cardan_pass again;
+    real t;
+    int status;
+
+    if (pass < 0)
+        status = cardan_step_again(steps, *k);
+    else {
+        status = cardan_pass_again(steps, pass, *k, &again);
+        over.steps = &again.steps;
+        /* a sweep begins where rows do: behind a pass, not within it */
+        if (status == 0 && again.to != *k + 1)
+            status = CARDAN_CONSTRAINT_OPEN;
+        if (status == 0)
+            *k = again.from;
+    }
+    if (status == 0)
+        status = pull_projection(&over, end, steps->end, steps->place, 1, adjoint->lam);
+    if (status != 0)
+        return status;
+    t = steps->rows[*k * width];
+    return pass < 0 ? pull_stages(&over, t, end - t) : pull_pass(&over, t, end - t);
+}
+
 /* Sweep over all steps between the rows, the last one first. Returns 0 or a status. */
 int cardan_adjoint_sweep(cardan_adjoint *adjoint)
 {
     cardan_steps *steps = adjoint->steps;
-    const ptrdiff_t width = cardan_row_width(steps->run);
 
     steps->failed = -1;
     for (ptrdiff_t k = steps->count - 2; k >= 0; k--) {
-        const real *row = steps->rows + k * width;
-        int status = cardan_step_again(steps, k);
-        if (status == 0)
-            status = pull_projection(adjoint, row[width]);
-        if (status == 0)
-            status = pull_stages(adjoint, row[0], row[width] - row[0]);
+        const int status = pull_step(adjoint, &k);
         if (status != 0) {
-            steps->failed = k;
+            steps->failed = k > 0 ? k : 0;
             return status;
         }
     }

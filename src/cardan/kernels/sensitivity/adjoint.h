@@ -35,8 +35,9 @@ typedef struct cardan_adjoint {
     real *by_coefficients;     /* by the coefficients of all signals one after the other (pieces, 4) */
     real *cost;          /* (1) integral of the running cost */
 
-    real *pulled;        /* (stages, nx) gradients by the states of the stages */
-    real *weights;       /* (stages, nx) gradients by slopes, of implicit methods */
+    real *pulled;        /* (CARDAN_MOST_STAGES, nx) gradients by the states of the stages */
+    real *weights;       /* (CARDAN_MOST_STAGES, nx) gradients by slopes of coupled stages; of a pass
+                            those of the running cost by its stages */
     real *v;             /* (nx + positions + rates) weights of a product */
     real *out;           /* (nx + ns + nr + np) its result */
 } cardan_adjoint;

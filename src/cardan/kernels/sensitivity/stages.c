@@ -82,7 +82,7 @@ void cardan_stage_lengths(const cardan_steps *steps, ptrdiff_t stage, real *chan
     const cardan_run *run = steps->run;
     rooms at;
 
-    if (!steps->implicit)
+    if (steps->kind != CARDAN_COUPLED)
         return;
     (void)lay(run, steps->stages, steps->system, &at);
     for (ptrdiff_t k = 0; k < run->quaternion_count; k++)
@@ -100,8 +100,8 @@ static int factor(const cardan_steps *steps, const rooms *at, real t, real h)
     for (ptrdiff_t s = 0; s < stages; s++) {
         const real time = t + steps->nodes[s] * h;
         cardan_in in = cardan_step_in(steps, &time, steps->states + s * nx);
-        in.w = run->rhs_jacobian.w;
-        if (run->rhs_jacobian.function(&in, at->by, steps->work) != 0)
+        in.w = steps->jacobian.w;
+        if (steps->jacobian.function(&in, at->by, steps->work) != 0)
             return CARDAN_MODEL;
         for (ptrdiff_t i = 0; i < nx; i++) {
             real *row = at->jacobians + (s * nx + i) * nx;

@@ -6,7 +6,7 @@
 #include <math.h>
 
 /* Prepare inputs and discrete states for the step between two rows. */
-static void enter(cardan_run *run, const real *row, const real *next)
+void cardan_enter_step(cardan_run *run, const real *row, const real *next)
 {
     const real middle = 0.5 * (row[0] + next[0]);
 
@@ -62,18 +62,11 @@ static int explicit_stages(const cardan_steps *steps, real t, real h, const real
     return status;
 }
 
-/* Stages and end of the step from row k, before any projection. Returns 0 or a status. */
-int cardan_step_again(cardan_steps *steps, ptrdiff_t k)
+/* End of a step from y before its projections; `behind`: the state behind them. */
+void cardan_end_step(const cardan_steps *steps, const real *y, real h, const real *behind)
 {
-    cardan_run *run = steps->run;
-    const ptrdiff_t nx = run->nx, width = cardan_row_width(run);
-    const real *row = steps->rows + k * width, *y = row + 1, h = row[width] - row[0];
-    int status;
+    const ptrdiff_t nx = steps->run->nx;
 
-    enter(run, row, row + width);
-    status = steps->implicit ? cardan_stages_solve(steps, k) : explicit_stages(steps, row[0], h, y);
-    if (status != 0)
-        return status;
     for (ptrdiff_t i = 0; i < nx; i++) {
         real sum = 0;
         for (ptrdiff_t j = 0; j < steps->stages; j++)
@@ -82,6 +75,20 @@ int cardan_step_again(cardan_steps *steps, ptrdiff_t k)
     }
     /* positions are those behind the projection where speeds are projected */
     for (ptrdiff_t i = 0; i < nx; i++)
-        steps->place[i] = i < run->nq ? row[width + 1 + i] : steps->end[i];
-    return 0;
+        steps->place[i] = i < steps->run->nq ? behind[i] : steps->end[i];
+}
+
+/* Stages and end of the step from row k, before any projection. Returns 0 or a status. */
+int cardan_step_again(cardan_steps *steps, ptrdiff_t k)
+{
+    const ptrdiff_t width = cardan_row_width(steps->run);
+    const real *row = steps->rows + k * width, *y = row + 1, h = row[width] - row[0];
+    int status;
+
+    cardan_enter_step(steps->run, row, row + width);
+    status = steps->kind == CARDAN_COUPLED ? cardan_stages_solve(steps, k)
+                                           : explicit_stages(steps, row[0], h, y);
+    if (status == 0)
+        cardan_end_step(steps, y, h, row + width + 1);
+    return status;
 }

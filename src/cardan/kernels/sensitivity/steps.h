@@ -7,21 +7,31 @@
 
 #include "run.h"
 
+/* How the stages of a step depend on each other. */
+enum {
+    CARDAN_EXPLICIT, /* each on those before it */
+    CARDAN_COUPLED,  /* all on all, solved as a linear system: stages.c */
+    CARDAN_PASS      /* the same over a place where branches meet, by sweeps: passes.c */
+};
+enum { CARDAN_MOST_STAGES = 16 };
+
 typedef struct cardan_steps {
     cardan_run *run; /* that took the steps: its functions, signals and sizes */
     ptrdiff_t stages;
-    ptrdiff_t implicit;  /* 1: stages depend on each other, see stages.c */
+    ptrdiff_t kind;
+    cardan_call jacobian; /* d rhs / d x (nx, nx), d t, d r, of coupled stages */
     const real *nodes;   /* (stages) */
     const real *weights; /* (stages) */
     const real *matrix;  /* (stages, stages), of explicit methods below the diagonal */
     const real *rows;    /* (count): t, y, r, s at the ends of steps, as the run wrote them */
     ptrdiff_t count;
     ptrdiff_t failed;    /* row of the step that could not be done, -1 */
-    real *states;        /* (stages, nx) at which the stages were taken */
-    real *slopes;        /* (stages, nx) */
+    real *states;        /* (CARDAN_MOST_STAGES, nx) at which the stages were taken */
+    real *slopes;        /* (CARDAN_MOST_STAGES, nx) */
+    real *open;          /* (CARDAN_MOST_STAGES, nx) of a pass: states before they were projected */
     real *end;           /* (nx) state at the end, before projections */
     real *place;         /* (nx) the same at the positions behind them */
-    real *system;        /* cardan_stages_length numbers, of implicit methods */
+    real *system;        /* cardan_stages_length numbers, of coupled stages */
     real *work;          /* of the functions */
 } cardan_steps;
 
@@ -35,6 +45,20 @@ int cardan_stages_solve(const cardan_steps *steps, ptrdiff_t k);
 void cardan_stages_forward(const cardan_steps *steps, real *change);
 void cardan_stages_backward(const cardan_steps *steps, real *weights);
 void cardan_stage_lengths(const cardan_steps *steps, ptrdiff_t stage, real *change);
+
+/* passes.c: steps over places where branches meet */
+typedef struct cardan_pass {
+    cardan_steps steps;  /* with the tables of the step */
+    ptrdiff_t from, to;  /* its rows */
+    real nodes[CARDAN_MOST_STAGES], weights[CARDAN_MOST_STAGES];
+    real matrix[CARDAN_MOST_STAGES * CARDAN_MOST_STAGES];
+} cardan_pass;
+ptrdiff_t cardan_pass_of(const cardan_steps *steps, ptrdiff_t k);
+int cardan_pass_again(const cardan_steps *steps, ptrdiff_t pass, ptrdiff_t k, cardan_pass *again);
+void cardan_pass_part(const cardan_pass *pass, ptrdiff_t row, real *weights);
+void cardan_enter_step(cardan_run *run, const real *row, const real *next);
+void cardan_end_step(const cardan_steps *steps, const real *y, real h, const real *behind);
+int cardan_swept_enough(real change, real size, real *last);
 
 /* The change (4) of a quaternion behind its scaling to length 1, or the gradient by what it was
  * before: both are the same. q: either of them; length: what it was. */

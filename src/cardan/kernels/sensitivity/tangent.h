@@ -26,8 +26,8 @@ typedef struct cardan_tangent {
     ptrdiff_t segments;
     real *changes;  /* (count, columns, nx) of the state at every row; the first one is given */
     real *moved;    /* (nx + ns + nr) of what a function reads */
-    real *rising;   /* (stages, columns, nx) */
-    real *coupled;  /* (stages, nx) of one column, of implicit methods */
+    real *rising;   /* (CARDAN_MOST_STAGES, columns, nx) of the slopes of stages */
+    real *coupled;  /* (stages, nx) of one column, of coupled stages; (columns, nx) of a pass */
     real *out;      /* longest result */
 } cardan_tangent;
 

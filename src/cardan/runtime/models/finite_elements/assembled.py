@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import prod
 from typing import TYPE_CHECKING, final
 
@@ -14,14 +14,16 @@ from ....arrays import Array
 from ....errors import ModelError
 from ....schema.blocks import ORDER
 from ....schema.c_functions import FunctionRow, ResultRow
-from ....schema.functions import OF_ELEMENTS
+from ....schema.finite_elements import EXPRESSION
+from ....schema.functions import FUNCTIONS, OF_ELEMENTS
 from ...calls.calling import Caller
 from ...calls.code import Code
 from ...calls.generated import Source
-from ...calls.loaded_function import LoadedFunction
+from ...calls.loaded_function import LoadedFunction, entry_names
 from ...calls.objects import Key
-from .evaluation import Results
+from .evaluation import Inputs, Results
 from .mesh import NEEDED
+from .products import Products
 from .table_loading import load
 
 if TYPE_CHECKING:
@@ -34,6 +36,7 @@ class Assembled(Source):
 
     def __init__(self) -> None:
         self._results: Results | None = None
+        self._products: Products | None = None
 
     def results(self, model: LoadedModel) -> Results:
         """Evaluator of the functions;
@@ -48,6 +51,9 @@ class Assembled(Source):
     def add(self, model: LoadedModel, missing: Sequence[Key]) -> None:
         """Make functions callable."""
         for name, of in missing:
+            if FUNCTIONS[name].of == "function" or name == EXPRESSION:
+                model._functions[name, of] = self._product(model, name, of or "")
+                continue
             if name not in OF_ELEMENTS:
                 available = ", ".join(OF_ELEMENTS)
                 raise ModelError(
@@ -77,12 +83,26 @@ class Assembled(Source):
         shape, entries = results.shape(name)
         code = self._code(results, name, entries, shape)
         address = code.address
-        # runs hand the address of the record on as prepared parameters
-        record = results.mesh.record
-        count = ctypes.sizeof(record) // 8
-        w = np.ctypeslib.as_array((ctypes.c_double * count).from_buffer(record))
-        label, one = f"{name}('{of}')" if of else name, _Evaluator(results, name, of)
+        w = _address_of(results.mesh.record)
+        at_once = results.tables.sizes if results.at_once(name, of) else None
+        label, one = f"{name}('{of}')" if of else name, _Evaluator(results.of(name, of), at_once)
         caller = Caller(label, address, arguments, shape, entries, 0, w, evaluator=one)  # type: ignore[arg-type]
+        return LoadedFunction(name, of, code, w, caller, caller, results.mesh.interpreted)
+
+    def _product(self, model: LoadedModel, name: str, of: str) -> LoadedFunction:
+        """A derivative, a product with one, or an expression."""
+        results = self.results(model)
+        if self._products is None:
+            self._products = Products(results, model)
+        product = self._products.product(name, of)
+        row, arguments = product.row, model._layout.reads(name, of, product.row.vector)
+        shape = tuple(row.outputs[0].shape) if len(row.outputs) == 1 else (row.output_size,)
+        code = Code(name, row, False, product.address)
+        one = _Evaluator(self._products.evaluator(product, of))
+        entries = entry_names(row.outputs)
+        w = _address_of(product.record)
+        label = f"{name}('{of}')"
+        caller = Caller(label, code.address, arguments, shape, entries, 0, w, evaluator=one)  # type: ignore[arg-type]
         return LoadedFunction(name, of, code, w, caller, caller, results.mesh.interpreted)
 
     def _code(
@@ -108,13 +128,23 @@ class Assembled(Source):
         return Code(name, entry, False, address)
 
 
+def _address_of(record: ctypes.Structure) -> Array:
+    """A record in place of prepared parameters: runs hand its address on as these."""
+    count = ctypes.sizeof(record) // 8
+    return np.ctypeslib.as_array((ctypes.c_double * count).from_buffer(record))
+
+
 class _Evaluator:
     """A function of states, called as generated C is; see :class:`.Interpreted`."""
 
-    def __init__(self, results: Results, name: str, of: str | None) -> None:
-        self.function = results.of(name, of)
-        # functions of many states at once need to know where each ends
-        self.sizes = results.tables.sizes if results.at_once(name, of) else None
+    def __init__(
+        self, function: Callable[[Inputs], Array], sizes: Mapping[str, int] | None = None
+    ) -> None:
+        """Args:
+        function: Of blocks.
+        sizes: Of these, if it takes many states at once: it needs to know where each ends.
+        """
+        self.function, self.sizes = function, sizes
 
     def run(
         self, blocks: list[Array | None], strides: Sequence[int], out: Array

@@ -91,7 +91,7 @@ class Results:
 
     # what elements are asked at
 
-    def _at(self, inputs: Inputs, **more: Array) -> State:
+    def state(self, inputs: Inputs, **more: Array) -> State:
         """A state of given blocks; arrays may be longer than what belongs to it."""
         sizes = self.tables.sizes.items()
         blocks: dict[str, Any] = {n: inputs[n][:k] for n, k in sizes if n in inputs and k}
@@ -110,7 +110,7 @@ class Results:
     def _solved(self, inputs: Inputs) -> tuple[Array, Array]:
         """udot and multipliers under the forces of the scene and tau."""
         tau = inputs["tau"][: self.tables.nu] if "tau" in inputs else None
-        return self.mesh.accelerations(self._at(inputs), tau)
+        return self.mesh.accelerations(self.state(inputs), tau)
 
     def forward_dynamics(self, inputs: Inputs) -> Array:
         """udot (nu,) [rad/s^2 or m/s^2] with M udot + h = f + tau + Gᵀ lam."""
@@ -122,7 +122,7 @@ class Results:
 
     def rhs(self, inputs: Inputs) -> Array:
         """Time derivative (nx,) of the state [q, u, z], per s."""
-        at, nx = self._at(inputs), self._counts["nx"]
+        at, nx = self.state(inputs), self._counts["nx"]
         if "tau" in inputs:
             rates = np.concatenate([self.qdot(inputs), self.forward_dynamics(inputs)])
             return np.concatenate([rates, self.mesh.call("rhs", at, nx)[len(rates) :]])
@@ -130,41 +130,41 @@ class Results:
 
     def inverse_dynamics(self, inputs: Inputs) -> Array:
         """tau (nu,) [N m or N] with M udot + h = f + tau."""
-        return self.mesh.balance(self._at(inputs))[0]
+        return self.mesh.balance(self.state(inputs))[0]
 
     def mass_matrix(self, inputs: Inputs) -> Array:
         """M (nu, nu) [kg m^2, kg m or kg]."""
         self._small("mass_matrix", self.tables.nu)
-        full: Array = self.mesh.tangent(self._at(inputs))["M"].toarray()
+        full: Array = self.mesh.tangent(self.state(inputs))["M"].toarray()
         return full
 
     def balance(self, inputs: Inputs) -> Array:
         """M udot + h - f - Gᵀ lam (nu,), g (mp,), G u + g_t (m,)."""
-        return np.concatenate(self.mesh.balance(self._at(inputs)))
+        return np.concatenate(self.mesh.balance(self.state(inputs)))
 
     # constraints
 
     def constraints(self, inputs: Inputs) -> Array:
         """g (mp,) [m or rad]: what vanishes at position level."""
-        return self.mesh.balance(self._at(inputs))[1]
+        return self.mesh.balance(self.state(inputs))[1]
 
     def constraint_rates(self, inputs: Inputs) -> Array:
         """G u + g_t (m,) [m/s or rad/s]: what vanishes at velocity level."""
-        return self.mesh.balance(self._at(inputs))[2]
+        return self.mesh.balance(self.state(inputs))[2]
 
     def constraint_jacobian(self, inputs: Inputs) -> Array:
         """G (m, nu) [1, m or 1/m]."""
         self._small("constraint_jacobian", self.tables.m)
-        full: Array = self.mesh.tangent(self._at(inputs))["G"].toarray()
+        full: Array = self.mesh.tangent(self.state(inputs))["G"].toarray()
         return full
 
     def close_position(self, inputs: Inputs) -> Array:
         """q (nq,) a step nearer to the constraints, then g (mp,) before it."""
-        return self.mesh.call("close_position", self._at(inputs), self.tables.nq + self.tables.mp)
+        return self.mesh.call("close_position", self.state(inputs), self.tables.nq + self.tables.mp)
 
     def close_velocity(self, inputs: Inputs) -> Array:
         """u (nu,) that the constraints allow, then the rates (m,) before."""
-        return self.mesh.call("close_velocity", self._at(inputs), self.tables.nu + self.tables.m)
+        return self.mesh.call("close_velocity", self.state(inputs), self.tables.nu + self.tables.m)
 
     def closed(self, name: str, q: Array, u: Array, locked: Array, inputs: dict[str, Any]) -> Array:
         """Same as :meth:`close_position` and :meth:`close_velocity`, where ``locked`` (nu) is not 0
@@ -179,20 +179,20 @@ class Results:
 
     def events(self, inputs: Inputs) -> Array:
         """Values (ne,) of events, which happen where they fall through zero."""
-        return self.mesh.call("events", self._at(inputs), self.tables.ne)
+        return self.mesh.call("events", self.state(inputs), self.tables.ne)
 
     def transition(self, inputs: Inputs) -> Array:
         """u (nu,), z (nz,) and s (ns,) behind the events ``e``."""
         tables, e = self.tables, inputs["e"][: self.tables.ne]
         return self.mesh.call(
-            "transition", self._at(inputs), tables.nu + tables.nz + tables.ns, e=e
+            "transition", self.state(inputs), tables.nu + tables.nz + tables.ns, e=e
         )
 
     # motion
 
     def qdot(self, inputs: Inputs) -> Array:
         """Same as :meth:`Mesh.rates`."""
-        at = self._at(inputs)
+        at = self.state(inputs)
         assert at.u is not None
         return self.mesh.rates(at.q, at.u)
 
@@ -204,49 +204,49 @@ class Results:
 
     def energy(self, inputs: Inputs) -> Array:
         """Kinetic, potential and total energy (3,) [J]."""
-        return self.mesh.call("energy", self._at(inputs), 3)
+        return self.mesh.call("energy", self.state(inputs), 3)
 
     def power(self, inputs: Inputs) -> Array:
         """Power of every source (nsources,) [W];
 
         the multipliers of driven joints are solved for.
         """
-        return self.mesh.call("power", self._at(inputs), len(self.tables.powers))
+        return self.mesh.call("power", self.state(inputs), len(self.tables.powers))
 
     def momentum(self, inputs: Inputs) -> Array:
         """Angular (about the ground origin) and linear momentum (6,) [kg m^2/s and kg m/s]."""
-        return self.mesh.call("momentum", self._at(inputs), 6)
+        return self.mesh.call("momentum", self.state(inputs), 6)
 
     # frames and elements
 
     def pose(self, frame: str, inputs: Inputs) -> Array:
         """Same as :meth:`Frames.pose`."""
         if frame in self.in_trees:
-            return self.in_trees.pose(frame, self._at(inputs))
+            return self.in_trees.pose(frame, self.state(inputs))
         return self.frames.pose(frame, inputs["q"])
 
     def velocity(self, frame: str, inputs: Inputs) -> Array:
         """Same as :meth:`Frames.velocity`."""
         if frame in self.in_trees:
-            return self.in_trees.velocity(frame, self._at(inputs))
+            return self.in_trees.velocity(frame, self.state(inputs))
         return self.frames.velocity(frame, inputs["q"], inputs["u"])
 
     def acceleration(self, frame: str, inputs: Inputs) -> Array:
         """Same as :meth:`Frames.acceleration`."""
         if frame in self.in_trees:
-            return self.in_trees.acceleration(frame, self._at(inputs))
+            return self.in_trees.acceleration(frame, self.state(inputs))
         return self.frames.acceleration(frame, inputs["q"], inputs["u"], inputs["udot"])
 
     def frame_jacobian(self, frame: str, inputs: Inputs) -> Array:
         """Same as :meth:`Frames.jacobian`."""
         if frame in self.in_trees:
-            return self.in_trees.jacobian(frame, self._at(inputs))
+            return self.in_trees.jacobian(frame, self.state(inputs))
         return self.frames.jacobian(frame, inputs["q"], self.tables.nu)
 
     def reaction(self, joint: str, inputs: Inputs) -> Array:
         """The wrench (6,) [N m and N] of a joint of the scene; its multipliers are solved for."""
         udot, lam = self._solved(inputs)
-        at = self._at(inputs, udot=udot, lam=lam)
+        at = self.state(inputs, udot=udot, lam=lam)
         joints = self.manifest.elements.tree_joints
         if joint in joints:
             return self.tree_reaction(joints.index(joint), at)
@@ -263,7 +263,7 @@ class Results:
 
     def outputs(self, inputs: Inputs) -> Array:
         """The declared outputs (ny,), in their units."""
-        return self.mesh.call("outputs", self._at(inputs), self.tables.outputs)
+        return self.mesh.call("outputs", self.state(inputs), self.tables.outputs)
 
     def element_forces(self, inputs: Inputs) -> Array:
         """Forces of elements by name (nforces,) [N or N m]."""
@@ -273,7 +273,8 @@ class Results:
         if any(groups[k].kind.m for k in having):
             # what modes hold, and friction by reactions, follow from multipliers
             more["lam"] = self._solved(inputs)[1]
-        results = dict(zip(having, self.mesh.results(form, self._at(inputs, **more)), strict=True))
+        at = self.state(inputs, **more)
+        results = dict(zip(having, self.mesh.results(form, at), strict=True))
         places, values = self.manifest.elements.forces, list[float]()
         taken = Counter[tuple[int, int]]()
         for name, rows in groupby(self.manifest.element_forces, lambda row: row.element):

@@ -148,7 +148,7 @@ class Mesh(Elements):
                 for name in self._connected.intersection(group.kind.functions):
                     if after is not before:
                         code = self._codes[group.kind.functions[name]]
-                        other._form(record.forms[FORMS.index(name)], code, after)
+                        other.form(record.forms[FORMS.index(name)], code, after)
             return other
 
     def _pointer(self, array: NDArray[Any] | None) -> int | None:
@@ -201,11 +201,21 @@ class Mesh(Elements):
                     continue
                 code = self._codes[group.kind.functions[name]]
                 code.take(_block_sizes(group.kind, self.tables.nr))
-                self._form(record.forms[place], code, self.data[k])
+                self.form(record.forms[place], code, self.data[k])
         self._connected.update(missing)
         return [symbol for symbol, code in loaded.items() if code.fresh]
 
-    def _form(self, form: Form, code: Code, data: Array) -> None:
+    def loaded(self, symbols: Sequence[str]) -> dict[str, Code]:
+        """Functions of elements and places that others call, checked where they are new."""
+        with self._lock:
+            loaded = dict(self._load(symbols))
+            self._codes |= loaded
+            fresh = [symbol for symbol, code in loaded.items() if code.fresh]
+            if fresh:
+                self._judge(self, fresh)
+        return loaded
+
+    def form(self, form: Form, code: Code, data: Array) -> None:
         """Connect a function of a kind, with the data of its elements prepared."""
         form.call, form.lanes = code.address, code.lanes
         w = prepare_rows(code, data)
@@ -251,7 +261,8 @@ class Mesh(Elements):
 
     # evaluation
 
-    def _state(self, at: State) -> tuple[StateRecord, list[Array]]:
+    def state(self, at: State) -> tuple[StateRecord, list[Array]]:
+        """A state as C knows it, and what must live as long."""
         blocks = {"q": at.q, "u": at.u, "udot": at.udot, "lam": at.lam}
         blocks |= {"z": at.z, "s": at.s, "r": at.r, "du": at.du, "inner": at.inner}
         arrays = {
@@ -265,12 +276,12 @@ class Mesh(Elements):
 
     def _status(self, name: str, at: State, *arguments: object) -> int:
         self.connect(*NEEDED.get(name, ()))
-        record, _arrays = self._state(at)
+        record, _arrays = self.state(at)
         function = getattr(self.library, f"cardan_mesh_{name}")
         memory = np.empty(self.work)
-        return self._run(function, self.reference, ctypes.byref(record), *arguments, _at(memory))
+        return self.run(function, self.reference, ctypes.byref(record), *arguments, _at(memory))
 
-    def _run(self, function: Callable[..., int], *arguments: object) -> int:
+    def run(self, function: Callable[..., int], *arguments: object) -> int:
         """Status of a function of the kernels."""
         with called_back() if self.interpreted else nullcontext():
             return int(function(*arguments))
@@ -287,7 +298,7 @@ class Mesh(Elements):
         self, name: str, at: State, size: int, tau: Array | None = None, e: Array | None = None
     ) -> Array:
         """A function of the whole mesh with the interface of generated ones."""
-        record, _arrays = self._state(at)
+        record, _arrays = self.state(at)
         more = {"tau": tau, "e": e}
         arrays = {n: np.ascontiguousarray(x, float) for n, x in more.items() if x is not None}
         blocks = {name: getattr(record, name) for name in ("q", "u", "z", "s", "r")}
@@ -296,7 +307,7 @@ class Mesh(Elements):
         blocks |= {n: x.ctypes.data for n, x in arrays.items()}
         pointers = (ctypes.c_void_p * len(ORDER))(*(blocks.get(name) for name in ORDER))
         out, memory = np.empty(size), np.empty(self.work)
-        status = self._run(FUNCTION(self.closure(name)), pointers, *map(_at, (out, memory)))
+        status = self.run(FUNCTION(self.closure(name)), pointers, *map(_at, (out, memory)))
         if status:
             raise SolveError(f"{name} has no solution (status {status})")
         return out
@@ -337,7 +348,7 @@ class Mesh(Elements):
         out, q, u = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(u)
         memory = np.empty(self.work)
         arguments = self.reference, *map(_at, (q, u, out, memory))
-        _done("rates", self._run(self.library.cardan_mesh_rates, *arguments))
+        _done("rates", self.run(self.library.cardan_mesh_rates, *arguments))
         return out
 
     def move(self, q: Array, du: Array) -> Array:
@@ -345,7 +356,7 @@ class Mesh(Elements):
         out, q, du = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(du)
         memory = np.empty(self.work)
         arguments = self.reference, _at(q), _at(du), _at(out), None, _at(memory)
-        _done("move", self._run(self.library.cardan_mesh_move, *arguments))
+        _done("move", self.run(self.library.cardan_mesh_move, *arguments))
         return out
 
 

@@ -263,22 +263,24 @@ def load(model: LoadedModel) -> Mesh:
     groups = zip(mesh.tables.groups, mesh.data, strict=True)
     return mesh.with_data(
         [
-            data if changed.isdisjoint(_read_by(model, group)) else data_of(model, group)
+            data
+            if changed.isdisjoint(parameters_of_data(model, group.common))
+            else data_of(model, group)
             for group, data in groups
         ]
     )
 
 
-def _read_by(model: LoadedModel, group: Table) -> frozenset[int]:
-    """Numbers of the parameters that the data of a group depend on."""
-    if not group.common:
+def parameters_of_data(model: LoadedModel, saved: str) -> frozenset[int]:
+    """Numbers of the parameters that a saved function reads; "" reads none."""
+    if not saved:
         return frozenset()
     read = model._objects.parameters_read
-    if group.common not in read:
-        function = model._objects.function(group.common)
+    if saved not in read:
+        function = model._objects.function(saved)
         nodes = (function.graph.nodes[i] for i in function.live())
-        read[group.common] = frozenset(node[2] for node in nodes if node[0] == "var")
-    return read[group.common]
+        read[saved] = frozenset(n[2] for n in nodes if n[0] == "var" and n[1] == "p")
+    return read[saved]
 
 
 def _loaded(model: LoadedModel) -> Mesh:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from ..differences import BLURRED, BOUND, MARGIN, worst_of
-from . import balances, element_ends, element_events, wrenches
+from . import balances, element_ends, element_events, gradients, wrenches
 from .balances import NO_LAW
 from .members import Members, NotThere
 
@@ -22,6 +22,7 @@ def check_kinds(members: Members) -> Iterator[tuple[str, float, str]]:
     modal, everywhere = "H" in members.table.kind.parts, members.in_all_modes
     for form in members.codes:
         at = everywhere if modal or form in element_events.LAWS else members
+        at = at.weighed(form)
         error, why = _text(at, form), ""
         try:
             law = LAWS[form](at) if form in LAWS else NO_LAW
@@ -63,4 +64,5 @@ LAWS: dict[str, Callable[[Members], float | str]] = {
     **element_ends.LAWS,
     **wrenches.LAWS,
     **element_events.LAWS,
+    **gradients.LAWS,
 }

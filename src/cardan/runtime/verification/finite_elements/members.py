@@ -78,6 +78,14 @@ class Members:
             run()
         return unpacked(out, code.lanes)[:n]
 
+    def weighed(self, form: str) -> Members:
+        """The same with random weights, where a function has some."""
+        size = len(self.codes[form].entry.vector)
+        if not size:
+            return self
+        weights = np.random.default_rng(9).uniform(-1, 1, (self.count, size))
+        return replace(self, inputs={**self.inputs, "v": weights}, cache={})
+
     def disagreement(self, both: Callable[[Members], tuple[Array, Array]], *terms: Array) -> float:
         """Of two results (n, ...) for the same, beyond what rounding makes of their difference.
 
@@ -223,9 +231,9 @@ def members_of(
         rows = np.unique(np.linspace(0, len(group) - 1, min(MOST, len(group))).astype(int))
         parts = [_read(elements, number, at, rows) for at in states]
         inputs = {k: np.concatenate([part[k] for part in parts]) for k in parts[0]}
-        compiled = {
-            f: codes[symbol] for f, symbol in group.kind.functions.items() if symbol in codes
-        }
+        kind = group.kind
+        symbols = {**kind.functions, **kind.gradients}
+        compiled = {f: codes[symbol] for f, symbol in symbols.items() if symbol in codes}
         places = (
             tuple(tables.kinds[tables.kind[p]] for p in group.place[0]) if group.place.size else ()
         )

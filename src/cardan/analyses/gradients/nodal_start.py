@@ -1,0 +1,270 @@
+"""How the start of a run in absolute coordinates follows from what was named.
+
+Nodes and beams are placed where the joints carry them, and loops are closed by all of them. That is
+geometry without any motion, smooth and cheap: its derivatives are differences of eighth order, as
+exact as the start itself. A start that was given as a whole is closed by projections, whose
+derivatives are known.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeAlias
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ModelError
+from ...runtime.calls.methods import ByName
+from ...runtime.models.finite_elements.joint_driven_nodes import SAVED, leading
+from ...runtime.models.finite_elements.table_loading import parameters_of_data, tables_of
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.verification.differences import REACH, central
+from ...schema.blocks import COORDINATES
+from ...schema.mechanism import JointRow
+from ..simulation.driving import RunSetup
+from ..simulation.settings import start
+from ..simulation.starts.start import closed_start, named_of
+from .steps import CLOSING, StepsAgain
+
+# of an angle, of the size of a coordinate or of a parameter
+STEP = 1e-2
+Names: TypeAlias = Mapping[str, object]
+
+
+@dataclass(frozen=True)
+class NodalStart:
+    """Derivatives of the start of a run in absolute coordinates.
+
+    Attributes:
+        setup: The run.
+        state: q, u and z by names, as they were given; None of what was given as a whole.
+        r: Inputs at the start (nr,).
+        s: Modes (ns,).
+        wide: Whether derivatives by parameters are asked for.
+        closing: Projections that close a start which was given as a whole.
+    """
+
+    setup: RunSetup
+    state: Mapping[str, Names | None]
+    r: Array
+    s: Array
+    wide: bool
+    closing: tuple[str, ...]
+
+    @classmethod
+    def of(
+        cls, setup: RunSetup, steps: StepsAgain, state: Mapping[str, object], s: Array, wide: bool
+    ) -> NodalStart:
+        """The derivatives at the start of a run; arguments are those of ``NamedStart.of``."""
+        as_a_block = state["x0"] is not None
+        names = {
+            letter: None if as_a_block else named_of(letter, setup.model, state[letter])
+            for letter in "qu"
+        }
+        closing = tuple(name for name in CLOSING if name in steps.runner.closing.functions)
+        z = state["z"] if isinstance(state["z"], Mapping) else {}
+        r = steps.inputs_at(setup.over.start)[0]
+        return cls(setup, {**names, "z": z}, r, s, wide and bool(setup.model.parameters), closing)
+
+    @property
+    def model(self) -> LoadedModel:
+        """The model of the run."""
+        return self.setup.model
+
+    # gradients
+
+    def backward(self, lam: Array) -> tuple[Array, Array, Array]:
+        """Gradients by the start (2 nu + nz,), by inputs and by parameters.
+
+        Args:
+            lam: Gradient by the state (nx,).
+        """
+        model = self.model
+        by_r = np.zeros(model.nr)
+        by_p = np.zeros(len(model.parameters) if self.wide else 0)
+        if self.state["q"] is None or self.state["u"] is None:
+            return self._through_projections(lam, by_r, by_p)
+        start_gradient = np.zeros(2 * model.nu + model.nz)
+        start_gradient[2 * model.nu :] = lam[model.nq + model.nu :]
+        for (block, k), column in self._columns.items():
+            {"x": start_gradient, "r": by_r, "p": by_p}[block][k] += column @ lam
+        return start_gradient, by_r, by_p
+
+    def forward(self, start_change: Array, by_r: Array, by_p: Array) -> Array:
+        """Change of the state (nx,) by one of what was named (2 nu + nz,), inputs, parameters."""
+        model = self.model
+        change = np.zeros(model.nx)
+        change[model.nq + model.nu :] = start_change[2 * model.nu :]
+        if self.state["q"] is None or self.state["u"] is None:
+            return self._projected(start_change, by_r, by_p)
+        directions = {"x": start_change, "r": by_r, "p": by_p}
+        for (block, k), column in self._columns.items():
+            change += directions[block][k] * column
+        return change
+
+    # starts that were given as a whole
+
+    def _arguments(self, name: str) -> tuple[tuple[str, ...], ByName]:
+        """Blocks that a projection has derivatives by, and where it is taken."""
+        model = self.model
+        q, u, z = model.parts_of(self.setup.begin.x)
+        at = {"t": self.setup.over.start, "q": q, "r": self.r}
+        blocks = [COORDINATES]
+        if name == "close_velocity":
+            at |= {"u": u, "z": z, "s": self.s}
+            blocks.append("u")
+        blocks += ["r"] * (model.nr > 0) + ["p"] * self.wide
+        return tuple(blocks), at
+
+    def _through_projections(
+        self, lam: Array, by_r: Array, by_p: Array
+    ) -> tuple[Array, Array, Array]:
+        model, lam = self.model, lam.copy()
+        nq, nu = model.nq, model.nu
+        for name in reversed(self.closing):
+            blocks, at = self._arguments(name)
+            part = slice(nq, nq + nu) if name == "close_velocity" else slice(0, nq)
+            size = getattr(model, name)(**at).size
+            weights = np.concatenate([lam[part], np.zeros(size - (part.stop - part.start))])
+            slopes = dict(
+                zip(blocks, model.vjp(name, wrt=blocks)(**at, weights=weights), strict=True)
+            )
+            lam[part] = 0.0
+            lam[:nq] += slopes[COORDINATES]
+            lam[nq : nq + nu] += slopes.get("u", 0.0)
+            by_r += slopes.get("r", 0.0)
+            by_p += slopes.get("p", 0.0)
+        q, u, _ = model.parts_of(self.setup.begin.x)
+        along = model.vjp("qdot", wrt="u")(
+            q=q, u=u, t=self.setup.over.start, r=self.r, weights=lam[:nq]
+        )
+        return np.concatenate([along, lam[nq:]]), by_r, by_p
+
+    def _projected(self, start_change: Array, by_r: Array, by_p: Array) -> Array:
+        model = self.model
+        nq, nu = model.nq, model.nu
+        q, u, _ = model.parts_of(self.setup.begin.x)
+        along = model.jvp("qdot", wrt="u")(
+            q=q, u=u, direction=start_change[:nu], t=self.setup.over.start, r=self.r
+        )
+        change = np.concatenate([along, start_change[nu:]])
+        for name in self.closing:
+            blocks, at = self._arguments(name)
+            ways = {COORDINATES: change[:nq], "u": change[nq : nq + nu], "r": by_r, "p": by_p}
+            direction = {block: ways[block] for block in blocks}
+            part = slice(nq, nq + nu) if name == "close_velocity" else slice(0, nq)
+            step = model.jvp(name, wrt=blocks)(**at, direction=direction)
+            change[part] = step[: part.stop - part.start]
+        return change
+
+    # starts by names
+
+    @cached_property
+    def _columns(self) -> dict[tuple[str, int], Array]:
+        """Derivatives (nx,) of the start by what may be named, by inputs and by parameters."""
+        columns = dict[tuple[str, int], Array]()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            for key, at, size in (*self._along(), *self._by_inputs(), *self._by_parameters()):
+                try:
+                    steps = STEP * size * np.outer([1.0, -1.0], REACH)
+                    ahead, behind = ([at(float(x)) for x in row] for row in steps)
+                except ModelError:
+                    # loops decide where it is: it follows what was named
+                    continue
+                column = central(np.array(ahead), np.array(behind)) / (STEP * size)
+                if np.any(column):
+                    columns[key] = column
+        return columns
+
+    def _start(
+        self,
+        q: Names | None = None,
+        u: Names | None = None,
+        r: Array | None = None,
+        model: LoadedModel | None = None,
+    ) -> Array:
+        """The start by other names."""
+        model = model or self.model
+        names = {**self.state, **{k: v for k, v in (("q", q), ("u", u)) if v is not None}}
+        begin = start(model, None, names["q"], names["u"], names["z"])
+        inputs = self.r if r is None else r
+        return closed_start(model, begin, names["q"], names["u"], self.setup.over.start, inputs).x
+
+    def _along(self) -> Iterator[tuple[tuple[str, int], Callable[[float], Array], float]]:
+        """Starts along the coordinates and speeds of joints, and of what was named."""
+        model = self.model
+        nu = model.nu
+        q, u, _ = model.parts_of(self.setup.begin.x)
+        leads = leading(model)
+        for joint in model.manifest.joints:
+            named = {
+                letter: any(self._of(name, letter, joint) for name in self._names(letter))
+                for letter in "qu"
+            }
+            for k in range(nu)[_part(joint, "u")]:
+                if leads[k] or named["q"]:
+
+                    def moved(h: float, k: int = k, joint: JointRow = joint) -> Array:
+                        block = model.integrate(q, h * np.eye(nu)[k])[_part(joint, "q")]
+                        return self._start(q=self._renamed("q", joint, block))
+
+                    yield ("x", k), moved, 1.0
+                if leads[k] or named["u"]:
+
+                    def faster(h: float, k: int = k, joint: JointRow = joint) -> Array:
+                        block = (u + h * np.eye(nu)[k])[_part(joint, "u")]
+                        return self._start(u=self._renamed("u", joint, block))
+
+                    yield ("x", nu + k), faster, 1.0
+
+    def _names(self, letter: str) -> Names:
+        """What was named of coordinates or speeds."""
+        return self.state[letter] or {}
+
+    def _of(self, name: str, letter: str, joint: JointRow) -> bool:
+        """True when a name is that of entries of a joint."""
+        place = _part(joint, letter)
+        return bool(place.start <= self.model.manifest.slots(letter)[name].start < place.stop)
+
+    def _renamed(self, letter: str, joint: JointRow, block: Array) -> Names:
+        """What was named, with a joint as a whole."""
+        names = self._names(letter).items()
+        remaining = {n: value for n, value in names if not self._of(n, letter, joint)}
+        return {**remaining, joint.name: block if len(block) > 1 else float(block[0])}
+
+    def _by_inputs(self) -> Iterator[tuple[tuple[str, int], Callable[[float], Array], float]]:
+        for k in range(self.model.nr):
+
+            def at(h: float, k: int = k) -> Array:
+                return self._start(r=self.r + h * np.eye(len(self.r))[k])
+
+            yield ("r", k), at, max(1.0, abs(float(self.r[k])))
+
+    def _by_parameters(self) -> Iterator[tuple[tuple[str, int], Callable[[float], Array], float]]:
+        """Starts at other parameters, of those that geometry reads."""
+        model = self.model
+        if not self.wide:
+            return
+        rows = model.manifest.parameters
+        bound = [group for group in tables_of(model).groups if group.kind.m]
+        read = parameters_of_data(model, SAVED)
+        for group in bound:
+            read |= parameters_of_data(model, group.common)
+        for k in sorted(read):
+            value, name = float(model.parameters.vector[k]), rows[k].name
+
+            def at(h: float, name: str = name, value: float = value) -> Array:
+                return self._start(model=model.with_parameters({name: value + h}))
+
+            yield ("p", k), at, abs(value) or 1.0
+
+
+def _part(joint: JointRow, letter: str) -> slice:
+    """Entries of a joint in q or u."""
+    first, count = joint.slot(letter)
+    return slice(first, first + count)

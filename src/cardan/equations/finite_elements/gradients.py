@@ -1,0 +1,136 @@
+"""Gradients of weighted sums of what elements give, by everything that they read.
+
+One sweep in reverse through a kind of element serves every product with a derivative: of forces, of
+constraints on all levels, of internal states, or of energies, momenta, powers and outputs.
+
+Source: Griewank and Walther, Evaluating Derivatives (2008), section 3.2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import islice
+
+from ...arrays import Integers
+from ...errors import DerivationError
+from ...ir.derivative import gradient
+from ...ir.function import Block, Function, Output
+from ...ir.graph import ZERO, Graph
+from ...ir.matrix import Matrix, inner
+from ...ir.rewrite import rebuild
+from ...ir.routine import Routine
+from ...schema.blocks import ORDER
+from ...schema.finite_elements import GRADIENTS, RATES_GRADIENT
+from .record import BlockKind, Group, Kind
+
+ABOUT = "gradient of a weighted sum of results"
+
+
+def gradient_of(kind: Kind, form: str, group: Group, inputs: int) -> Function:
+    """A gradient of a kind of element.
+
+    Args:
+        kind: The kind.
+        form: One of ``GRADIENTS``.
+        group: Elements of that kind.
+        inputs: How many the scene has.
+
+    Returns:
+        Its weights are the block v: of ``dynamics_gradient`` those of the balance (nu), of g (mp),
+        of the rates (m), of G udot - H lam - gamma (m) and of its own internal states, else those
+        of the results of the function. The results are derivatives by q as it is stored, u, udot,
+        lam, z, s, r, t and the data that parameters change.
+
+    Raises:
+        DerivationError: routines of C compute the functions of the kind.
+    """
+    graph = Graph()
+    read = {name: kind.functions[name] for name in GRADIENTS[form] if name in kind.functions}
+    if any(isinstance(function, Routine) for function in read.values()):
+        raise DerivationError(
+            f"elements of kind '{kind.name}' have no derivatives yet: a scene with superelements "
+            "needs differences of its functions"
+        )
+    roots = _dynamics(graph, kind, read) if len(GRADIENTS[form]) > 1 else _all(graph, read)
+    fixed = 0 if group.attributes is None else group.attributes.shape[1]
+    sizes = {
+        **{"q": kind.nq, "u": kind.nu, "udot": kind.nu, "lam": kind.m},
+        **{"z": _width(group.z), "s": _width(group.s), "r": inputs, "t": 1},
+        "p": len(kind.data) - fixed,
+    }
+    blocks = {block.name: block for f in read.values() for block in f.inputs}
+    owners = next((f.owners for f in read.values()), ())
+    return _gradient(kind.c_name(form), graph, roots, blocks, sizes, owners)
+
+
+def rates_gradient_of(kind: BlockKind) -> Function:
+    """Gradient of weighted rates of the coordinates of a place: by its q and u, weights in v."""
+    rates, graph = kind.functions["qdot"], Graph()
+    blocks = {block.name: block for block in rates.inputs}
+    roots = _all(graph, {"qdot": rates})
+    sizes = {"q": kind.nq, "u": kind.nu}
+    name = f"{kind.name}__{RATES_GRADIENT}"
+    return _gradient(name, graph, roots, blocks, sizes, rates.owners)
+
+
+def _gradient(
+    name: str,
+    graph: Graph,
+    roots: Sequence[int],
+    blocks: Mapping[str, Block],
+    sizes: Mapping[str, int],
+    owners: tuple[str, ...],
+) -> Function:
+    """Derivatives of a weighted sum of the roots by blocks of known sizes."""
+    weights = [graph.var("v", k) for k in range(len(roots))]
+    v = Block("v", tuple(f"weight{k + 1}" for k in range(len(roots))), ("",) * len(roots))
+    leaves = [graph.var(letter, k) for letter, n in sizes.items() for k in range(n)]
+    slopes = iter(gradient(graph, inner(graph, weights, roots), leaves))
+    outputs = tuple(
+        Output(f"d_{letter}", (n,), tuple(islice(slopes, n))) for letter, n in sizes.items() if n
+    )
+    read = {**blocks, "v": v}
+    inputs = tuple(read[letter] for letter in ORDER if letter in read)
+    return Function(name, graph, inputs, outputs, owners, ABOUT)
+
+
+def _width(table: Integers | None) -> int:
+    return 0 if table is None else table.shape[1]
+
+
+def _copied(graph: Graph, function: Function | None) -> dict[str, Sequence[int]]:
+    """Results of a function in another graph, by name."""
+    if function is None:
+        return {}
+    # functions of a kind have the tables of one graph
+    graph.tables = max(graph.tables, function.graph.tables.copy(), key=len)
+    nodes = iter(rebuild(function.graph, function.roots, into=graph)[1])
+    return {output.name: [next(nodes) for _ in output.nodes] for output in function.outputs}
+
+
+def _all(graph: Graph, read: Mapping[str, Function]) -> list[int]:
+    """All results of some functions."""
+    return [n for f in read.values() for some in _copied(graph, f).values() for n in some]
+
+
+def _dynamics(graph: Graph, kind: Kind, read: Mapping[str, Function]) -> list[int]:
+    """The balance, g, the rates, what accelerations miss of constraints, and rates of z."""
+    nu, m, levels = kind.nu, kind.m, kind.nu + kind.mp + kind.m
+    results = {name: _copied(graph, read.get(name)) for name in GRADIENTS["dynamics_gradient"]}
+    balance, gamma, zdot = (
+        [node for some in results[name].values() for node in some]
+        for name in ("balance", "gamma", "zdot")
+    )
+    tangent = results["balance_tangent"]
+    missed = Matrix.zeros(graph, m)
+    udot, lam = (
+        Matrix(graph, n, 1, [graph.var(letter, k) for k in range(n)])
+        for letter, n in (("udot", nu), ("lam", m))
+    )
+    if "G" in tangent:
+        missed = Matrix(graph, m, nu, tangent["G"]) @ udot
+    if "H" in tangent:
+        missed = missed - Matrix(graph, m, m, tangent["H"]) @ lam
+    if gamma:
+        missed = missed - Matrix(graph, m, 1, gamma)
+    return [*balance, *[ZERO] * (levels - len(balance)), *missed.nodes, *zdot]

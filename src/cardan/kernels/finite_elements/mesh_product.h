@@ -1,0 +1,78 @@
+/* Products of weights with derivatives of the functions of a mesh, and all columns of these.
+ *
+ * Part of cardan. Caller owns all memory.
+ *
+ * Of a sum of results with weights v every kind of element has a gradient by what it reads, one sweep
+ * in reverse. Accelerations and multipliers y are never differentiated through their solution: they
+ * fulfil R(x, y) = 0, balance and constraints, so that the gradient of phi(x, y) is that of phi - mu R
+ * at mu R_y = phi_y, one solve with the factors at hand. Projections onto constraints are differentiated
+ * where gaps are closed: what is proportional to them is left out.
+ * Source: A. Griewank, A. Walther, Evaluating Derivatives (2008), sections 3.2 and 15.3.
+ */
+#ifndef CARDAN_MESH_PRODUCT_H
+#define CARDAN_MESH_PRODUCT_H
+
+#include "mesh_calls.h"
+
+/* functions of a mesh that have derivatives */
+enum {
+    CARDAN_OF_INVERSE_DYNAMICS,
+    CARDAN_OF_CONSTRAINTS,
+    CARDAN_OF_CONSTRAINT_RATES,
+    CARDAN_OF_ENERGY,
+    CARDAN_OF_MOMENTUM,
+    CARDAN_OF_POWER,
+    CARDAN_OF_OUTPUTS,
+    CARDAN_OF_QDOT,
+    CARDAN_OF_RHS,
+    CARDAN_OF_FORWARD_DYNAMICS,
+    CARDAN_OF_MULTIPLIERS,
+    CARDAN_OF_CLOSE_POSITION,
+    CARDAN_OF_CLOSE_VELOCITY,
+    CARDAN_OF_EXPRESSION
+};
+
+/* Slopes of the data of the elements of a group by the parameters, row by row: those of one element,
+ * if `shared`, or of all of them. */
+typedef struct cardan_data_slopes {
+    ptrdiff_t count;            /* data of an element that parameters change, the first ones */
+    ptrdiff_t shared;           /* 1: all elements have the same */
+    const ptrdiff_t *start;     /* (rows + 1) */
+    const ptrdiff_t *parameter; /* of every slope */
+    const real *slope;
+} cardan_data_slopes;
+
+/* What a product is made of; it is the `w` of its functions. */
+typedef struct cardan_mesh_product {
+    const cardan_mesh *mesh;       /* with room for gradients */
+    ptrdiff_t function;            /* CARDAN_OF_... */
+    ptrdiff_t results;             /* numbers of that function */
+    const cardan_form *dynamics;   /* (groups) gradients of balances, of constraints and of zdot */
+    const cardan_form *direct;     /* (groups) of energies, momenta, powers or outputs; NULL */
+    const cardan_form *rates;      /* (movers) of qdot by q and u; NULL calls: speeds are rates */
+    const cardan_form *formula;    /* value of an expression by states and outputs (in v), and its slopes
+                                      by t q u z r p and outputs */
+    const cardan_data_slopes *data; /* (groups); NULL: not by parameters */
+    ptrdiff_t np;
+    const ptrdiff_t *quaternion;   /* (quaternions) first entries in q */
+    ptrdiff_t quaternions;
+    ptrdiff_t columns;             /* of all parts */
+    const ptrdiff_t *column;       /* (columns) which derivative, see mesh_product.c */
+    ptrdiff_t parts;               /* blocks and names that it is by */
+    const ptrdiff_t *part;         /* (parts + 1) where each begins among the columns */
+} cardan_mesh_product;
+
+/* numbers of work memory that these need */
+ptrdiff_t cardan_mesh_product_work(const cardan_mesh_product *product);
+/* where derivatives by t q coordinates u z s r p udot tau begin (10) */
+void cardan_mesh_product_starts(const cardan_mesh_product *product, ptrdiff_t *starts);
+/* (1): value of an expression */
+int cardan_mesh_call_expression(const cardan_in *in, real *out, real *work);
+/* (columns): weights v times the derivative */
+int cardan_mesh_call_vjp(const cardan_in *in, real *out, real *work);
+/* (results): change along a direction v (columns) */
+int cardan_mesh_call_jvp(const cardan_in *in, real *out, real *work);
+/* (results, columns of the part), part after part */
+int cardan_mesh_call_derivative(const cardan_in *in, real *out, real *work);
+
+#endif

@@ -1,0 +1,366 @@
+/* Sweeps in reverse through the functions of a mesh: see mesh_pull.h.
+ *
+ * Part of cardan. Caller owns all memory.
+ */
+#include "mesh_pull.h"
+#include <string.h>
+
+static ptrdiff_t lay_slopes(const cardan_mesh_product *product, real *block, cardan_slopes *by)
+{
+    const cardan_mesh *mesh = product->mesh;
+    ptrdiff_t used = 0;
+
+    by->t = cardan_reserve(block, &used, 1);
+    by->along = cardan_reserve(block, &used, mesh->nu);
+    by->q = cardan_reserve(block, &used, mesh->nq);
+    by->u = cardan_reserve(block, &used, mesh->nu);
+    by->z = cardan_reserve(block, &used, mesh->nz);
+    by->s = cardan_reserve(block, &used, mesh->ns);
+    by->r = cardan_reserve(block, &used, mesh->nr);
+    by->p = cardan_reserve(block, &used, product->np);
+    by->udot = cardan_reserve(block, &used, mesh->nu);
+    by->tau = cardan_reserve(block, &used, mesh->nu);
+    by->lam = cardan_reserve(block, &used, mesh->m);
+    by->count = used;
+    return used;
+}
+
+ptrdiff_t cardan_mesh_lay_place(const cardan_mesh_product *product, real *block, cardan_place *here)
+{
+    const cardan_mesh *mesh = product->mesh;
+    /* what is solved with comes first */
+    ptrdiff_t used = cardan_mesh_call_work(mesh) + mesh->nu + mesh->m;
+
+    here->weights = cardan_reserve(block, &used, mesh->nu + mesh->mp + 2 * mesh->m + mesh->nz);
+    here->direct = cardan_reserve(block, &used, mesh->outputs + 2);
+    here->unit = cardan_reserve(block, &used, product->results + mesh->outputs);
+    used += lay_slopes(product, block ? block + used : NULL, &here->by);
+    here->room = cardan_reserve(block, &used, cardan_mesh_room(mesh));
+    return used;
+}
+
+/* Add entries of elements to those of a block that they pick. Returns what follows. */
+static const real *add_picked(const cardan_element_lanes *some, const ptrdiff_t *which, ptrdiff_t n,
+                              const real *out, real *to)
+{
+    for (ptrdiff_t i = 0; i < n; i++, out += some->lanes)
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+            to[which[some->element[lane] * n + i]] += out[lane];
+    return out;
+}
+
+/* The same of the numbers of their places. */
+static const real *add_places(const cardan_group *g, const cardan_element_lanes *some,
+                              const ptrdiff_t *starts, const real *out, real *to)
+{
+    for (ptrdiff_t k = 0; k < g->places; k++) {
+        const ptrdiff_t *entries = starts + g->place[some->element[0] * g->places + k];
+        for (ptrdiff_t i = 0, n = entries[1] - entries[0]; i < n; i++, out += some->lanes)
+            for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+                to[starts[g->place[some->element[lane] * g->places + k]] + i] += out[lane];
+    }
+    return out;
+}
+
+/* Derivatives by data become those by parameters. */
+static void add_data(const cardan_data_slopes *data, const cardan_element_lanes *some,
+                     const real *out, real *by_p)
+{
+    for (ptrdiff_t i = 0; i < data->count; i++, out += some->lanes)
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
+            const ptrdiff_t row = (data->shared ? 0 : some->element[lane] * data->count) + i;
+            for (ptrdiff_t k = data->start[row]; k < data->start[row + 1]; k++)
+                by_p[data->parameter[k]] += data->slope[k] * out[lane];
+        }
+}
+
+/* Add the gradients of elements. */
+static void take_gradient(const cardan_mesh *mesh, const cardan_group *g,
+                          const cardan_element_lanes *some, real *out, void *to)
+{
+    const cardan_place *here = to;
+    const cardan_slopes *by = &here->by;
+    const real *next = add_places(g, some, mesh->q, out, by->q);
+
+    next = add_places(g, some, mesh->u, next, by->u);
+    next = add_places(g, some, mesh->u, next, by->udot);
+    for (ptrdiff_t k = 0; k < g->m; k++, next += some->lanes)
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
+            const ptrdiff_t *rows = g->rows + 2 * some->element[lane];
+            by->lam[k < g->mp ? rows[0] + k : rows[1] + k - g->mp] += next[lane];
+        }
+    /* internal states and modes, of which each belongs to one element */
+    next = add_picked(some, g->z, g->nz, next, by->z);
+    next = add_picked(some, g->s, g->ns, next, by->s);
+    /* what all elements share: inputs, time and parameters */
+    for (ptrdiff_t i = 0; i < mesh->nr; i++, next += some->lanes)
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+            by->r[i] += next[lane];
+    for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+        *by->t += next[lane];
+    if (here->product->data)
+        add_data(here->product->data + (g - mesh->groups), some, next + some->lanes, by->p);
+}
+
+/* Add the gradient of a sum of results of elements at the state. */
+static int sweep(cardan_place *here, const cardan_form *forms, ptrdiff_t weighed, const real *weights)
+{
+    cardan_state at = here->at;
+    int status = 0;
+
+    at.weighed = weighed;
+    at.v = weights;
+    for (ptrdiff_t k = 0; k < here->mesh->group_count && status == 0; k++)
+        status = cardan_mesh_group(here->mesh, here->mesh->groups + k, forms + k, &at, take_gradient,
+                                   here, here->room);
+    return status;
+}
+
+/* v . qdot of a pose by q (7) and u (6). */
+static void pull_pose(const real *q, const real *u, const real *v, real *by_q, real *by_u)
+{
+    by_u[0] += 0.5 * (-q[1] * v[0] + q[0] * v[1] + q[3] * v[2] - q[2] * v[3]);
+    by_u[1] += 0.5 * (-q[2] * v[0] - q[3] * v[1] + q[0] * v[2] + q[1] * v[3]);
+    by_u[2] += 0.5 * (-q[3] * v[0] + q[2] * v[1] - q[1] * v[2] + q[0] * v[3]);
+    for (int i = 0; i < 3; i++)
+        by_u[3 + i] += v[4 + i];
+    if (!u)
+        return;
+    by_q[0] += 0.5 * (u[0] * v[1] + u[1] * v[2] + u[2] * v[3]);
+    by_q[1] += 0.5 * (-u[0] * v[0] - u[2] * v[2] + u[1] * v[3]);
+    by_q[2] += 0.5 * (-u[1] * v[0] + u[2] * v[1] - u[0] * v[3]);
+    by_q[3] += 0.5 * (-u[2] * v[0] - u[1] * v[1] + u[0] * v[2]);
+}
+
+/* Add v . qdot by q and u; u may be NULL: by u alone, which are speeds that q moves along. */
+static int pull_rates(const cardan_place *here, const real *u, const real *v, real *by_q, real *by_u)
+{
+    const cardan_mesh *mesh = here->mesh;
+    int status = 0;
+
+    for (ptrdiff_t k = 0; k < mesh->nodes; k++) {
+        const ptrdiff_t q = mesh->q[mesh->node[k]], n = mesh->u[mesh->node[k]];
+        pull_pose(here->at.q + q, u ? u + n : NULL, v + q, by_q + q, by_u + n);
+    }
+    /* the other kinds of places by gradients of their own, if speeds are not rates there */
+    for (ptrdiff_t n = 0; n < mesh->mover_count; n++) {
+        const cardan_movers *movers = mesh->movers + n;
+        const cardan_form *form = here->product->rates + n;
+        for (ptrdiff_t k = 0; k < movers->count && status == 0; k++) {
+            const ptrdiff_t q = mesh->q[movers->place[k]], at = mesh->u[movers->place[k]];
+            real *out = here->room;
+            cardan_in in = {0};
+            if (!form->call) {
+                for (ptrdiff_t i = 0; i < movers->nq; i++)
+                    by_u[at + i] += v[q + i];
+                continue;
+            }
+            in.q = here->at.q + q;
+            in.u = (u ? u : here->at.q) + (u ? at : q);
+            in.v = v + q;
+            in.w = form->w;
+            status = form->call(&in, out, out + movers->nq + movers->nu);
+            for (ptrdiff_t i = 0; i < movers->nq && u; i++)
+                by_q[q + i] += out[i];
+            for (ptrdiff_t i = 0; i < movers->nu; i++)
+                by_u[at + i] += out[movers->nq + i];
+        }
+    }
+    return status;
+}
+
+/* Weights of the dynamics by which what was solved for has derivatives `by_udot` and `by_lam`. */
+static int pull_solution(cardan_place *here, const real *by_udot, const real *by_lam)
+{
+    const cardan_mesh *mesh = here->mesh;
+    cardan_mesh_system *system = &here->system;
+    real *missed = here->weights + mesh->nu + mesh->mp + mesh->m;
+    int status;
+
+    /* without friction that follows from reactions the matrix is symmetric */
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        system->right[i] = by_udot ? by_udot[i] : 0;
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        system->right[mesh->unknown[k]] = by_lam ? -by_lam[k] : 0;
+    status = cardan_mesh_solve(mesh, system);
+    for (ptrdiff_t i = 0; i < mesh->nu; i++) {
+        here->weights[i] -= system->solution[i];
+        here->by.tau[i] += system->solution[i];
+    }
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        missed[k] -= system->solution[mesh->unknown[k]];
+    return status;
+}
+
+/* Derivatives through what was solved for, of powers and outputs, by which they have some. */
+static int pull_direct(cardan_place *here, ptrdiff_t weighed, const real *weights, int solved)
+{
+    cardan_slopes *by = &here->by;
+    int status = sweep(here, here->product->direct, weighed, weights);
+
+    if (status == 0 && solved)
+        status = pull_solution(here, by->udot, by->lam);
+    if (status == 0 && solved)
+        status = sweep(here, here->product->dynamics, CARDAN_BALANCE, here->weights);
+    return status;
+}
+
+/* Add a factor times n slopes to derivatives. Returns the slopes that follow. */
+static const real *add_slopes(ptrdiff_t n, real factor, const real *slope, real *by)
+{
+    for (ptrdiff_t i = 0; i < n; i++)
+        by[i] += factor * slope[i];
+    return slope + n;
+}
+
+/* Derivatives of a formula: its own, and those through outputs. */
+static int pull_expression(cardan_place *here, real weight)
+{
+    const cardan_mesh *mesh = here->mesh;
+    const cardan_form *form = here->product->formula + 1;
+    const cardan_in in = cardan_formula_in(here, form);
+    const ptrdiff_t np = form->size - 1 - mesh->nq - mesh->nu - mesh->nz - mesh->nr - mesh->outputs;
+    cardan_slopes *by = &here->by;
+    const real *slope = here->room;
+    int status = form->call(&in, here->room, here->room + form->size);
+
+    /* in the order in which the formula has them; parameters are left out where nobody asks */
+    slope = add_slopes(1, weight, slope, by->t);
+    slope = add_slopes(mesh->nq, weight, slope, by->q);
+    slope = add_slopes(mesh->nu, weight, slope, by->u);
+    slope = add_slopes(mesh->nz, weight, slope, by->z);
+    slope = add_slopes(mesh->nr, weight, slope, by->r);
+    (void)add_slopes(here->product->np, weight, slope, by->p);
+    for (ptrdiff_t i = 0; i < mesh->outputs; i++)
+        here->unit[i] = weight * slope[np + i];
+    if (status == 0 && mesh->outputs > 0)
+        status = pull_direct(here, CARDAN_OUTPUTS, here->unit, mesh->solved != 0);
+    return status;
+}
+
+/* Derivatives of a step that closes positions or speeds: `moved` is what its increment counts. */
+static int pull_closing(cardan_place *here, const real *moved, real *weights, ptrdiff_t rows)
+{
+    const cardan_mesh *mesh = here->mesh;
+    cardan_mesh_system *system = &here->system;
+    int status;
+
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        system->right[i] = moved[i];
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        system->right[mesh->unknown[k]] = 0;
+    status = cardan_mesh_solve(mesh, system);
+    for (ptrdiff_t k = 0; k < rows; k++)
+        weights[k] -= system->solution[mesh->unknown[k]];
+    return status != 0 ? status
+                       : sweep(here, here->product->dynamics, CARDAN_BALANCE, here->weights);
+}
+
+/* Copy n weights. */
+static void copy(ptrdiff_t n, const real *v, real *to)
+{
+    for (ptrdiff_t i = 0; i < n; i++)
+        to[i] = v[i];
+}
+
+/* Derivatives of the functions that follow from accelerations, and of those of elements. */
+static int pull_dynamics(cardan_place *here, const real *v)
+{
+    const cardan_mesh *mesh = here->mesh;
+    const ptrdiff_t function = here->product->function, nu = mesh->nu;
+    real *gaps = here->weights + nu, *rates = gaps + mesh->mp;
+    int status = 0;
+
+    switch (function) {
+    /* parts of the balance of the elements as they are */
+    case CARDAN_OF_INVERSE_DYNAMICS:
+        copy(nu, v, here->weights);
+        break;
+    case CARDAN_OF_CONSTRAINTS:
+        copy(mesh->mp, v, gaps);
+        break;
+    case CARDAN_OF_CONSTRAINT_RATES:
+        copy(mesh->m, v, rates);
+        break;
+    /* what was solved for counts by its equations */
+    case CARDAN_OF_RHS:
+        status = pull_rates(here, here->at.u, v, here->by.q, here->by.u);
+        copy(mesh->nz, v + mesh->nq + nu, rates + 2 * mesh->m);
+        if (status == 0)
+            status = pull_solution(here, v + mesh->nq, NULL);
+        break;
+    case CARDAN_OF_FORWARD_DYNAMICS:
+        status = pull_solution(here, v, NULL);
+        break;
+    case CARDAN_OF_MULTIPLIERS:
+        status = pull_solution(here, NULL, v);
+        break;
+    }
+    return status != 0 ? status
+                       : sweep(here, here->product->dynamics, CARDAN_BALANCE, here->weights);
+}
+
+/* Derivatives by everything of the results with weights v. */
+static int pull(cardan_place *here, const real *v)
+{
+    const cardan_mesh *mesh = here->mesh;
+    const ptrdiff_t nq = mesh->nq, nu = mesh->nu;
+    cardan_slopes *by = &here->by;
+    real *gaps = here->weights + nu, *rates = gaps + mesh->mp;
+    int status;
+
+    memset(here->weights, 0, (size_t)(nu + mesh->mp + 2 * mesh->m + mesh->nz) * sizeof(real));
+    memset(by->t, 0, (size_t)by->count * sizeof(real));
+    switch (here->product->function) {
+    case CARDAN_OF_QDOT:
+        return pull_rates(here, here->at.u, v, by->q, by->u);
+    case CARDAN_OF_ENERGY:
+        /* the third result is the sum of the others */
+        here->direct[0] = v[0] + v[2];
+        here->direct[1] = v[1] + v[2];
+        return sweep(here, here->product->direct, CARDAN_ENERGY, here->direct);
+    case CARDAN_OF_MOMENTUM:
+        return sweep(here, here->product->direct, CARDAN_MOMENTUM, v);
+    case CARDAN_OF_POWER:
+        return pull_direct(here, CARDAN_POWER, v, mesh->driven != 0);
+    case CARDAN_OF_OUTPUTS:
+        return pull_direct(here, CARDAN_OUTPUTS, v, mesh->solved != 0);
+    case CARDAN_OF_EXPRESSION:
+        return pull_expression(here, v[0]);
+    case CARDAN_OF_CLOSE_POSITION:
+        copy(nq, v, by->q);
+        copy(mesh->mp, v + nq, gaps);
+        /* an increment moves q along the speeds */
+        status = pull_rates(here, NULL, v, NULL, by->tau);
+        return status != 0 ? status : pull_closing(here, by->tau, gaps, mesh->mp);
+    case CARDAN_OF_CLOSE_VELOCITY:
+        copy(nu, v, by->u);
+        copy(mesh->m, v + nu, rates);
+        return pull_closing(here, v, rates, mesh->m);
+    default:
+        return pull_dynamics(here, v);
+    }
+}
+
+/* Derivatives by q along the speeds, and along itself where a quaternion counts by its direction. */
+static int finish(const cardan_place *here)
+{
+    const cardan_slopes *by = &here->by;
+    const int status = pull_rates(here, NULL, by->q, NULL, by->along);
+
+    for (ptrdiff_t k = 0; k < here->product->quaternions; k++) {
+        const real *q = here->at.q + here->product->quaternion[k];
+        real *by_q = by->q + here->product->quaternion[k];
+        const real along = cardan_dot(q, by_q, 4) / cardan_dot(q, q, 4);
+        for (int i = 0; i < 4; i++)
+            by_q[i] -= along * q[i];
+    }
+    return status;
+}
+
+int cardan_mesh_pull(cardan_place *here, const real *v)
+{
+    const int status = pull(here, v);
+
+    return status != 0 ? status : finish(here);
+}
