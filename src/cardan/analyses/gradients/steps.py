@@ -21,6 +21,8 @@ from ..simulation.run import Runner
 BLOCKS = (COORDINATES, "u", "z", "s", "r")
 CLOSING = ("close_position", "close_velocity")
 MOST_STAGES = 16
+# of derivatives within a motion: no digit of such a motion is known
+GROWTH = 1e12
 # kernels whose steps are a table of coefficients; between the rows of others steps of Radau lead
 TABLES = ("rk4", "rk45", "dop853", "radau")
 
@@ -135,6 +137,26 @@ class StepsAgain:
     def segment_counts(self) -> Sequence[int]:
         """Numbers of pieces of the inputs that are tabulated."""
         return [len(one.coefficients) for one in self.runner.signals.tabulated]
+
+
+def check_growth(before: Array, after: Array, span: Array) -> None:
+    """Refuse derivatives that have grown beyond all use.
+
+    Args:
+        before, after: Derivatives where a sweep began and where it ended.
+        span: Times of the steps between.
+
+    Raises:
+        SolveError: with the cure.
+    """
+    size = float(np.abs(before).max(initial=0.0)) or 1.0
+    growth = float(np.abs(after).max(initial=0.0)) / size
+    if not growth <= GROWTH:
+        raise SolveError(
+            f"gradient: derivatives grow by {growth:.0e} between t = {span.min():.6g} and "
+            f"{span.max():.6g} s. The steps are too long for a stiff force, such as friction that "
+            "is smoothed, or the motion is chaotic. Take method='Radau', or a shorter time"
+        )
 
 
 def segment_at(signal: PiecewiseInput, t: float) -> tuple[int, float]:
