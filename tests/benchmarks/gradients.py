@@ -1,7 +1,8 @@
 """Gradients of motions beside CasADi with CVODES, products of derivatives in lanes, sensitivities.
 
-CasADi calls our exported C for values and derivatives, so that what is compared is the way
-through the motion: a discrete adjoint against the adjoint equations that CVODES integrates.
+CasADi has the same equations, as expressions of its own and as our exported C: with this what is
+compared is the way through the motion, a discrete adjoint against the adjoint equations that CVODES
+integrates.
 Writes docs/performance/gradients.md, or nothing with ``--quick``.
 
 usage: gradients.py [--quick]
@@ -16,6 +17,7 @@ import sys
 import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -27,6 +29,7 @@ import casadi as ca
 import numpy as np
 
 import cardan as cd
+from benchmarks.casadi_expressions import rates
 from benchmarks.page import markdown
 from benchmarks.provenance import signed
 from cardan.peers.processor import name as processor
@@ -49,8 +52,9 @@ LANES = 4096
 TEXT = """# Gradients
 
 The gradient of a cost of a motion by its start and all parameters, beside CasADi {casadi} with
-CVODES on the same equations: CasADi calls the C that cardan exports to it, with exact products of
-derivatives. Written by `tests/benchmarks/gradients.py`; {processor}, one core, Python {python}.
+CVODES on the same equations: as *its expressions*, which CasADi differentiates and evaluates, and
+as *our C*, which cardan exports to it with exact products of derivatives. Written by
+`tests/benchmarks/gradients.py`; {processor}, one core, Python {python}.
 
 The cost is a sum of squares of all coordinates and speeds at the end. Errors are the largest of all
 entries of the gradient, of its largest entry, against a run of cardan's DOP853 at rtol 1e-13.
@@ -190,26 +194,35 @@ def contenders(case: Case, model: cd.CompiledModel) -> list[Contender]:
     error = worst(gradient(OURS), exact)
     ours = Contender(f"cardan, DOP853, rtol {OURS:.0e}", simulate, lambda: gradient(OURS), error)
     result = [ours]
-    with tempfile.TemporaryDirectory() as folder:
-        functions = ["rhs", ("vjp", "rhs: q u p")]
-        place = cd.derive(case.scene).export(Path(folder) / "casadi", functions, language="casadi")
-        sys.path.insert(0, str(place))
-        module = importlib.import_module(next(place.glob("*_casadi.py")).stem)
-        sys.path.remove(str(place))
-        rhs = module.function("rhs", parameters=True)
     moved = np.eye(model.nx)
     if "x0" not in case.starts:
         # what follows from the crank: changes of the start
         first = model.simulate(1e-6, sensitivity=case.starts, **case.start).sensitivity
         moved = np.stack([first[name][0] for name in case.starts], axis=1)
     x0 = simulate().x[0]
-    for name, options in WAYS.items():
+    for (kind, rhs), (name, options) in product(forms(case, model), WAYS.items()):
         for tolerance in TOLERANCES:
             theirs = cvodes(case, model, rhs, weights, x0, moved, {**options, **limits(tolerance)})
             error = worst(theirs[1](), exact)
             if error <= ours.error or tolerance == TOLERANCES[-1]:
                 break
-        result.append(Contender(f"CVODES, {name}, {tolerance:.0e}", *theirs, error))
+        result.append(Contender(f"CVODES, {name}, {tolerance:.0e}, {kind}", *theirs, error))
+    return result
+
+
+def forms(case: Case, model: cd.CompiledModel) -> list[tuple[str, Any]]:
+    """Rates as functions of CasADi of x and p: our C, and of trees its own expressions."""
+    equations = cd.derive(case.scene)
+    with tempfile.TemporaryDirectory() as folder:
+        functions = ["rhs", ("vjp", "rhs: q u p")]
+        place = equations.export(Path(folder) / "casadi", functions, language="casadi")
+        sys.path.insert(0, str(place))
+        module = importlib.import_module(next(place.glob("*_casadi.py")).stem)
+        sys.path.remove(str(place))
+        result = [("our C", module.function("rhs", parameters=True))]
+    if "x0" in case.starts:
+        names = tuple(model.parameters)
+        result.append(("its expressions", rates(equations, model.nq, model.nu, names)))
     return result
 
 
