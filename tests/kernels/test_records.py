@@ -11,7 +11,7 @@ import pytest
 from cardan.analyses.simulation import run_record
 from cardan.errors import BuildError
 from cardan.runtime.build import cache, kernels
-from cardan.schema import kernel_files, records
+from cardan.schema import kernel_files, product_records, records
 from table import each
 
 ANSWERS = (
@@ -38,6 +38,8 @@ STRUCTURES: dict[str, type[ctypes.Structure]] = {
     "cardan_movers": records.Movers,
     "cardan_mesh": records.MeshRecord,
     "cardan_state": records.StateRecord,
+    "cardan_data_slopes": product_records.DataSlopes,
+    "cardan_mesh_product": product_records.ProductRecord,
     "cardan_sparse": records.PlanRecord,
     "cardan_sparse_factors": records.FactorsRecord,
     "cardan_target": records.TargetRecord,

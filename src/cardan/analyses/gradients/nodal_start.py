@@ -12,7 +12,7 @@ import warnings
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from ...arrays import Array
 from ...errors import ModelError
 from ...runtime.calls.methods import ByName
 from ...runtime.models.finite_elements.joint_driven_nodes import SAVED, leading
-from ...runtime.models.finite_elements.table_loading import parameters_of_data, tables_of
+from ...runtime.models.finite_elements.table_loading import entries_read, tables_of
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.verification.differences import REACH, central
 from ...schema.blocks import COORDINATES
@@ -33,6 +33,30 @@ from .steps import CLOSING, StepsAgain
 # of an angle, of the size of a coordinate or of a parameter
 STEP = 1e-2
 Names: TypeAlias = Mapping[str, object]
+
+
+class Move(NamedTuple):
+    """A change of what a start is made of.
+
+    Attributes:
+        key: Block and entry that changes.
+        at: Start (nx,) by a change.
+        size: Of the entry.
+        linear: True where the start is linear in it.
+    """
+
+    key: tuple[str, int]
+    at: Callable[[float], Array]
+    size: float = 1.0
+    linear: bool = False
+
+    def slope(self) -> Array:
+        """Derivative of the start (nx,)."""
+        if self.linear:
+            return 0.5 * (self.at(1.0) - self.at(-1.0))
+        steps = STEP * self.size * np.outer([1.0, -1.0], REACH)
+        ahead, behind = ([self.at(float(x)) for x in row] for row in steps)
+        return central(np.array(ahead), np.array(behind)) / (STEP * self.size)
 
 
 @dataclass(frozen=True)
@@ -168,17 +192,16 @@ class NodalStart:
         """Derivatives (nx,) of the start by what may be named, by inputs and by parameters."""
         columns = dict[tuple[str, int], Array]()
         with warnings.catch_warnings():
+            # those of the start itself were given
             warnings.simplefilter("ignore")
-            for key, at, size in (*self._along(), *self._by_inputs(), *self._by_parameters()):
+            for move in (*self._along(), *self._by_inputs(), *self._by_parameters()):
                 try:
-                    steps = STEP * size * np.outer([1.0, -1.0], REACH)
-                    ahead, behind = ([at(float(x)) for x in row] for row in steps)
+                    column = move.slope()
                 except ModelError:
                     # loops decide where it is: it follows what was named
                     continue
-                column = central(np.array(ahead), np.array(behind)) / (STEP * size)
                 if np.any(column):
-                    columns[key] = column
+                    columns[move.key] = column
         return columns
 
     def _start(
@@ -195,7 +218,7 @@ class NodalStart:
         inputs = self.r if r is None else r
         return closed_start(model, begin, names["q"], names["u"], self.setup.over.start, inputs).x
 
-    def _along(self) -> Iterator[tuple[tuple[str, int], Callable[[float], Array], float]]:
+    def _along(self) -> Iterator[Move]:
         """Starts along the coordinates and speeds of joints, and of what was named."""
         model = self.model
         nu = model.nu
@@ -213,14 +236,14 @@ class NodalStart:
                         block = model.integrate(q, h * np.eye(nu)[k])[_part(joint, "q")]
                         return self._start(q=self._renamed("q", joint, block))
 
-                    yield ("x", k), moved, 1.0
+                    yield Move(("x", k), moved)
                 if leads[k] or named["u"]:
 
                     def faster(h: float, k: int = k, joint: JointRow = joint) -> Array:
                         block = (u + h * np.eye(nu)[k])[_part(joint, "u")]
                         return self._start(u=self._renamed("u", joint, block))
 
-                    yield ("x", nu + k), faster, 1.0
+                    yield Move(("x", nu + k), faster, linear=True)
 
     def _names(self, letter: str) -> Names:
         """What was named of coordinates or speeds."""
@@ -237,31 +260,36 @@ class NodalStart:
         remaining = {n: value for n, value in names if not self._of(n, letter, joint)}
         return {**remaining, joint.name: block if len(block) > 1 else float(block[0])}
 
-    def _by_inputs(self) -> Iterator[tuple[tuple[str, int], Callable[[float], Array], float]]:
-        for k in range(self.model.nr):
+    def _by_inputs(self) -> Iterator[Move]:
+        """Starts at other inputs, of those that geometry reads."""
+        for k in sorted(self._read("r")):
 
             def at(h: float, k: int = k) -> Array:
                 return self._start(r=self.r + h * np.eye(len(self.r))[k])
 
-            yield ("r", k), at, max(1.0, abs(float(self.r[k])))
+            yield Move(("r", k), at, max(1.0, abs(float(self.r[k]))))
 
-    def _by_parameters(self) -> Iterator[tuple[tuple[str, int], Callable[[float], Array], float]]:
-        """Starts at other parameters, of those that geometry reads."""
+    def _by_parameters(self) -> Iterator[Move]:
+        """Starts at other parameters, likewise."""
         model = self.model
-        if not self.wide:
-            return
-        rows = model.manifest.parameters
-        bound = [group for group in tables_of(model).groups if group.kind.m]
-        read = parameters_of_data(model, SAVED)
-        for group in bound:
-            read |= parameters_of_data(model, group.common)
-        for k in sorted(read):
-            value, name = float(model.parameters.vector[k]), rows[k].name
+        for k in sorted(self._read("p")) if self.wide else ():
+            value, name = float(model.parameters.vector[k]), model.manifest.parameters[k].name
 
             def at(h: float, name: str = name, value: float = value) -> Array:
                 return self._start(model=model.with_parameters({name: value + h}))
 
-            yield ("p", k), at, abs(value) or 1.0
+            yield Move(("p", k), at, abs(value) or 1.0)
+
+    def _read(self, block: str) -> set[int]:
+        """Entries of a block that the places of nodes and constraints depend on."""
+        model = self.model
+        read = set(entries_read(model, SAVED, block))
+        for group in (group for group in tables_of(model).groups if group.kind.m):
+            if block == "p":
+                read |= entries_read(model, group.common, block)
+            elif block in model.manifest.functions[group.kind.functions["balance"]].inputs:
+                read |= {*range(model.nr)}
+        return read
 
 
 def _part(joint: JointRow, letter: str) -> slice:

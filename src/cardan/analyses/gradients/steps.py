@@ -56,6 +56,7 @@ class StepsAgain:
         if steps.kind:
             length = runner.library.cardan_stages_length(runner.record, steps.stages)
             rooms["system"] = np.zeros(length)
+            rooms["lengths"] = np.zeros(MOST_STAGES * len(self.model.manifest.quaternions) + 1)
         self.rooms = rooms
         for name, room in rooms.items():
             setattr(steps, name, self.pointer(room))
@@ -74,7 +75,7 @@ class StepsAgain:
     def call(self, record: ctypes.Structure, functions: dict[str, LoadedFunction]) -> None:
         """Let a record call functions, by the names of its fields."""
         listed = [(record, name, function) for name, function in functions.items()]
-        if self.steps.kind:
+        if self.steps.kind and not self.model.manifest.absolute:
             listed.append((self.steps, "jacobian", self.model._function("rhs_jacobian")))
         for owner, name, function in listed:
             setattr(owner, name, function.address)

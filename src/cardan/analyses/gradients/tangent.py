@@ -91,6 +91,8 @@ class Tangents(StepsAgain):
         }  # fmt: skip
         for name, room in rooms.items():
             setattr(record, name, self.pointer(_filled(room)))
+        if self.steps.kind and model.manifest.absolute:
+            self.steps.jacobians = self.pointer(np.zeros(self.steps.stages * model.nx**2))
         if self.by_s.size:
             record.by_s = self.pointer(self.by_s)
 

@@ -12,7 +12,6 @@ from collections.abc import Mapping, Sequence
 from itertools import islice
 
 from ...arrays import Integers
-from ...errors import DerivationError
 from ...ir.derivative import gradient
 from ...ir.function import Block, Function, Output
 from ...ir.graph import ZERO, Graph
@@ -22,6 +21,7 @@ from ...ir.routine import Routine
 from ...schema.blocks import ORDER
 from ...schema.finite_elements import GRADIENTS, RATES_GRADIENT
 from .record import BlockKind, Group, Kind
+from .superelements import superelement_gradient
 
 ABOUT = "gradient of a weighted sum of results"
 
@@ -42,15 +42,12 @@ def gradient_of(kind: Kind, form: str, group: Group, inputs: int) -> Function:
         lam, z, s, r, t and the data that parameters change.
 
     Raises:
-        DerivationError: routines of C compute the functions of the kind.
+        DerivationError: it is one of superelements, which have others.
     """
     graph = Graph()
     read = {name: kind.functions[name] for name in GRADIENTS[form] if name in kind.functions}
     if any(isinstance(function, Routine) for function in read.values()):
-        raise DerivationError(
-            f"elements of kind '{kind.name}' have no derivatives yet: a scene with superelements "
-            "needs differences of its functions"
-        )
+        return superelement_gradient(kind, form, inputs)
     roots = _dynamics(graph, kind, read) if len(GRADIENTS[form]) > 1 else _all(graph, read)
     fixed = 0 if group.attributes is None else group.attributes.shape[1]
     sizes = {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -26,6 +26,13 @@ MORE_HEADERS = {
     "tangent": ("superelement_terms.h", "superelement_drift.h", "superelement_tangent.h"),
     "generalized_momenta": ("superelement_momenta.h",),
 }
+MORE_HEADERS["gradient"] = (
+    *MORE_HEADERS["generalized_momenta"],
+    *MORE_HEADERS["tangent"],
+    "superelement_gradient.h",
+)
+# what gradients read besides weights
+GRADIENT_READS = {"dynamics_gradient": ("q", "u", "udot", "p"), "energy_gradient": ("q", "u", "p")}
 # pairs of axes in the order of the header
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1))
 NAMES = ("xx", "yy", "zz", "yz", "zx", "xy")
@@ -318,6 +325,43 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
         symbol_shapes=_shapes(n),
         element="superelement",
         part="superelement",
+    )
+
+
+def superelement_gradient(kind: Kind, form: str, inputs: int) -> Routine:
+    """A gradient of a kind of superelement; results as those of other kinds.
+
+    Args:
+        kind: The kind.
+        form: Which; forces and energies have one.
+        inputs: How many the scene has.
+
+    Raises:
+        DerivationError: there is none of that form.
+    """
+    if form not in GRADIENT_READS:
+        raise DerivationError(
+            f"superelements have derivatives of forces and energies, none of "
+            f"{form.removesuffix('_gradient')}. Take differences of that"
+        )
+    tangent = kind.functions["balance_tangent"]
+    assert isinstance(tangent, Routine)
+    n, on_node, drifting = tangent.sizes
+    N, graph = n + 6 * on_node, tangent.graph
+    blocks = {block.name: block for block in tangent.inputs}
+    weights = N if form == "dynamics_gradient" else 2
+    v = Block("v", tuple(f"weight{k + 1}" for k in range(weights)), ("",) * weights)
+    sizes = {"q": N + on_node, "u": N, "udot": N, "r": inputs, "t": 1, "p": len(DATA)}
+    return replace(
+        tangent,
+        name=kind.c_name(form),
+        inputs=(*(blocks[letter] for letter in GRADIENT_READS[form]), v),
+        outputs=tuple(result(graph, f"d_{x}", (k,)) for x, k in sizes.items() if k),
+        about="gradient of a weighted sum of results",
+        call=f"cardan_superelement_{form}",
+        headers=(*HEADERS, *MORE_HEADERS["gradient"]),
+        sizes=(n, on_node, drifting, inputs),
+        work=3 * N * N + 4 * N + TANGENT_ROOM * n,
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING, final
 
 import numpy as np
@@ -33,11 +34,12 @@ class DataByParameters:
 
     def __init__(self, model: LoadedModel, tables: Tables) -> None:
         self._tables = list[object]()
+        self._slopes = dict[str, tuple[Array, tuple[int, ...]]]()
         self.records = (DataSlopes * max(1, len(tables.groups)))()
         for record, group in zip(self.records, tables.groups, strict=False):
             if not group.common:
                 continue
-            slopes, shape = _slopes(model, group.common)
+            slopes, shape = self._slopes[group.common] = _slopes(model, group.common)
             rows, parameters = np.nonzero(slopes)
             starts = np.searchsorted(rows, np.arange(len(slopes) + 1)).astype(np.intp)
             record.count, record.shared = shape[-1], int(len(shape) == 1)
@@ -48,6 +50,11 @@ class DataByParameters:
             ):
                 setattr(record, name, table.ctypes.data)
                 self._tables.append(table)
+
+    def parameters_of(self, common: str, data: Collection[int], count: int) -> list[int]:
+        """Numbers of the parameters that some of the ``count`` data of every element depend on."""
+        slopes = self._slopes[common][0].reshape(-1, count, len(self._slopes[common][0][0]))
+        return np.flatnonzero(slopes[:, [*data]].any(axis=(0, 1))).tolist()
 
 
 def _slopes(model: LoadedModel, common: str) -> tuple[Array, tuple[int, ...]]:

@@ -51,6 +51,8 @@ DIRECT = {
     **{name: f"{name}_gradient" for name in ("energy", "momentum", "power", "outputs")},
     "expression": "outputs_gradient",
 }
+# data of a superelement that say how it is turned, the first ones
+ROTATION = 9
 # what has to be loaded of elements
 BASE = {
     **{name: NEEDED[name] for name in ("energy", "momentum", "power", "outputs", "qdot", "rhs")},
@@ -133,6 +135,7 @@ class Products:
         tables = {"column": columns, "part": parts, "quaternion": quaternions}
         if by_parameters:
             forms["data"] = self._data_slopes.records
+            self._check_rotations(request)
         record = ProductRecord(
             mesh=ctypes.addressof(record_of_mesh),
             function=constant[f"CARDAN_OF_{name.upper()}"],
@@ -176,6 +179,26 @@ class Products:
                 f"{where} friction that follows from reactions has no derivatives. Leave it out, "
                 "or take differences"
             )
+
+    def _check_rotations(self, request: Request) -> None:
+        """Refuse parameters that turn a superelement on what carries it.
+
+        Raises:
+            ModelError: one is asked for.
+        """
+        names, saved = [*self._parameters], self.model._objects.saved()
+        for group, record in zip(self.tables.groups, self._data_slopes.records, strict=False):
+            # routines of C have no expressions
+            if not record.count or saved.keys() >= {*group.kind.functions.values()}:
+                continue
+            moving = self._data_slopes.parameters_of(group.common, range(ROTATION), record.count)
+            for name in (names[k] for k in moving):
+                if "p" in request.wrt or name in request.wrt:
+                    raise ModelError(
+                        f"derivative of {request.function}: parameter '{name}' turns "
+                        f"'{group.members[0]}' on what carries it, and superelements have no "
+                        "derivatives by that. Name other parameters in place of 'p'"
+                    )
 
     @cached_property
     def _data_slopes(self) -> DataByParameters:

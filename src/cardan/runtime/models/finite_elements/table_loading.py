@@ -263,24 +263,22 @@ def load(model: LoadedModel) -> Mesh:
     groups = zip(mesh.tables.groups, mesh.data, strict=True)
     return mesh.with_data(
         [
-            data
-            if changed.isdisjoint(parameters_of_data(model, group.common))
-            else data_of(model, group)
+            data if changed.isdisjoint(entries_read(model, group.common)) else data_of(model, group)
             for group, data in groups
         ]
     )
 
 
-def parameters_of_data(model: LoadedModel, saved: str) -> frozenset[int]:
-    """Numbers of the parameters that a saved function reads; "" reads none."""
+def entries_read(model: LoadedModel, saved: str, block: str = "p") -> frozenset[int]:
+    """Numbers of the entries of a block that a saved function reads; "" reads none."""
     if not saved:
         return frozenset()
-    read = model._objects.parameters_read
-    if saved not in read:
+    read = model._objects.entries_read
+    if (saved, block) not in read:
         function = model._objects.function(saved)
         nodes = (function.graph.nodes[i] for i in function.live())
-        read[saved] = frozenset(n[2] for n in nodes if n[0] == "var" and n[1] == "p")
-    return read[saved]
+        read[saved, block] = frozenset(n[2] for n in nodes if n[:2] == ("var", block))
+    return read[saved, block]
 
 
 def _loaded(model: LoadedModel) -> Mesh:

@@ -63,13 +63,20 @@ def _law(form: str, members: Members) -> float | str:
         rates, expected, first = dict[str, Array](), np.zeros(n), 0
         for letter, size in sizes.items():
             along, first = way[:, first : first + size], first + size
+            if letter == "q":
+                # quaternions keep their lengths
+                along = members.along(np.resize(way, (n, kind.nu)))
             # modes are whole numbers
             if size and letter != "s":
                 rates[letter] = along
                 expected += (parts[letter] * along).sum(axis=-1)
         change, off = members.slope(weighed, rates)
         worst = worst_of(worst, missing(change, off, expected, *scale))
+    # what no derivative is known of moves nothing here
+    unknown = np.isnan(by_data).all(axis=0)
+    by_data = np.where(unknown, 0.0, by_data)
     for way in ways(n, by_data.shape[1]) if by_data.shape[1] else ():
+        way[:, unknown] = 0.0
         p, along = inputs["p"], np.zeros_like(inputs["p"])
         along[:, : way.shape[1]] = way * np.where(p == 0, 1.0, p)[:, : way.shape[1]]
 

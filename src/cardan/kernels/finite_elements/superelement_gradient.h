@@ -1,0 +1,159 @@
+/*
+ * superelement_gradient.h: gradients of weighted forces and energies of a superelement.
+ *
+ * Weights are in->v; results are derivatives by q as it is stored, u, udot, then nr inputs, the time and
+ * the data. Those by how the frame is turned on its node are not known: NaN.
+ */
+#ifndef CARDAN_SUPERELEMENT_GRADIENT_H
+#define CARDAN_SUPERELEMENT_GRADIENT_H
+
+#include "superelement_momenta.h"
+#include "superelement_tangent.h"
+
+/* What rates along the speeds are by a unit quaternion, its length held, and what follows it. */
+CARDAN_INLINE void cardan_by_coordinates(int n, int on_node, const real *q, const real *along,
+                                         real *by_q)
+{
+    const int first = 6 * on_node;
+
+    if (on_node) {
+        by_q[0] = (q[1] * along[0] + q[2] * along[1] + q[3] * along[2]) * -2.0;
+        by_q[1] = (q[0] * along[0] - q[3] * along[1] + q[2] * along[2]) * 2.0;
+        by_q[2] = (q[0] * along[1] + q[3] * along[0] - q[1] * along[2]) * 2.0;
+        by_q[3] = (q[0] * along[2] - q[2] * along[0] + q[1] * along[1]) * 2.0;
+        for (int k = 0; k < 3; ++k) by_q[4 + k] = along[3 + k];
+    }
+    for (int i = 0; i < n; ++i) by_q[7 * on_node + i] = along[first + i];
+}
+
+/* v A (N) for a matrix A (N, N). */
+CARDAN_INLINE void cardan_weighted_rows(int N, const real *v, const real *A, real *out)
+{
+    for (int j = 0; j < N; ++j) out[j] = CARDAN_REAL(0.0);
+    for (int i = 0; i < N; ++i)
+        for (int j = 0; j < N; ++j) out[j] += v[i] * A[i * N + j];
+}
+
+/* Inputs and time, on which nothing depends; the rotation of the frame. Returns where derivatives by
+ * its place (3) and gravity (3) follow. */
+CARDAN_INLINE real *cardan_superelement_rest(int nr, real *out)
+{
+    for (int k = 0; k < nr + 1; ++k) *out++ = CARDAN_REAL(0.0);
+    for (int k = 0; k < 9; ++k) *out++ = CARDAN_REAL((double)NAN);
+    return out;
+}
+
+/* By the place of the frame on its node: its lever, and the motion of a point that turns with the node.
+ * force: on the node, ground axes. by_rate, by_second: weights by the velocity and acceleration of the
+ * node, ground axes; turn: weights of the moment, axes of the node. */
+CARDAN_INLINE void cardan_by_place(const cardan_in *in, const cardan_frame_motion *at,
+                                   const real *turn, const real *force, const real *by_rate,
+                                   const real *by_second, real *by_p)
+{
+    real here[3], rate[3], second[3], spun[3];
+
+    /* turn.(e x f) = e.(f x turn) */
+    cardan_3_times(at->node, 1, force, 1, here);
+    cardan_3_cross(here, turn, by_p);
+    /* b.(w x e) = e.(b x w), a.(w' x e + w x (w x e)) = e.(a x w' + (a x w) x w) */
+    cardan_3_times(at->node, 1, by_rate, 1, rate);
+    cardan_3_add_cross(rate, in->u, by_p);
+    cardan_3_times(at->node, 1, by_second, 1, second);
+    cardan_3_add_cross(second, in->udot, by_p);
+    cardan_3_cross(second, in->u, spun);
+    cardan_3_add_cross(spun, in->u, by_p);
+}
+
+/* Of forces (N) with weights v. */
+CARDAN_INLINE int cardan_superelement_dynamics_gradient(int n, int on_node, int drifts, int nr,
+                                                        const double *constants, const cardan_in *in,
+                                                        real *CARDAN_RESTRICT out,
+                                                        real *CARDAN_RESTRICT work)
+{
+    const cardan_superelement c = cardan_superelement_of(n, drifts, constants);
+    const int N = n + 6 * on_node, nq = N + on_node;
+    real *const K = work, *const M = K + 2 * N * N, *const along = K + 3 * N * N;
+    real *const scratch = along + N, *const by_u = out + nq, *const by_udot = by_u + N;
+    real *const by_p = cardan_superelement_rest(nr, by_udot + N), *const by_g = by_p + 3;
+    cardan_frame_motion at;
+    const int status = cardan_superelement_tangent(n, on_node, drifts, constants, in, K, scratch);
+
+    cardan_weighted_rows(N, in->v, K, along);
+    cardan_by_coordinates(n, on_node, in->q, along, out);
+    cardan_weighted_rows(N, in->v, K + N * N, by_u);
+    cardan_weighted_rows(N, in->v, M, by_udot);
+    cardan_frame_motion_of(in, on_node, 1, &at);
+    for (int k = 0; k < 3; ++k) by_p[k] = CARDAN_REAL(0.0);
+    if (on_node) {
+        (void)cardan_superelement_balance(n, on_node, drifts, constants, in, along, scratch);
+        cardan_by_place(in, &at, in->v, along + 3, by_u + 3, by_udot + 3, by_p);
+        /* gravity pulls as an acceleration of the node pushes, but for what its velocity does */
+        if (drifts) (void)cardan_superelement_tangent(n, 1, 0, constants, in, K, scratch);
+        cardan_weighted_rows(N, in->v, M, along);
+        for (int k = 0; k < 3; ++k) by_g[k] = -along[3 + k];
+    } else {
+        real flow[3];
+
+        cardan_dots_constants(3, n, c.momentum, in->v, flow);
+        cardan_3_times(at.R0, 0, flow, 1, by_g);
+        for (int k = 0; k < 3; ++k) by_g[k] = -by_g[k];
+    }
+    return status;
+}
+
+/* Of the kinetic and the potential energy with two weights. */
+CARDAN_INLINE int cardan_superelement_energy_gradient(int n, int on_node, int drifts, int nr,
+                                                      const double *constants, const cardan_in *in,
+                                                      real *CARDAN_RESTRICT out,
+                                                      real *CARDAN_RESTRICT work)
+{
+    const cardan_superelement c = cardan_superelement_of(n, drifts, constants);
+    const int first = 6 * on_node, N = n + first, nq = N + on_node;
+    const real kinetic = in->v[0], potential = in->v[1];
+    real *const momenta = work, *const slope = work + N, *const force = work + 2 * N;
+    real *const still = work + 3 * N, *const scratch = work + 4 * N, *const by_u = out + nq;
+    real *const by_p = cardan_superelement_rest(nr, by_u + 2 * N), *const by_g = by_p + 3;
+    real v[3], across[3], s[3];
+    cardan_in there = *in;
+    cardan_frame_motion at;
+
+    /* momenta are dT/du, and half of the slope of u M u is dT/dz */
+    there.udot = in->u;
+    (void)cardan_superelement_generalized_momenta(n, on_node, drifts, constants, &there, momenta,
+                                                  scratch);
+    /* forces at rest are the slope of the potential */
+    for (int i = 0; i < N; ++i) still[i] = CARDAN_REAL(0.0);
+    there.u = there.udot = still;
+    (void)cardan_superelement_balance(n, on_node, drifts, constants, &there, force, scratch);
+    cardan_frame_motion_of(in, on_node, 1, &at);
+    for (int i = 0; i < N; ++i) {
+        slope[i] = slope[i] * kinetic + force[i] * potential;
+        by_u[i] = momenta[i] * kinetic;
+        by_u[N + i] = CARDAN_REAL(0.0);
+    }
+    if (on_node) {
+        /* velocity is told in ground axes: a turn of the node changes that along its own */
+        cardan_3_times(at.node, 1, in->u + 3, 1, v);
+        cardan_3_cross(momenta + 3, v, across);
+        for (int k = 0; k < 3; ++k) slope[k] += across[k] * kinetic;
+        cardan_3_times(at.node, 0, momenta + 3, 1, v);
+        for (int k = 0; k < 3; ++k) by_u[3 + k] = v[k] * kinetic;
+    }
+    /* a place further out has the velocity w x e, and falls with gravity */
+    for (int k = 0; k < 3; ++k) by_p[k] = at.g[k] * (c.mass[0] * -1.0) * potential;
+    if (on_node) {
+        for (int k = 0; k < 3; ++k) s[k] = by_p[k];
+        cardan_3_times(at.node, 1, s, 1, by_p);
+        for (int k = 0; k < 3; ++k) v[k] = momenta[3 + k] * kinetic;
+        cardan_3_add_cross(v, in->u, by_p);
+    }
+    cardan_by_coordinates(n, on_node, in->q, slope, out);
+    /* V has -g.(m x0 + R0 s) */
+    cardan_dots_constants(3, n, c.momentum, in->q + 7 * on_node, s);
+    for (int k = 0; k < 3; ++k) s[k] += c.first[k];
+    cardan_3_times(at.R0, 0, s, 1, v);
+    for (int k = 0; k < 3; ++k) by_g[k] = (v[k] + c.mass[0] * at.x0[k]) * potential * -1.0;
+    return CARDAN_OK;
+}
+
+#endif
