@@ -255,10 +255,10 @@ class StartByDifferences:
                     if not named[letter]:
                         unit = np.eye(2 * nu)[n * nu + k]
 
-                        def beside(h: float, unit: Array = unit) -> Array:
+                        def started(h: float, unit: Array = unit) -> Array:
                             return self._start(along=h * unit)
 
-                        yield Move(("x", n * nu + k), beside, linear=n == 1)
+                        yield Move(("x", n * nu + k), started, linear=n == 1)
 
     def _names(self, letter: str) -> Names:
         """What was named of coordinates or speeds."""
