@@ -165,7 +165,8 @@ def _sensitivities(
     model, log = setup.model, motion.event_log
     directions, parts = _directions(setup, listed)
     tangents = Tangents(runner, directions)
-    begin = named_start(setup, tangents, state, log.s[0], bool(directions.moved))
+    wide = bool(directions.moved)
+    begin = named_start(setup, tangents, state, log.s[0], listed, wide)
     by_r = tangents.input_changes(setup.over.start)
     by_p = directions.p if directions.moved else np.zeros((len(by_r), 0))
     first = np.array(

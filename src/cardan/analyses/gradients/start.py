@@ -18,6 +18,7 @@ from ...runtime.models.loaded_model import LoadedModel
 from ..simulation.driving import RunSetup
 from .nodal_start import NodalStart
 from .steps import StepsAgain
+from .unknowns import Unknowns
 
 RANK = 1e-9  # of the largest singular value: rows that say nothing new
 
@@ -137,11 +138,17 @@ class NamedStart:
 
 
 def named_start(
-    setup: RunSetup, steps: StepsAgain, state: Mapping[str, object], s: Array, wide: bool
+    setup: RunSetup,
+    steps: StepsAgain,
+    state: Mapping[str, object],
+    s: Array,
+    unknowns: Unknowns,
+    wide: bool,
 ) -> NamedStart | NodalStart:
     """The derivatives at the start of a run, see :meth:`NamedStart.of`."""
-    kind = NodalStart if setup.model.manifest.absolute else NamedStart
-    return kind.of(setup, steps, state, s, wide)
+    if setup.model.manifest.absolute:
+        return NodalStart.of(setup, steps, state, s, unknowns)
+    return NamedStart.of(setup, steps, state, s, wide)
 
 
 def _named(model: LoadedModel, block: str, values: object) -> NDArray[np.bool_]:
