@@ -268,7 +268,7 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     circuit_matrix[1][1] = response_ends_stop_ends_stop;
     const real second_behind_rail_abs = cardan_abs(second_behind_rail);
 
-    /* friction: change */
+    /* friction: change, response multiplier stick */
     const real response_gamma_friction_stick = -friction_stick_response_rail;
     response_right[0] = response_gamma_friction_stick;
     const real response_gamma_ends_stop = -ends_stop_response_rail;
@@ -276,11 +276,22 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* response_matrix lam = response_right; the solution takes its place */
     status |= CARDAN_SOLVE(semidefinite, 2, 1, response_matrix[0], response_right,
         response_scratch);
-    const real friction_change_response_part = response_right[0];
-    const real friction_change_response_part_2 = response_right[1];
+    const real friction_response_multiplier_stick = response_right[0];
+
+    /* ends: response multiplier stop, change */
+    const real ends_release = e[4];
+    const real ends_response_multiplier_stop = response_right[1];
+    const real ends_change_at_rest = cardan_le(second_behind_rail_abs - 1e-12 * rail_u_abs, 1e-12);
+    /* s: ends */
+    out[3] = cardan_select(ends_release, 0.0, cardan_select(ends_upper,
+        cardan_select(ends_change_at_rest, 1.0, 0.0), cardan_select(ends_lower,
+        cardan_select(ends_change_at_rest, -1.0, 0.0), cardan_select(ends_eq_zero, 0.0,
+        cardan_select(ends_change_at_rest, ends, 0.0)))));
+
+    /* friction: change */
     const real friction_change_response = M_factor_D_inverse_rail
-        + friction_stick_response_rail * friction_change_response_part
-        + ends_stop_response_rail * friction_change_response_part_2;
+        + friction_stick_response_rail * friction_response_multiplier_stick
+        + ends_stop_response_rail * ends_response_multiplier_stop;
 
     /* lamp: a, n */
     /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
@@ -313,15 +324,8 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* friction: multiplier stick */
     const real friction_multiplier_stick = circuit_right[0];
 
-    /* ends: multiplier stop, change */
-    const real ends_release = e[4];
+    /* ends: multiplier stop */
     const real ends_multiplier_stop = circuit_right[1];
-    const real ends_change_at_rest = cardan_le(second_behind_rail_abs - 1e-12 * rail_u_abs, 1e-12);
-    /* s: ends */
-    out[3] = cardan_select(ends_release, 0.0, cardan_select(ends_upper,
-        cardan_select(ends_change_at_rest, 1.0, 0.0), cardan_select(ends_lower,
-        cardan_select(ends_change_at_rest, -1.0, 0.0), cardan_select(ends_eq_zero, 0.0,
-        cardan_select(ends_change_at_rest, ends, 0.0)))));
 
     /* rail: udot */
     /* udot = free_udot + response multipliers */

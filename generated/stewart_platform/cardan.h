@@ -129,6 +129,7 @@ typedef struct cardan_in {
     const real *du;     /* finite increment along u */
     const real *q0;     /* coordinates an increment starts from */
     const real *e;      /* events that happened: 1 or 0 each */
+    const real *v;      /* weights or direction that a derivative is multiplied by */
 } cardan_in;
 
 typedef int (*cardan_function)(const cardan_in *in, real *out, real *work);

@@ -30,7 +30,7 @@ static int show_function(const cardan_export *model)
     double *x = zeros + model->zeros, *u = x + model->nq, *out = x + nx, *work = out + f->out;
     const cardan_in in = {.t = zeros, .q = x, .u = u, .z = u + model->nu, .s = model->s, .r = model->r,
                           .w = prepared, .udot = zeros, .zdot = zeros, .lam = zeros, .tau = zeros,
-                          .wrench = zeros, .du = zeros, .q0 = x, .e = zeros};
+                          .wrench = zeros, .du = zeros, .q0 = x, .e = zeros, .v = zeros};
     int status = prepared && zeros ? cardan_prepare(model, model->p, prepared) : 1;
 
     if (status == 0)

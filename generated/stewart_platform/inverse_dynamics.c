@@ -1192,5 +1192,5 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int inverse_dynamics_sizes[] = {21, 0, 47, 0, 22, 21, 0, 0, 6, 96, 0, 21, 0, 0, 0, 0, 0, 0, 0};
+const int inverse_dynamics_sizes[] = {21, 0, 47, 0, 22, 21, 0, 0, 6, 96, 0, 21, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

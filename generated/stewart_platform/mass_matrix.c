@@ -1120,5 +1120,5 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int mass_matrix_sizes[] = {441, 0, 47, 0, 22, 0, 0, 0, 0, 96, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int mass_matrix_sizes[] = {441, 0, 47, 0, 22, 0, 0, 0, 0, 96, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

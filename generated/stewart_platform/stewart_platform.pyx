@@ -91,7 +91,13 @@ _SLOTS = {'t': 0,
  'wrench': 12,
  'du': 13,
  'q0': 14,
- 'e': 15}
+ 'e': 15,
+ 'v': 16}
+# lengths of v, in which every function has entries of its own
+_VECTORS = {}
+
+cdef enum:
+    BLOCKS = 17
 
 
 class SingularError(ArithmeticError):
@@ -133,12 +139,15 @@ def _defaults(block):
 _NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}
 
 
-def _array(block, value):
-    """A block (..., n) as contiguous numbers."""
+def _array(name, block, value):
+    """A block (..., n) of a function as contiguous numbers."""
     if block == "t":
         return np.asarray(value, dtype=float)[..., None]
-    found = _entries(block, value, _NAMES.get(block, ()), _defaults(block))
-    size = _SIZES[block]
+    if block == "v":
+        found, size = np.asarray(value, dtype=float), _VECTORS[name]
+    else:
+        found = _entries(block, value, _NAMES.get(block, ()), _defaults(block))
+        size = _SIZES[block]
     if found.ndim == 0 or found.shape[-1] != size:
         raise ValueError(f"{block} must have shape (..., {size}), not {found.shape}")
     return found
@@ -149,7 +158,7 @@ cdef object _call(bytes name, tuple blocks, tuple values, object parameters, tup
     cdef const cardan_exported_function *f = cardan_scene.functions
     while name != <bytes>f.name:
         f += 1
-    arrays = [_array(block, value) for block, value in zip(blocks, values)]
+    arrays = [_array(name.decode(), block, value) for block, value in zip(blocks, values)]
     lead = np.broadcast_shapes(*(a.shape[:-1] for a in arrays))
     cdef Py_ssize_t count = int(np.prod(lead, dtype=np.intp)), i, k
     given = _entries("parameters", parameters, PARAMETERS, _defaults("p"))
@@ -160,10 +169,10 @@ cdef object _call(bytes name, tuple blocks, tuple values, object parameters, tup
     f.prepare(&p[0], &w[0])
     result = np.empty((count, f.out))
     cdef double[::1] out = result.reshape(-1) if count * f.out else np.empty(1)
-    cdef const double *at[16]
-    cdef Py_ssize_t step[16]
+    cdef const double *at[BLOCKS]
+    cdef Py_ssize_t step[BLOCKS]
     cdef double[::1] flat
-    for k in range(16):
+    for k in range(BLOCKS):
         at[k], step[k] = NULL, 0
     held = []
     for block, array in zip(blocks, arrays):
@@ -181,7 +190,7 @@ cdef object _call(bytes name, tuple blocks, tuple values, object parameters, tup
         for i in range(count):
             one = f.function(<const cardan_in *>at, &out[0] + i * f.out, work)
             status |= one
-            for k in range(16):
+            for k in range(BLOCKS):
                 if at[k] != NULL:
                     at[k] += step[k]
     free(work)

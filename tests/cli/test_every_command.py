@@ -33,6 +33,7 @@ WORKING = {
     "modes": (ARM,),
     "linearize": (ARM,),
     "identify": (ARM,),
+    "fit": (ARM, "run.csv", "--unknown", "q0.waist"),
     "trim": (ARM, "--target", "elbow=0.5", "--free", "elbow.driving_force"),
     "ensemble": (ARM, "--time", "0.1", "--vary", "waist=0,1"),
     "report": (ARM, "--time", "0.1", "--methods", "DOP853", "RK4"),
@@ -59,6 +60,9 @@ SHOWN = [
 @pytest.fixture(autouse=True)
 def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
+    # what was measured of an arm that does not turn
+    rows = "".join(f"{0.01 * k},0.1\n" for k in range(20))
+    (tmp_path / "run.csv").write_text(f"t [s],waist [rad]\n{rows}")
 
 
 def status(*words: str) -> int:

@@ -52,11 +52,22 @@ LEAVES = {
     "40_fmu": ("arm.fmu", "door.fmu"),
     "41_swing_up": ("casadi.c", "swing_up.png", "swing_up.html"),
     "42_fit_through_a_rollout": ("jax.c", "fit.png"),
+    "44_swing_up_by_shooting": ("swing_up.png", "swing_up.html"),
+    "45_four_bar_synthesis": ("foot.png", "foot.html"),
+    "46_fit_from_csv": ("motion.csv", "fit.png"),
+    "47_friction_from_an_impact": ("fit.png", "block.html"),
+    "48_walker": ("walker.png", "walker.html"),
+    "49_train_a_policy": ("policy.png", "arm.html"),
+    "50_gymnasium": ("search.png", "cart.html"),
 }
+# packages without which an example says what to install
+OPTIONAL = {"50_gymnasium": "gymnasium"}
 
 
 @pytest.mark.parametrize("script", SCRIPTS, ids=lambda path: path.stem)
 def test_example(script: Path, tmp_path: Path) -> None:
+    if script.stem in OPTIONAL:
+        pytest.importorskip(OPTIONAL[script.stem])
     command = [sys.executable, str(script)]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

@@ -2,7 +2,8 @@
 
 usage: python tests/hard/page.py [CASE ...]
 
-With names of cases, only their rows and sections are written anew; ``paths`` are one of them.
+With names of cases, only their rows and sections are written anew; ``paths`` and ``gradients`` are
+among them.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from benchmarks.provenance import signed
 from cardan.cli.terminal import progress
 from hard import CASES
 from hard.case import FINISHED, METHODS, Case, Cell, Never, Outcome, measure
+from hard.gradient_page import GRADIENTS, with_gradients
 from hard.path_page import PATHS, with_paths
 
 PAGE = Path(__file__).parents[2] / "docs" / "hard_cases.md"
@@ -292,8 +294,9 @@ def overwritten(page: str, names: list[str], found: Found) -> str:
 
 def main(names: list[str]) -> int:
     """Measure some cases, or all; write."""
-    if names == [PATHS]:
-        PAGE.write_text(with_paths(PAGE.read_text("utf-8")), "utf-8")
+    sections = {PATHS: with_paths, GRADIENTS: with_gradients}
+    if len(names) == 1 and names[0] in sections:
+        PAGE.write_text(sections[names[0]](PAGE.read_text("utf-8")), "utf-8")
         return 0
     found: Found = {}
     cases = [CASES[name] for name in names] or list(CASES.values())
@@ -310,7 +313,7 @@ def main(names: list[str]) -> int:
         lines = [HEAD + ADVICE + MACHINE.format(machine=machine), "", *overview(found)]
         for case in cases:
             lines += section(case, found)
-        PAGE.write_text(signed(with_paths("\n".join(lines))), "utf-8")
+        PAGE.write_text(signed(with_paths(with_gradients("\n".join(lines)))), "utf-8")
     wrong = 0
     for (name, method), one in found.items():
         cell = CASES[name].expected[method]

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from hard.gradient_page import TITLE as FOLLOWING
+from hard.page_section import with_section
 from hard.paths import CASES, PathCase, measure
 
 PATHS = "paths"
-TITLE = "\n## Paths of equilibria and cycles\n"
+TITLE = "Paths of equilibria and cycles"
 HEAD = """
 `model.continuation` follows each of them, where beams stand with meshes as they are given. Points
 and linear systems are those of all branches; the time includes derivation and compilation where
@@ -35,8 +37,4 @@ def rows() -> Iterator[str]:
 
 def with_paths(page: str) -> str:
     """The page with the section on paths anew, behind the one on structures that buckle."""
-    mark = TITLE if TITLE in page else "\n## When to use another approach\n"
-    before, _, behind = page.partition(mark)
-    behind = behind.partition("\n## ")[2] if mark == TITLE else mark.strip("\n# ") + "\n" + behind
-    section = "\n".join([HEAD, *rows()])
-    return f"{before.rstrip()}\n{TITLE}{section}\n\n## {behind}"
+    return with_section(page, TITLE, "\n".join([HEAD, *rows()]), FOLLOWING)

@@ -15,6 +15,9 @@ import pytest
 
 from hard import CASES
 from hard.case import METHODS, Case, Cell, Never, measure
+from hard.gradient_page import row as gradient_row
+from hard.gradients import CASES as GRADIENTS
+from hard.gradients import measure as measure_gradient
 from hard.page import PAGE, expectation
 from hard.path_page import row
 from hard.paths import CASES as PATHS
@@ -128,3 +131,16 @@ def test_paths_are_as_exact_as_expected(name: str) -> None:
 def test_the_page_lists_every_path() -> None:
     page = PAGE.read_text("utf-8")
     assert all(row(case) in page for case in PATHS.values())
+
+
+@pytest.mark.parametrize("name", some(GRADIENTS, 2))
+def test_gradients_are_as_exact_as_expected(name: str) -> None:
+    case = GRADIENTS[name]
+    found = measure_gradient(case)
+    print(f"error {found.error:.1e}, allowed {case.bound:.0e}")
+    assert found.error <= case.bound
+
+
+def test_the_page_lists_every_gradient() -> None:
+    page = PAGE.read_text("utf-8")
+    assert all(gradient_row(case) in page for case in GRADIENTS.values())

@@ -108,7 +108,7 @@ def text(name: str, recipe: dict[str, Any]) -> str:
 
 SIZES = {"pose__bob": 16, "frame_jacobian__tip": 6, "rhs": 2, "energy": 3}
 # q u udot tau of one number, p of three
-BLOCKS = ["t", *"quzsrpw", "udot", "zdot", "lam", "tau", "wrench", "du", "q0", "e"]
+BLOCKS = ["t", *"quzsrpw", "udot", "zdot", "lam", "tau", "wrench", "du", "q0", "e", "v"]
 
 
 def sizes(name: str, recipe: dict[str, Any]) -> str:

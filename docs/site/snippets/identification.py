@@ -64,6 +64,9 @@ print(found.expected, found.explained, found.well)
 # Identification.implausible, Identification.missed
 print(found.implausible, found.missed)
 
+# Identification.nearest_to
+print(found.nearest_to(model, only=["arm.mass"]))
+
 # Identification.plot
 found.plot("fit.svg")
 

@@ -125,6 +125,15 @@ data = {"t": t, model.coordinates[0]: model.simulate(t, method="DOP853").x[:, 0]
 fit = model.fit(data, unknown="q0")
 print(fit.standard_errors)
 
+# Fit.interval
+low, high = fit.interval(fit.names[0])
+
+# Fit.correlation, Fit.combinations, Fit.serially_correlated
+print(fit.correlation, fit.combinations, fit.serially_correlated)
+
+# Fit.plot
+fit.plot("fit.svg")
+
 # CompiledModel.gradient, cost
 value, slope = model.gradient(0.2, cd.cost(final=f"{model.coordinates[0]}^2"), wrt=("x0", "p"))
 

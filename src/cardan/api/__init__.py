@@ -22,6 +22,7 @@ FACES |= {
             ("continuation.record", "Continuation"),
             ("cycles.cycle_record", "Cycle"),
             ("ensembles.result", "Ensemble"),
+            ("fits.record", "Fit"),
             ("identification.excitation", "Excitation"),
             ("identification.result", "Identification"),
             ("identification.torques", "Torques"),

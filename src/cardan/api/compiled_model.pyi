@@ -8,7 +8,6 @@ from numpy.typing import ArrayLike
 
 from ..analyses.continuation.stability_chart import StabilityChartRecord
 from ..analyses.ensembles.sampling import Plan
-from ..analyses.fits.record import Fit
 from ..analyses.gradients.cost import Cost
 from ..analyses.gradients.gradient import Gradient
 from ..analyses.identification.base_parameters import Base
@@ -45,6 +44,7 @@ from .results import (
     Ensemble,
     Equilibrium,
     Excitation,
+    Fit,
     Identification,
     LinearModel,
     Locus,
@@ -814,6 +814,7 @@ class CompiledModel(LoadedModel):
         bounds: Mapping[str, Sequence[float]] | None = None,
         loss: str = "linear",
         segments: str | int = "auto",
+        seeds: str | Identification | None = None,
         q: Values | ArrayLike | None = None,
         u: Values | ArrayLike | None = None,
         z: Values | ArrayLike | None = None,
@@ -838,14 +839,18 @@ class CompiledModel(LoadedModel):
             noise: Standard deviation of measurements, one number or by formula; its ratios weigh them.
             bounds: Parameter -> (least, most).
             loss: ``"linear"`` for least squares, ``"huber"`` where some samples are wrong.
-            segments: Number of runs that the motion is divided into; ``"auto"``: one for every eight
-                samples, at most 60.
+            segments: Number of runs that the motion is divided into; ``"auto"``: as many as errors
+                grow by e^2, and as leave what was measured, at most one for every eight samples and 60.
+            seeds: ``"identify"``: unknown masses, inertias and coefficients of forces begin with what
+                :meth:`identify` says of the measured coordinates and the inputs, however far off their
+                values are; or an identification, such as ``model.identify(data, cutoff=10)``.
             q, u, z: Start at the first sample, where the search begins; what is no unknown stays.
-            inputs, parameters, method, rtol, progress: As :meth:`simulate` takes them.
+            inputs: As :meth:`simulate` takes them; else columns of data with their names.
+            parameters, method, rtol, progress: As :meth:`simulate` takes them.
             most: Iterations.
 
         Returns:
-            A :class:`cardan.Fit`.
+            A fit: ``parameters``, ``standard_errors``, ``interval(name)``, ``residuals``, ``motion``.
 
         Raises:
             ArgumentError, ModelError: data or names that do not fit the model, and what has no
@@ -864,7 +869,7 @@ class CompiledModel(LoadedModel):
         u: Values | ArrayLike | None = None,
         z: Values | ArrayLike | None = None,
         events: Mapping[str, object] | None = None,
-        method: str = "auto",
+        method: str | GeneralizedAlpha | Alpha = "auto",
         rtol: float = 1e-09,
         atol: float | None = None,
         step: float | None = None,
@@ -885,11 +890,13 @@ class CompiledModel(LoadedModel):
                 input ``(times, values)`` the gradient is by the values.
             x0, q, u, z, events, rtol, atol, step, max_step, inputs, parameters, progress: As
                 :meth:`simulate` takes them.
-            method: ``"DOP853"``, ``"RK45"`` or ``"RK4"``; ``"auto"`` takes the first of them.
+            method: As :meth:`simulate` takes it, but Rosenbrock; ``"auto"`` takes DOP853, of
+                elements Radau.
 
         Returns:
-            A :class:`cardan.Gradient`: ``value``, ``slope`` by name, ``motion``. It is exact for the
-            steps that were taken: its error is that of the motion.
+            A :class:`cardan.Gradient`: ``value``, ``slope`` by name, ``motion``. Of Runge-Kutta methods
+            it is exact for the steps that were taken; of others it is that of the exact motion beside
+            the computed one. Either way its error is that of the motion.
 
         Raises:
             ModelError, ArgumentError: as :meth:`simulate`, and a method or an input whose derivative is

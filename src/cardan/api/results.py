@@ -7,6 +7,7 @@ from typing import final, overload
 from ..analyses.continuation.record import ContinuationRecord, Solution
 from ..analyses.cycles.cycle_record import CycleRecord
 from ..analyses.ensembles.result import EnsembleRecord
+from ..analyses.fits.record import FitRecord
 from ..analyses.identification.excitation import ExcitationRecord
 from ..analyses.identification.result import IdentificationRecord
 from ..analyses.identification.torques import TorquesRecord
@@ -69,6 +70,13 @@ class Excitation(ExcitationRecord):
     """A motion that excites base parameters."""
 
     plot = verb("cardan.analyses.identification.excitation:plot")
+
+
+@final
+class Fit(FitRecord):
+    """Parameters and a start fitted to measured motions."""
+
+    plot = verb("cardan.analyses.fits.picture:plot")
 
 
 @final

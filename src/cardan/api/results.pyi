@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from ..analyses.continuation.record import ContinuationRecord
 from ..analyses.cycles.cycle_record import CycleRecord
 from ..analyses.ensembles.result import EnsembleRecord
+from ..analyses.fits.record import FitRecord
 from ..analyses.identification.excitation import ExcitationRecord
 from ..analyses.identification.result import IdentificationRecord
 from ..analyses.identification.torques import TorquesRecord
@@ -264,6 +265,23 @@ class Excitation(ExcitationRecord):
         path: str | Path | None = None,
     ) -> Figure:
         """Positions and speeds over a period as a Matplotlib figure, written to ``path``.
+        """
+
+@final
+class Fit(FitRecord):
+    """Parameters and a start fitted to measured motions.
+    """
+    def plot(
+        self,
+        path: str | Path | None = None,
+    ) -> Figure:
+        """Measured samples over the fitted motion, and residuals beside them, as a Matplotlib figure.
+
+        Args:
+            path: Picture file; the ending says the format.
+
+        Raises:
+            ModelError: no picture file. ModuleNotFoundError: no Matplotlib.
         """
 
 @final

@@ -60,6 +60,7 @@ COMMANDS = {
     "linearize": (".linearize", "the linear model, root loci, Campbell diagrams"),
     "trim": (".trim", "what a wanted steady motion takes, and whether it is stable"),
     "identify": (".identify", "masses, inertias and friction from measured motions and forces"),
+    "fit": (".fit", "parameters and starts from measured motions, with their errors"),
     "ensemble": (".ensemble", "simulate many runs that differ, and keep what is asked for"),
     "report": (".report", "speed against error of every integrator on a scene"),
     "bench": (".bench", "speed, error and agreement beside other programs"),

@@ -19,8 +19,8 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
+from ..gradients.differentiable import EXPLICIT
 from ..gradients.jumps import EventInstant, event_instants
-from ..gradients.steps import TABLES
 from ..gradients.tangent import Directions, Tangents, directions_of
 from ..gradients.tangent_jumps import TangentJumps
 from ..simulation import run_record as abi
@@ -60,11 +60,11 @@ class LapDerivative:
 
 def refusal(problem: CycleProblem) -> str:
     """Why laps have no derivative but by differences; "" if they have."""
-    method, inputs = problem.how.method.name, problem.flow({}).runner.signals
+    method, inputs = problem.how.method, problem.flow({}).runner.signals
     if problem.model.manifest.absolute:
         return "there is no sweep through steps of finite elements"
-    if method not in TABLES:
-        return f"there is no sweep through steps of {method}"
+    if method.kernel not in EXPLICIT:
+        return f"there is no sweep through steps of {method.name}"
     if inputs.functions:
         names = [problem.model.inputs[k] for k in inputs.functions]
         return f"input '{names[0]}' is a function, whose derivative is not known"

@@ -39,14 +39,12 @@ class Condensed:
     offsets: Array
 
 
-def condensed(
-    segments: Sequence[Segment], gaps: Sequence[Array], first: Array, count: int
-) -> Condensed:
+def condensed(segments: Sequence[Segment], gaps: Array, first: Array, count: int) -> Condensed:
     """The problem of all segments.
 
     Args:
         segments: In their order.
-        gaps: What the end of each misses the next node by (n,), but for the last.
+        gaps: What the end of each but for the last misses the next node by (segments - 1, n).
         first: Increments of the first node per unit of the free unknowns (n, free).
         count: Number of parameters, the last of the free unknowns.
     """

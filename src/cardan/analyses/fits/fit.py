@@ -3,24 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ...arguments import Inputs, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
 from ..gradients.unknowns import start_blocks, start_places
-from ..simulation.settings import Values, start
-from ..simulation.simulate import simulate
-from .record import Fit
-from .samples import Samples, samples_of
+from ..identification.base_parameters import circuits
+from ..identification.result import IdentificationRecord
+from ..simulation.settings import Values
+from .division import divided
+from .nodes import Begin, first_states, locked_names, nodes_of
+from .record import FitRecord
+from .samples import inputs_of, samples_of, table_of
 from .search import Search
+from .seeds import seed_models
 from .shooting import Shooting
 
-SAMPLES = 8  # of a segment, by default
-MOST_SEGMENTS = 60
+Places = NDArray[np.intp]
 
 
 @checked
@@ -34,6 +38,7 @@ def fit(
     bounds: Mapping[str, Sequence[float]] | None = None,
     loss: str = "linear",
     segments: str | int = "auto",
+    seeds: str | IdentificationRecord | None = None,
     q: Values | ArrayLike | None = None,
     u: Values | ArrayLike | None = None,
     z: Values | ArrayLike | None = None,
@@ -43,7 +48,7 @@ def fit(
     rtol: float = 1e-9,
     most: int = 60,
     progress: bool | Callable[[float], None] | None = None,
-) -> Fit:
+) -> FitRecord:
     """Parameters and the start of a motion from measurements, by multiple shooting.
 
     ``fit = model.fit("run.csv", unknown=("m2", "damping", "q0"), measured={"hand.z": "z"})``
@@ -59,14 +64,18 @@ def fit(
         noise: Standard deviation of measurements, one number or by formula; its ratios weigh them.
         bounds: Parameter -> (least, most).
         loss: ``"linear"`` for least squares, ``"huber"`` where some samples are wrong.
-        segments: Number of runs that the motion is divided into; ``"auto"``: one for every eight
-            samples, at most 60.
+        segments: Number of runs that the motion is divided into; ``"auto"``: as many as errors
+            grow by e^2, and as leave what was measured, at most one for every eight samples and 60.
+        seeds: ``"identify"``: unknown masses, inertias and coefficients of forces begin with what
+            :meth:`identify` says of the measured coordinates and the inputs, however far off their
+            values are; or an identification, such as ``model.identify(data, cutoff=10)``.
         q, u, z: Start at the first sample, where the search begins; what is no unknown stays.
-        inputs, parameters, method, rtol, progress: As :meth:`simulate` takes them.
+        inputs: As :meth:`simulate` takes them; else columns of data with their names.
+        parameters, method, rtol, progress: As :meth:`simulate` takes them.
         most: Iterations.
 
     Returns:
-        A :class:`cardan.Fit`.
+        A fit: ``parameters``, ``standard_errors``, ``interval(name)``, ``residuals``, ``motion``.
 
     Raises:
         ArgumentError, ModelError: data or names that do not fit the model, and what has no
@@ -76,32 +85,65 @@ def fit(
     """
     if loss not in ("linear", "huber"):
         raise ArgumentError(f"fit: loss='{loss}': give 'linear' or 'huber'")
+    if model.manifest.absolute:
+        raise ModelError(
+            f"fit: '{model.name}' is in absolute coordinates, whose states no fit takes. Compile "
+            "it in joint coordinates, or minimize with model.gradient where it has beams"
+        )
     model = model if parameters is None else model.with_parameters(parameters)
-    samples = samples_of(model, data, measured, noise)
-    chosen, places = _unknowns(model, unknown)
+    table = table_of(data)
+    samples, inputs = samples_of(model, table, measured, noise), inputs_of(model, table, inputs)
+    chosen, free = _unknowns(model, unknown)
     limits = _bounds(chosen, bounds)
-    nodes = _nodes(samples, segments)
-    shooting = Shooting(
-        model, samples, nodes, chosen, inputs, {"method": method, "rtol": rtol, "progress": False}
-    )
-    values = np.array([model.parameters[name] for name in chosen])
-    search = Search(shooting, places, limits, loss, values)
-    first = start(model, None, q, u, z).x
-    return search.run(_first_nodes(shooting, first, values), values, most, progress)
+    nodes = nodes_of(samples, segments)
+    begin = (q, u, z)
+    locked = locked_names(model, begin, free)
+    shooting = Shooting(model, samples, nodes, chosen, inputs, method, rtol, locked)
+    if seeds is not None:
+        shooting = replace(shooting, model=_seeded(shooting, begin, free, seeds))
+    values = np.clip([shooting.model.parameters[name] for name in chosen], *limits.T)
+    first = first_states(shooting, begin, free)
+    if segments == "auto":
+        begins = divided(shooting, first, values)
+        shooting = replace(shooting, nodes=(*(nodes[k] for k in begins), nodes[-1]))
+        first = first[begins]
+    search = Search(shooting, free, limits, loss, values)
+    return search.run(first, values, most, progress)
 
 
-def _unknowns(
-    model: LoadedModel, unknown: str | Sequence[str]
-) -> tuple[tuple[str, ...], dict[str, slice]]:
-    """Names of parameters, and where unknown starts are."""
+def _seeded(
+    shooting: Shooting, begin: Begin, free: Places, seeds: str | IdentificationRecord
+) -> LoadedModel:
+    """Of the models that filters of the noise give, the one nearest to the measurements."""
+
+    def misfit(model: LoadedModel) -> float:
+        alone = replace(shooting, model=model, parameters=())
+        try:
+            segments = alone.every(first_states(alone, begin, free), np.zeros(0))
+        except SolveError:
+            return np.inf
+        return sum(float(one.residuals @ one.residuals) for one in segments)
+
+    return min(seed_models(shooting, seeds), key=misfit)
+
+
+def _unknowns(model: LoadedModel, unknown: str | Sequence[str]) -> tuple[tuple[str, ...], Places]:
+    """Names of parameters, and places of unknown starts along the speeds."""
     names = (unknown,) if isinstance(unknown, str) else tuple(unknown)
-    places = start_places(model) | start_blocks(model)
-    chosen, starts = [], {}
+    blocks = start_blocks(model)
+    places = start_places(model) | blocks
+    chosen, starts = list[str](), set[int]()
     for name in names:
         if name in model.parameters:
             chosen.append(name)
+        elif name in blocks and circuits(model):
+            one = next(iter(start_places(model)))
+            raise ModelError(
+                f"fit: unknown: '{name}': loops determine most of it. Name what is free, such as "
+                f"'{one}'"
+            )
         elif name in places:
-            starts[name] = places[name]
+            starts |= {*range(places[name].start, places[name].stop)}
         else:
             candidates = [*model.parameters, *places]
             raise ModelError(
@@ -109,7 +151,7 @@ def _unknowns(
             )
     if not names:
         raise ArgumentError("fit: unknown is empty; name parameters or starts, such as 'q0'")
-    return tuple(dict.fromkeys(chosen)), starts
+    return tuple(dict.fromkeys(chosen)), np.array(sorted(starts), dtype=np.intp)
 
 
 def _bounds(chosen: tuple[str, ...], bounds: Mapping[str, Sequence[float]] | None) -> Array:
@@ -124,51 +166,3 @@ def _bounds(chosen: tuple[str, ...], bounds: Mapping[str, Sequence[float]] | Non
             raise ArgumentError(f"fit: bounds of '{name}': {brief(pair)}: give (least, most)")
         limits[chosen.index(name)] = ends
     return limits
-
-
-def _nodes(samples: Samples, segments: str | int) -> tuple[int, ...]:
-    count = len(samples.t) - 1
-    number = min(MOST_SEGMENTS, max(1, count // SAMPLES)) if segments == "auto" else segments
-    if not isinstance(number, int) or not 1 <= number <= count:
-        raise ArgumentError(
-            f"fit: segments={brief(segments)}: give 'auto' or a number from 1 to {count}"
-        )
-    return tuple(int(k) for k in np.round(np.linspace(0, count, number + 1)))
-
-
-def _first_nodes(shooting: Shooting, first: Array, values: Array) -> list[Array]:
-    """States at the nodes: measured coordinates and their slopes, the rest along the first run."""
-    model, samples = shooting.model, shooting.samples
-    t, names = samples.t, samples.formulas
-    begin = first.copy()
-    # entries that were not measured come from a run with the first values, if there is one
-    run = None
-    if len(shooting.nodes) > 2:
-        try:
-            options = {**shooting.options, "rtol": 1e-6}
-            present = dict(zip(shooting.parameters, values, strict=True))
-            run = simulate(
-                model, t_eval=t[list(shooting.nodes[:-1])], x0=begin, inputs=shooting.inputs,
-                parameters=present, **options,  # type: ignore[arg-type]
-            ).x  # fmt: skip
-        except SolveError:
-            run = None
-    # the first one is the start that was named; others begin where the measurements are
-    states = []
-    for number, node in enumerate(shooting.nodes[:-1]):
-        x = begin.copy() if run is None or len(run) <= number else run[number].copy()
-        for k, name in enumerate(names if number else ()):
-            column, present_rows = samples.values[:, k], samples.present[:, k]
-            if name in model.coordinates and present_rows[node]:
-                place = model.coordinates.index(name)
-                x[place] = column[node]
-                slope = np.gradient(column[present_rows], t[present_rows])
-                at = int(np.count_nonzero(present_rows[:node]))
-                for speed, joint in enumerate(model.manifest.joints):
-                    if joint.q == (place, 1) and joint.u is not None and joint.u[1] == 1:
-                        del speed
-                        x[model.nq + joint.u[0]] = slope[at]
-            elif name in model.speeds and present_rows[node]:
-                x[model.nq + model.speeds.index(name)] = column[node]
-        states.append(x)
-    return states

@@ -8,9 +8,12 @@ from pathlib import Path
 
 import numpy as np
 
+from ...arguments import Inputs
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, SolveError, brief, near
+from ...errors import ArgumentError, DerivationError, ModelError, SolveError, brief, near
 from ...runtime.calls.calling import numbers
+from ...runtime.calls.loaded_function import LoadedFunction
+from ...runtime.models.derivatives import Derivative
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.blocks import COORDINATES
 from ..identification.data import HEADING, read
@@ -42,7 +45,7 @@ class Samples:
 
 def samples_of(
     model: LoadedModel,
-    data: object,
+    table: Mapping[str, object],
     measured: Mapping[str, object] | None,
     noise: float | Mapping[str, float] | None,
 ) -> Samples:
@@ -51,10 +54,7 @@ def samples_of(
     Raises:
         ArgumentError: no times, columns that do not fit together, unknown names.
     """
-    table = _table(data)
-    if TIME not in table:
-        raise ArgumentError(f"fit: data has no column '{TIME}', the times [s]")
-    t = numbers("fit: data: t", table[TIME])
+    t = numbers("fit: data: t", column(table, TIME))
     if t.ndim != 1 or len(t) < 2 or not np.isfinite(t).all() or not (np.diff(t) > 0).all():
         raise ArgumentError("fit: data: t: give two times or more, ascending and finite")
     channels: dict[str, object] = {}
@@ -68,13 +68,11 @@ def samples_of(
             )
     for formula, source in (measured or {}).items():
         if isinstance(source, str):
-            if source not in table:
-                raise ArgumentError(f"fit: data has no column '{source}'.{near(source, table)}")
-            source = table[source]
+            source = column(table, source)
         channels[formula] = source
     values = np.empty((len(t), len(channels)))
-    for k, (formula, column) in enumerate(channels.items()):
-        array = numbers(f"fit: measured '{formula}'", column)
+    for k, (formula, samples) in enumerate(channels.items()):
+        array = numbers(f"fit: measured '{formula}'", samples)
         if array.shape != t.shape:
             raise ArgumentError(
                 f"fit: measured '{formula}' has shape {array.shape}, expected ({len(t)},)"
@@ -83,8 +81,36 @@ def samples_of(
     return Samples(t, tuple(channels), values, _noise(tuple(channels), noise))
 
 
-def _table(data: object) -> dict[str, object]:
-    """Columns by name, without units behind them."""
+def inputs_of(
+    model: LoadedModel, table: Mapping[str, object], inputs: Inputs | None
+) -> Inputs | None:
+    """Inputs as ``simulate`` takes them: as they are given, else columns of their names."""
+    stated = inputs or {}
+    named = {n for key in stated for n in (key if isinstance(key, tuple) else (key,))}
+    columns = [name for name in model.inputs if name in table and name not in named]
+    return {name: (table[TIME], table[name]) for name in columns} | dict(stated) or None
+
+
+def column(table: Mapping[str, object], name: str) -> object:
+    """A column by its name, with the unit behind it or without.
+
+    Raises:
+        ArgumentError: there is none.
+    """
+    match = HEADING.fullmatch(name)
+    key = name if name in table or match is None else match[1]
+    if key not in table:
+        what = ", the times [s]" if name == TIME else f".{near(key, table)}"
+        raise ArgumentError(f"fit: data has no column '{name}'{what}")
+    return table[key]
+
+
+def table_of(data: object) -> dict[str, object]:
+    """Columns by name, without units behind them.
+
+    Raises:
+        ArgumentError: neither columns nor a file of them.
+    """
     if isinstance(data, str | Path):
         columns = read(Path(data))
         units = {name: HEADING.fullmatch(name) for name in columns}
@@ -130,11 +156,13 @@ class Channels:
         self.model, self.formulas = model, formulas
         blocks = {COORDINATES: model.nq, "u": model.nu, "z": model.nz}
         wrt = (*[block for block, size in blocks.items() if size], *parameters)
-        try:
-            self._values = [model._function("expression", one) for one in formulas]
-            self._slopes = [model.derivative(("expression", one), wrt=wrt) for one in formulas]
-        except ModelError as problem:
-            raise ModelError(f"fit: measured: {problem}") from problem
+        self._values, self._slopes = list[LoadedFunction](), list[Derivative]()
+        for formula in formulas:
+            try:
+                self._values.append(model._function("expression", formula))
+            except (ModelError, DerivationError) as problem:
+                raise ModelError(f"fit: measured='{formula}': {problem}") from problem
+            self._slopes.append(model.derivative(("expression", formula), wrt=wrt))
         self._state_blocks = len(wrt) - len(parameters)
 
     def __call__(
@@ -143,7 +171,7 @@ class Channels:
         """Values (m, channels) and their changes (m, channels, k).
 
         Args:
-            t, x, r, s: Times (m,), states (m, nx), inputs (m, nr) and modes (ns,).
+            t, x, r, s: Times (m,), states (m, nx), inputs (m, nr) and modes (m, ns).
             changes: Of the states along k directions (m, k, nx).
             by_parameters: Of the parameters along them (k, parameters).
         """

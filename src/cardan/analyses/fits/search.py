@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, warn
-from ..gradients.unknowns import BLOCKS, start_places
 from ..simulation.progress import showing
 from ..simulation.simulate import simulate
 from .estimate import Condensed, Solved, condensed, solved
-from .record import Fit
+from .nodes import speed_places
+from .record import FitRecord
 from .shooting import Segment, Shooting
 
 CLOSED = 1e-8  # gaps between nodes that are none
@@ -28,10 +29,10 @@ HALVINGS = 12
 class _Point:
     """Unknowns with what they miss."""
 
-    states: list[Array]
+    states: Array
     values: Array
     segments: list[Segment]
-    gaps: list[Array]
+    gaps: Array
 
     @property
     def residuals(self) -> Array:
@@ -39,45 +40,43 @@ class _Point:
 
     @property
     def gap(self) -> float:
-        return max((float(np.abs(gap).max(initial=0.0)) for gap in self.gaps), default=0.0)
+        return float(np.abs(self.gaps).max(initial=0.0))
 
 
 class Search:
     """The search for the minimum."""
 
     def __init__(
-        self,
-        shooting: Shooting,
-        places: Mapping[str, slice],
-        limits: Array,
-        loss: str,
-        values: Array,
+        self, shooting: Shooting, free: NDArray[np.intp], limits: Array, loss: str, values: Array
     ) -> None:
         self.shooting, self.limits, self.loss = shooting, limits, loss
         # of parameters: what they begin with, so that one which becomes small may grow again
         self.units = np.where(values != 0, np.abs(values), 1.0)
         model = shooting.model
         self.n, self.count = 2 * model.nu + model.nz, len(shooting.parameters)
-        free = np.zeros(self.n, dtype=bool)
-        for place in places.values():
-            free[place] = True
-        self.free = np.flatnonzero(free)
+        self.free = free
         self.first = np.hstack([np.eye(self.n)[:, self.free], np.zeros((self.n, self.count))])
 
     def run(
         self,
-        states: list[Array],
+        states: Array,
         values: Array,
         most: int,
         progress: bool | Callable[[float], None] | None,
-    ) -> Fit:
+    ) -> FitRecord:
         """The fit from first nodes and parameters."""
         point = self._point(states, values)
-        converged, message, iterations = False, f"not converged after {most} iterations", 0
+        converged, interrupted, iterations = False, False, 0
+        message = f"not converged after {most} iterations"
         with showing(progress, self.shooting.model.name) as show:
             for iterations in range(1, most + 1):
-                problem, step = self._step(point)
-                point, size, change = self._along(point, problem, step)
+                try:
+                    problem, step = self._step(point)
+                    point, size, change = self._along(point, problem, step)
+                except KeyboardInterrupt:
+                    message = f"interrupted in iteration {iterations}; what was found is kept"
+                    interrupted = True
+                    break
                 show(min(0.99, iterations / most))
                 if size <= EXACT or (change <= FLAT and point.gap <= CLOSED):
                     converged, message = True, f"converged after {iterations} iterations"
@@ -85,13 +84,14 @@ class Search:
                 if size == np.inf:
                     message = f"the motion breaks down along the step of iteration {iterations}"
                     break
-        return self._fit(point, converged, message, iterations)
+        return self._fit(point, converged, interrupted, message, iterations)
 
-    def _point(self, states: list[Array], values: Array) -> _Point:
+    def _point(self, states: Array, values: Array) -> _Point:
         segments = self.shooting.every(states, values)
-        pairs = zip(segments[:-1], states[1:], strict=True)
-        gaps = [self.shooting.gap(one.end, node) for one, node in pairs]
-        return _Point(states, values, segments, gaps)
+        # where loops are closed
+        states = np.array([one.begin for one in segments])
+        ends = np.array([one.end for one in segments])
+        return _Point(states, values, segments, self.shooting.increments(states[1:], ends[:-1]))
 
     def _weights(self, residuals: Array) -> Array:
         if self.loss == "linear":
@@ -136,10 +136,7 @@ class Search:
         before = self._merit(point)
         for _ in range(HALVINGS):
             values = np.clip(point.values + part * change, *self.limits.T)
-            states = [
-                self.shooting.moved(x, part * move)
-                for x, move in zip(point.states, moves, strict=True)
-            ]
+            states = self.shooting.moved(point.states, part * moves)
             try:
                 there = self._point(states, values)
             except (SolveError, ModelError):
@@ -152,11 +149,12 @@ class Search:
         return point, np.inf, 0.0
 
     def _merit(self, point: _Point) -> float:
-        return float(np.sum(self._weights(point.residuals) * point.residuals**2)) + sum(
-            float(gap @ gap) for gap in point.gaps
-        )
+        weighted = self._weights(point.residuals) * point.residuals**2
+        return float(np.sum(weighted) + np.sum(point.gaps**2))
 
-    def _fit(self, point: _Point, converged: bool, message: str, iterations: int) -> Fit:
+    def _fit(
+        self, point: _Point, converged: bool, interrupted: bool, message: str, iterations: int
+    ) -> FitRecord:
         shooting, samples = self.shooting, self.shooting.samples
         # the last problem once more: its covariance is that at the answer
         _, last = self._step(point)
@@ -170,7 +168,7 @@ class Search:
         t = samples.t
         motion = simulate(
             model, (float(t[0]), float(t[-1])), x0=point.states[0], inputs=shooting.inputs,
-            **shooting.options,  # type: ignore[arg-type]
+            method=shooting.method, rtol=shooting.rtol, progress=False,
         )  # fmt: skip
         by_channel = self._by_channel(residuals)
         with np.errstate(invalid="ignore"):
@@ -183,21 +181,27 @@ class Search:
                 + (f"; the data do not tell combinations of {said}" if said else ""),
                 SolveWarning,
             )
-        return Fit(
+        return FitRecord(
             model=model,
             parameters=values,
             start=point.states[0],
-            standard_errors=dict(zip(names, np.sqrt(np.diag(covariance)).tolist(), strict=True)),
             names=names,
+            values=self._values(point.states[0]) | values,
+            standard_errors=dict(zip(names, np.sqrt(np.diag(covariance)).tolist(), strict=True)),
             covariance=covariance,
+            t=t,
+            measured=dict(zip(samples.formulas, samples.values.T, strict=True)),
             residuals=by_channel,
             sigma=float(np.sqrt(variance)),
+            freedom=freedom,
             durbin_watson={name: _durbin_watson(x) for name, x in by_channel.items()},
             undetermined=untold,
             motion=motion,
+            segments=len(point.segments),
             cost=float(residuals @ residuals) / 2,
             iterations=iterations,
             converged=converged,
+            interrupted=interrupted,
             message=message,
         )
 
@@ -211,12 +215,18 @@ class Search:
         parts /= np.linalg.norm(parts)
         return {name: float(x) for name, x in zip(names, parts, strict=True) if abs(x) > 1e-6}
 
+    def _values(self, x: Array) -> dict[str, float]:
+        """Values of the unknown starts by name; nan along rotations in space, which have none."""
+        names, places = self._names()[: len(self.free)], speed_places(self.shooting.model)
+        entries = [places.index(k) if k in places else -1 for k in self.free]
+        return {n: float(x[k]) if k >= 0 else np.nan for n, k in zip(names, entries, strict=True)}
+
     def _names(self) -> list[str]:
-        model, nu = self.shooting.model, self.shooting.model.nu
+        model = self.shooting.model
         entries = [f"q0 along {name}" for name in model.speeds]
-        for name, place in start_places(model).items():
-            if name not in BLOCKS and place.stop - place.start == 1 and place.start < nu:
-                entries[place.start] = name
+        for k, place in enumerate(speed_places(model)[: model.nq]):
+            if place >= 0:
+                entries[place] = f"q0.{model.coordinates[k]}"
         entries += [f"u0.{name}" for name in model.speeds]
         entries += [f"z0.{name}" for name in model.internals]
         return [*(entries[k] for k in self.free), *self.shooting.parameters]

@@ -15,8 +15,10 @@ from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import SolveError
 from ...runtime.models.loaded_model import LoadedModel
-from ..gradients.sensitivities import Sensitivities
-from ..simulation.simulate import simulate
+from ..gradients.sensitivities import SensitiveRuns, Sensitivities
+from ..simulation.driving import beginning, run_setup
+from ..simulation.settings import Start
+from ..simulation.times import Span
 from .samples import Channels, Samples
 
 
@@ -27,14 +29,37 @@ class Segment:
     Attributes:
         residuals: Measured less computed, over the noise (m,), of what is present.
         slopes: Derivatives of the residuals by the node along the speeds and by parameters (m, k).
-        end: State at the next node (nx,).
+        begin, end: States (nx,) at the node, loops closed, and at the next one.
         transition: Derivatives (n, k) of the end along the speeds, n = 2 nu + nz.
     """
 
     residuals: Array
     slopes: Array
+    begin: Array
     end: Array
     transition: Array
+
+
+@dataclass(frozen=True)
+class NodeRun:
+    """A run from a node: at its samples, and at its end behind them.
+
+    Attributes:
+        first: Number of its first sample.
+        begin: State at the node (nx,), loops closed.
+        x, r, s: States (m, nx), inputs (m, nr), modes (m, ns) at samples.
+        changes: Of the states, along the speeds of the node and by parameters (m, k, nx).
+        end, moved: State (nx,) and its changes (k, nx) at the next node.
+    """
+
+    first: int
+    begin: Array
+    x: Array
+    r: Array
+    s: Array
+    changes: Array
+    end: Array
+    moved: Array
 
 
 @dataclass(frozen=True)
@@ -47,7 +72,9 @@ class Shooting:
         nodes: Numbers of the samples at which segments begin; the last one is the end.
         parameters: Names of the unknown ones.
         inputs: Of the runs.
-        options: Method and tolerances of the runs.
+        method, rtol: Of the runs.
+        locked: Of a model with loops: names of coordinates and speeds, by ``"q"`` and ``"u"``, that
+            the start was given by, whereas loops determine the others; None of a tree.
     """
 
     model: LoadedModel
@@ -55,83 +82,136 @@ class Shooting:
     nodes: tuple[int, ...]
     parameters: tuple[str, ...]
     inputs: Inputs | None
-    options: Mapping[str, object]
+    method: str
+    rtol: float
+    locked: Mapping[str, tuple[str, ...]] | None = None
 
-    def segment(self, number: int, x: Array, values: Array, wide: bool = True) -> Segment:
-        """The run from a node.
+    def every(self, states: Array, values: Array) -> list[Segment]:
+        """All segments.
 
         Args:
-            number: Of the segment.
-            x: State at the node (nx,).
+            states: At the nodes (segments, nx).
             values: Of the parameters.
-            wide: Whether derivatives are wanted.
-
-        Raises:
-            SolveError: it breaks down.
-        """
-        first, last = self.nodes[number], self.nodes[number + 1]
-        model = self.model.with_parameters(dict(zip(self.parameters, values, strict=True)))
-        t, closed = self.samples.t, number + 2 == len(self.nodes)
-        # the sample at the next node belongs to the next segment
-        rows = np.arange(first, last + closed)
-        motion = simulate(
-            model,
-            (float(t[first]), float(t[last])),
-            x0=x,
-            inputs=self.inputs,
-            sensitivity=("x0", *self.parameters),
-            **self.options,  # type: ignore[arg-type]
-        )
-        # along the speeds of the node, and by parameters
-        changes = motion.sensitivity
-        assert isinstance(changes, Sensitivities)
-        states, moved = changes.states_at(np.append(t[rows], t[last]))
-        count = len(self.parameters)
-        by_parameters = np.vstack([np.zeros((moved.shape[1] - count, count)), np.eye(count)])
-        r = motion.inputs_at(t[rows]) if motion.inputs_at is not None else motion.r[:1]
-        channels = Channels(model, self.samples.formulas, self.parameters)
-        computed, slopes = channels(
-            t[rows], states[:-1], r, motion.event_log.s[-1], moved[:-1], by_parameters
-        )
-        present = self.samples.present[rows]
-        scale = self.samples.noise
-        residuals = ((self.samples.values[rows] - computed) / scale)[present]
-        return Segment(
-            residuals,
-            (-slopes / scale[:, None])[present],
-            states[-1],
-            self.along_speeds(states[-1], moved[-1]),
-        )
-
-    def along_speeds(self, x: Array, changes: Array) -> Array:
-        """Changes (k, nx) of a state as increments along the speeds (2 nu + nz, k)."""
-        model = self.model
-        q, u, _ = model.parts_of(x)
-        N = model.derivative("qdot", wrt="u")(q, u)
-        along = np.linalg.lstsq(N, changes[:, : model.nq].T, rcond=None)[0]
-        return np.vstack([along, changes[:, model.nq :].T])
-
-    def moved(self, x: Array, step: Array) -> Array:
-        """The state (nx,) an increment along the speeds away."""
-        model, nu = self.model, self.model.nu
-        q, u, z = model.parts_of(x)
-        return np.concatenate(
-            [model.integrate(q, step[:nu]), u + step[nu : 2 * nu], z + step[2 * nu :]]
-        )
-
-    def gap(self, x: Array, node: Array) -> Array:
-        """The increment along the speeds (2 nu + nz,) from a node to the end before it."""
-        model = self.model
-        q0, u0, z0 = model.parts_of(node)
-        q, u, z = model.parts_of(x)
-        return np.concatenate([model.difference(q0, q), u - u0, z - z0])
-
-    def every(self, states: Sequence[Array], values: Array) -> list[Segment]:
-        """All segments.
 
         Raises:
             SolveError: one breaks down.
         """
+        trial = Trial(self, values)
+        return trial.segments([trial.run(k, x) for k, x in enumerate(states)])
+
+    def moved(self, x: Array, step: Array) -> Array:
+        """States (m, nx) increments along the speeds (m, 2 nu + nz) away."""
+        model, nu = self.model, self.model.nu
+        q, u, z = model.parts_of(x)
+        place = model.integrate(q, step[:, :nu])
+        return np.hstack([place, u + step[:, nu : 2 * nu], z + step[:, 2 * nu :]])
+
+    def increments(self, nodes: Array, ends: Array) -> Array:
+        """Increments along the speeds (m, 2 nu + nz) from states (m, nx) to others."""
+        model = self.model
+        q0, u0, z0 = model.parts_of(nodes)
+        q, u, z = model.parts_of(ends)
+        return np.hstack([model.difference(q0, q), u - u0, z - z0])
+
+
+class Trial:
+    """Runs with one set of parameters: one model and one runner serve all segments."""
+
+    def __init__(self, shooting: Shooting, values: Array) -> None:
+        """Args:
+        shooting: What is measured where.
+        values: Of the parameters.
+
+        Raises:
+            SolveError: they are not finite.
+        """
         if not np.isfinite(values).all():
             raise SolveError("fit: parameters are not finite")
-        return [self.segment(k, x, values) for k, x in enumerate(states)]
+        self.shooting, names = shooting, shooting.parameters
+        model = shooting.model.with_parameters(dict(zip(names, values, strict=True)))
+        t, inputs = shooting.samples.t, shooting.inputs
+        span = (float(t[0]), float(t[-1])), None
+        options = shooting.method, shooting.rtol, None, None, None
+        setup = run_setup(model, span, None, None, options, inputs, None)
+        self._setup, self._runs = setup, SensitiveRuns(setup, ("x0", *names), inputs)
+        self._channels = Channels(model, shooting.samples.formulas, names)
+
+    def begin(self, number: int, x: Array) -> Start:
+        """The start at a node next to a state (nx,): loops are closed, what is locked there stays.
+
+        Raises:
+            ModelError: loops cannot be closed.
+        """
+        setup, t = self._setup, float(self.shooting.samples.t[self.shooting.nodes[number]])
+        state = self._named(number, x)
+        return beginning(setup.model, Start(x, ()), state, t, setup.input_signals)
+
+    def _named(self, number: int, x: Array) -> dict[str, object]:
+        """A start as ``simulate`` takes it: whole, or by what is locked at the first node."""
+        locked, model = self.shooting.locked, self._setup.model
+        if locked is None:
+            return {"x0": x, "q": None, "u": None, "z": None}
+        entries = dict(zip((*model.coordinates, *model.speeds), x.tolist(), strict=False))
+        blocks = {b: {n: entries[n] for n in locked[b] if number == 0} for b in "qu"}
+        return {"x0": None, **blocks, "z": None}
+
+    def run(self, number: int, x: Array) -> NodeRun:
+        """The run over a segment from a state (nx,); its steps end at the samples.
+
+        Raises:
+            SolveError: it breaks down.
+        """
+        nodes = self.shooting.nodes
+        first, last = nodes[number], nodes[number + 1]
+        times = self.shooting.samples.t[first : last + 1]
+        over = Span(float(times[0]), float(times[-1]), stops=tuple(times[1:-1].tolist()))
+        begin = self.begin(number, x)
+        motion = self._runs.run(over, begin, self._named(number, x), dense=False)
+        # the sample at the next node belongs to the next segment
+        rows = slice(None, None if number + 2 == len(nodes) else -1)
+        assert isinstance(motion.sensitivity, Sensitivities)
+        states, changes = motion.sensitivity.states_at(times)
+        places = np.searchsorted(motion.t, times, side="right") - 1
+        r = motion.r[places] if motion.inputs_at is None else motion.inputs_at(times)
+        s = motion.event_log.s.reshape(len(motion.t), -1)[places]
+        end, moved = states[-1], changes[-1]
+        return NodeRun(first, begin.x, states[rows], r[rows], s[rows], changes[rows], end, moved)
+
+    def segments(self, runs: Sequence[NodeRun]) -> list[Segment]:
+        """What runs over segments that follow each other say; channels of all at once.
+
+        Raises:
+            SolveError: a measured quantity has no finite value.
+        """
+        samples, count = self.shooting.samples, len(self.shooting.parameters)
+        x, r, s, changes = (
+            np.concatenate([getattr(one, name) for one in runs])
+            for name in ("x", "r", "s", "changes")
+        )
+        first = runs[0].first
+        rows = slice(first, first + len(x))
+        by_parameters = np.vstack([np.zeros((changes.shape[1] - count, count)), np.eye(count)])
+        computed, slopes = self._channels(samples.t[rows], x, r, s, changes, by_parameters)
+        residuals = (samples.values[rows] - computed) / samples.noise
+        slopes = -slopes / samples.noise[:, None]
+        present = samples.present[rows]
+        ends, moved = (np.array([getattr(one, name) for one in runs]) for name in ("end", "moved"))
+        segments = list[Segment]()
+        for one, transition in zip(runs, self._along_speeds(ends, moved), strict=True):
+            part = slice(one.first - first, one.first - first + len(one.x))
+            mask = present[part]
+            segments.append(
+                Segment(residuals[part][mask], slopes[part][mask], one.begin, one.end, transition)
+            )
+        return segments
+
+    def _along_speeds(self, x: Array, changes: Array) -> Array:
+        """Changes (m, k, nx) of states (m, nx) as increments along the speeds (m, n, k).
+
+        n is 2 nu + nz.
+        """
+        model = self._setup.model
+        q, u, _ = model.parts_of(x)
+        N = model.derivative("qdot", wrt="u")(q, u)
+        along = np.linalg.pinv(N) @ np.swapaxes(changes[:, :, : model.nq], 1, 2)
+        return np.concatenate([along, np.swapaxes(changes[:, :, model.nq :], 1, 2)], axis=1)

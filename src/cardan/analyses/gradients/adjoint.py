@@ -12,7 +12,7 @@ from ...schema.records import Adjoint
 from ...schema.request import Request
 from ..simulation.run import Runner
 from .cost import Cost
-from .steps import CLOSING, MOST_STAGES, StepsAgain, powers_at, segment_at
+from .steps import CLOSING, MOST_STAGES, StepsAgain, check_growth, powers_at, segment_at
 
 
 class Slopes(NamedTuple):
@@ -125,6 +125,9 @@ class Sweep(StepsAgain):
         """Sweep over the steps between rows (count, width) as the run wrote them.
 
         Raises:
-            SolveError: a function has no value at a stage of a step.
+            SolveError: a function has no value at a stage of a step, or derivatives grow beyond
+                all use.
         """
+        before = self.lam.copy()
         self.swept(rows, self.runner.library.cardan_adjoint_sweep, self.record)
+        check_growth(before, self.lam, rows[:, 0])

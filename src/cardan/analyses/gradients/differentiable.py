@@ -14,8 +14,6 @@ from ..simulation.run import Runner
 from .jumps import EventInstant
 from .unknowns import Unknowns
 
-EXPLICIT = ("rk4", "rk45", "dop853")
-
 
 def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
     """Refuse what has no gradient.
@@ -32,11 +30,6 @@ def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
         raise ModelError(
             "gradient: method 'Rosenbrock': the Jacobian stands in its steps, which would need "
             "second derivatives. Take Radau, which is for stiff models too"
-        )
-    if model.manifest.absolute and setup.how.method.kernel not in EXPLICIT:
-        raise ModelError(
-            f"gradient: method '{method}': there is no sweep through its steps over finite "
-            "elements yet. Take DOP853"
         )
     if setup.input_signals.functions:
         names = [model.inputs[k] for k in setup.input_signals.functions]
@@ -72,10 +65,14 @@ def check_complete(motion: TrajectoryRecord, runner: Runner) -> None:
         )
 
 
-def rows_of(motion: TrajectoryRecord) -> Array:
-    """Rows t, y, r, s of a motion that has one at the end of every step."""
-    modes = motion.event_log.s.reshape(len(motion.t), -1)
-    return np.hstack([motion.t[:, None], motion.x, motion.work_done, motion.r, modes])
+def rows_of(motion: TrajectoryRecord, runner: Runner) -> Array:
+    """Rows t, y, r, s, lam of a motion that has one at the end of every step.
+
+    Multipliers are left 0: those of a state follow from it.
+    """
+    modes, lam = motion.event_log.s.reshape(len(motion.t), -1), (len(motion.t), runner.record.nlam)
+    states = (motion.t[:, None], motion.x, motion.work_done, motion.r, modes, np.zeros(lam))
+    return np.hstack(states)
 
 
 def row_behind(t: Array, end: int, at: EventInstant) -> int:

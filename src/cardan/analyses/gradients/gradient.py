@@ -91,7 +91,8 @@ def gradient(
     """
     named_inputs = dict(inputs or {})
     state = {"x0": x0, "q": q, "u": u, "z": z}
-    method = "DOP853" if method == "auto" else method
+    if method == "auto":
+        method = "Radau" if model.manifest.absolute else "DOP853"
     options = (method, rtol, atol, step, max_step)
     setup = run_setup(model, (t, None), state, events, options, inputs, parameters)
     names = unknowns(setup.model, wrt, {str(k): v for k, v in named_inputs.items()})
@@ -116,7 +117,7 @@ def _swept(
     jumps = Jumps(sweep, cost, setup.event_table, setup.over.start)
     instants = event_instants(log.log, setup.event_table, model.nx, model.ns)
     value, final_rate = _final(sweep, motion, cost)
-    rows = rows_of(motion)
+    rows = rows_of(motion, runner)
     end = len(rows)
     halted = motion.solver_info.status == EVENT
     # backward: the steps behind an event, the event, and so on to the start

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import final
 
 import numpy as np
 
@@ -14,8 +15,10 @@ from ...errors import ModelError, SolveError, near
 from ...runtime.trajectory.solver_info import EVENT
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..simulation.driving import RunSetup, chosen, driven, reported, runner_of
-from ..simulation.run import Runner
+from ..simulation.settings import Start
 from ..simulation.signals import signals
+from ..simulation.spare_runners import rewind
+from ..simulation.times import Span
 from .differentiable import check_complete, refuse, row_behind, rows_of
 from .jumps import event_instants
 from .start import named_start
@@ -145,49 +148,96 @@ def differentiated(
             "sensitivity= goes with an end time or a pair: motion.sensitivity.at(times) gives it "
             "at any times"
         )
-    setup = replace(setup, how=chosen(setup.how, None), case=None)
-    listed = unknowns(setup.model, names, {str(k): v for k, v in (inputs or {}).items()})
-    refuse(setup, listed)
-    runner = runner_of(setup.model, setup.how, setup.input_signals, setup.event_table)
-    motion = reported(driven(runner, setup.over, setup.begin, progress), check)
-    check_complete(motion, runner)
-    return replace(motion, sensitivity=_sensitivities(setup, runner, motion, listed, state))
+    runs = SensitiveRuns(setup, names, inputs)
+    return runs.run(setup.over, setup.begin, state, check, progress)
 
 
-def _sensitivities(
-    setup: RunSetup,
-    runner: Runner,
-    motion: TrajectoryRecord,
-    listed: Unknowns,
-    state: Mapping[str, object],
-) -> Sensitivities:
-    """Changes along a motion."""
-    model, log = setup.model, motion.event_log
-    directions, parts = _directions(setup, listed)
-    tangents = Tangents(runner, directions)
-    wide = bool(directions.moved)
-    begin = named_start(setup, tangents, state, log.s[0], listed, wide)
-    by_r = tangents.input_changes(setup.over.start)
-    by_p = directions.p if directions.moved else np.zeros((len(by_r), 0))
-    first = np.array(
-        [begin.forward(*one) for one in zip(directions.start, by_r, by_p, strict=True)]
-    ).reshape(len(by_r), model.nx)
-    jumps = TangentJumps(tangents, setup.event_table, setup.over.start)
-    rows, changes = rows_of(motion), list[Array]()
-    modes, start = [(0, tangents.by_s.copy())], 0
-    instants = event_instants(log.log, setup.event_table, model.nx, model.ns)
-    # where an event ends the run, times do not move
-    for at in instants[: -1 if motion.solver_info.status == EVENT else None]:
-        behind = row_behind(motion.t, len(rows), at)
-        # where modes alone change, one row stands for both sides
-        one_row = behind == start or motion.t[behind - 1] != at.t
-        part = tangents.over(rows[start : behind + one_row], first)
-        # at its time before it; the row behind it begins the next part
-        changes.append(part[: behind - start])
-        first, start = jumps.push(at, part[-1]), behind
-        modes.append((behind, tangents.by_s.copy()))
-    changes.append(tangents.over(rows[start:], first))
-    return Sensitivities(listed.names, np.concatenate(changes), parts, rows, tangents, tuple(modes))
+@final
+class SensitiveRuns:
+    """Runs of a model with their sensitivities, one after the other: they differ by their start.
+
+    Attributes:
+        setup: Of the first one.
+        names: What they are differentiated by.
+    """
+
+    def __init__(self, setup: RunSetup, names: str | Sequence[str], inputs: Inputs | None) -> None:
+        """Args:
+        setup: Of the first one.
+        names: What they are differentiated by.
+        inputs: As ``simulate`` takes them.
+
+        Raises:
+            ModelError, ArgumentError: what has no gradient.
+        """
+        self.setup = setup = replace(setup, how=chosen(setup.how, None), case=None)
+        listed = unknowns(setup.model, names, {str(k): v for k, v in (inputs or {}).items()})
+        refuse(setup, listed)
+        self.names, self._unknowns = listed.names, listed
+        self._runner = runner_of(setup.model, setup.how, setup.input_signals, setup.event_table)
+        directions, self._parts = _directions(setup, listed)
+        self._tangents = Tangents(self._runner, directions)
+
+    def run(
+        self,
+        over: Span,
+        begin: Start,
+        state: Mapping[str, object],
+        check: bool = False,
+        progress: bool | Callable[[float], None] | None = False,
+        dense: bool = True,
+    ) -> TrajectoryRecord:
+        """A motion with its sensitivities.
+
+        Args:
+            over, begin: When and where it begins, and its end.
+            state: x0, q, u and z as they were given.
+            check, progress: As ``simulate`` takes them.
+            dense: Keep what tells states between steps.
+
+        Raises:
+            SolveError: it is not complete, or has no derivative. KeyboardInterrupt: by Ctrl-C.
+        """
+        rewind(self._runner)
+        motion = driven(self._runner, over, begin, progress, dense=dense)
+        if motion.status == "interrupted":
+            raise KeyboardInterrupt
+        check_complete(motion, self._runner)
+        reported(motion, check)
+        setup = replace(self.setup, over=over, begin=begin)
+        return replace(motion, sensitivity=self._sensitivities(setup, motion, state))
+
+    def _sensitivities(
+        self, setup: RunSetup, motion: TrajectoryRecord, state: Mapping[str, object]
+    ) -> Sensitivities:
+        """Changes along a motion."""
+        model, log, tangents = setup.model, motion.event_log, self._tangents
+        directions = tangents.directions
+        tangents.by_s[:] = 0.0
+        wide = bool(directions.moved)
+        begin = named_start(setup, tangents, state, log.s[0], self._unknowns, wide)
+        by_r = tangents.input_changes(setup.over.start)
+        by_p = directions.p if directions.moved else np.zeros((len(by_r), 0))
+        first = np.array(
+            [begin.forward(*one) for one in zip(directions.start, by_r, by_p, strict=True)]
+        ).reshape(len(by_r), model.nx)
+        jumps = TangentJumps(tangents, setup.event_table, setup.over.start)
+        rows, changes = rows_of(motion, self._runner), list[Array]()
+        modes, start = [(0, tangents.by_s.copy())], 0
+        instants = event_instants(log.log, setup.event_table, model.nx, model.ns)
+        # where an event ends the run, times do not move
+        for at in instants[: -1 if motion.solver_info.status == EVENT else None]:
+            behind = row_behind(motion.t, len(rows), at)
+            # where modes alone change, one row stands for both sides
+            one_row = behind == start or motion.t[behind - 1] != at.t
+            part = tangents.over(rows[start : behind + one_row], first)
+            # at its time before it; the row behind it begins the next part
+            changes.append(part[: behind - start])
+            first, start = jumps.push(at, part[-1]), behind
+            modes.append((behind, tangents.by_s.copy()))
+        changes.append(tangents.over(rows[start:], first))
+        along = np.concatenate(changes)
+        return Sensitivities(self.names, along, self._parts, rows, tangents, tuple(modes))
 
 
 def _directions(

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from scipy.linalg import null_space
 
 from ...arrays import Array
 from ...runtime.calls.methods import ByName
@@ -31,21 +31,19 @@ class Level:
         rows: Along what they determine (m, nu).
         by_q: Along coordinates (m, nu), of those of speeds; None of those of positions.
         by_r, by_p: By inputs (m, nr) and parameters (m, np).
-        named: Entries (nu,) that are held.
+        free: Changes (nu, k) that hold what was named, normal to each other.
     """
 
     rows: Array
     by_q: Array | None
     by_r: Array
     by_p: Array
-    named: NDArray[np.bool_]
+    free: Array
 
     @property
     def inverse(self) -> Array:
-        """Changes (nu, m) of what is free, by which each row is met."""
-        inverse = np.zeros(self.rows.T.shape)
-        inverse[~self.named] = np.linalg.pinv(self.rows[:, ~self.named], rcond=RANK)
-        return inverse
+        """Changes (nu, m) that hold what was named, by which each row is met."""
+        return self.free @ np.linalg.pinv(self.rows @ self.free, rcond=RANK)
 
 
 @dataclass(frozen=True)
@@ -99,7 +97,8 @@ class NamedStart:
                 columns.get(name, np.zeros((len(rows), size))) for name, size in empty.items()
             )
             by_q = columns["q"] if speeds else None
-            levels[letter] = Level(rows, by_q, by_r, by_p, _named(model, letter, state[letter]))
+            fixed = (np.eye(model.nu) if speeds else N)[_named(model, letter, state[letter])]
+            levels[letter] = Level(rows, by_q, by_r, by_p, null_space(fixed, rcond=RANK))
         return cls(model, N, levels.get("q"), levels.get("u"))
 
     def backward(self, lam: Array) -> tuple[Array, Array, Array]:
@@ -151,18 +150,10 @@ def named_start(
     return NamedStart.of(setup, steps, state, s, wide)
 
 
-def _named(model: LoadedModel, block: str, values: object) -> NDArray[np.bool_]:
-    """Speeds (nu,) whose coordinates, or which themselves, were named."""
-    mask = np.zeros(model.nu, dtype=bool)
-    if not isinstance(values, Mapping):
-        return mask
-    for joint in model.manifest.joints:
-        if joint.u is None:
-            continue
-        first, size = joint.u
-        place = joint.q if block == "q" else joint.u
-        names = model.coordinates if block == "q" else model.speeds
-        entries = names[place[0] : place[0] + place[1]] if place is not None else ()
-        if joint.name in values or any(name in values for name in entries):
-            mask[first : first + size] = True
-    return mask
+def _named(model: LoadedModel, letter: str, values: object) -> list[int]:
+    """Entries of q or u that were named."""
+    size, places = (model.nq if letter == "q" else model.nu), model.manifest.slots(letter)
+    names = values if isinstance(values, Mapping) else ()
+    # coordinates that follow by formulas have no place
+    ranges = (range(*places[name].indices(size)) for name in names if name in places)
+    return [k for entries in ranges for k in entries]

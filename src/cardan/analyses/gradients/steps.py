@@ -21,6 +21,8 @@ from ..simulation.run import Runner
 BLOCKS = (COORDINATES, "u", "z", "s", "r")
 CLOSING = ("close_position", "close_velocity")
 MOST_STAGES = 16
+# of derivatives within a motion: no digit of such a motion is known
+GROWTH = 1e12
 # kernels whose steps are a table of coefficients; between the rows of others steps of Radau lead
 TABLES = ("rk4", "rk45", "dop853", "radau")
 
@@ -54,6 +56,7 @@ class StepsAgain:
         if steps.kind:
             length = runner.library.cardan_stages_length(runner.record, steps.stages)
             rooms["system"] = np.zeros(length)
+            rooms["lengths"] = np.zeros(MOST_STAGES * len(self.model.manifest.quaternions) + 1)
         self.rooms = rooms
         for name, room in rooms.items():
             setattr(steps, name, self.pointer(room))
@@ -72,7 +75,7 @@ class StepsAgain:
     def call(self, record: ctypes.Structure, functions: dict[str, LoadedFunction]) -> None:
         """Let a record call functions, by the names of its fields."""
         listed = [(record, name, function) for name, function in functions.items()]
-        if self.steps.kind:
+        if self.steps.kind and not self.model.manifest.absolute:
             listed.append((self.steps, "jacobian", self.model._function("rhs_jacobian")))
         for owner, name, function in listed:
             setattr(owner, name, function.address)
@@ -134,6 +137,26 @@ class StepsAgain:
     def segment_counts(self) -> Sequence[int]:
         """Numbers of pieces of the inputs that are tabulated."""
         return [len(one.coefficients) for one in self.runner.signals.tabulated]
+
+
+def check_growth(before: Array, after: Array, span: Array) -> None:
+    """Refuse derivatives that have grown beyond all use.
+
+    Args:
+        before, after: Derivatives where a sweep began and where it ended.
+        span: Times of the steps between.
+
+    Raises:
+        SolveError: with the cure.
+    """
+    size = float(np.abs(before).max(initial=0.0)) or 1.0
+    growth = float(np.abs(after).max(initial=0.0)) / size
+    if not growth <= GROWTH:
+        raise SolveError(
+            f"gradient: derivatives grow by {growth:.0e} between t = {span.min():.6g} and "
+            f"{span.max():.6g} s. The steps are too long for a stiff force, such as friction that "
+            "is smoothed, or the motion is chaotic. Take method='Radau', or a shorter time"
+        )
 
 
 def segment_at(signal: PiecewiseInput, t: float) -> tuple[int, float]:

@@ -15,7 +15,7 @@ from ...schema.blocks import DIRECTIONS
 from ...schema.records import Tangent
 from ...schema.request import Request
 from ..simulation.run import Runner
-from .steps import CLOSING, MOST_STAGES, StepsAgain, powers_at, segment_at
+from .steps import CLOSING, MOST_STAGES, StepsAgain, check_growth, powers_at, segment_at
 
 
 @dataclass(frozen=True)
@@ -91,6 +91,8 @@ class Tangents(StepsAgain):
         }  # fmt: skip
         for name, room in rooms.items():
             setattr(record, name, self.pointer(_filled(room)))
+        if self.steps.kind and model.manifest.absolute:
+            self.steps.jacobians = self.pointer(np.zeros(self.steps.stages * model.nx**2))
         if self.by_s.size:
             record.by_s = self.pointer(self.by_s)
 
@@ -116,12 +118,14 @@ class Tangents(StepsAgain):
         """Changes (count, k, nx) at rows (count, width) from those at the first one (k, nx).
 
         Raises:
-            SolveError: a function has no value at a stage of a step.
+            SolveError: a function has no value at a stage of a step, or derivatives grow beyond
+                all use.
         """
         changes = np.zeros((len(rows), *first.shape))
         changes[0] = first
         self.record.changes = changes.ctypes.data
         self.swept(rows, self.runner.library.cardan_tangent_sweep, self.record)
+        check_growth(first, changes[-1], rows[:, 0])
         return changes
 
     def input_changes(self, t: float) -> Array:

@@ -6,6 +6,7 @@ Industrial Robots, IEEE/ASME AIM (2013), for the least change; here in the user'
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,7 +25,13 @@ RANK = 1e-9
 STATES = 3
 
 
-def nearest(model: LoadedModel, base: Base, estimates: Array, weights: Array) -> dict[str, float]:
+def nearest(
+    model: LoadedModel,
+    base: Base,
+    estimates: Array,
+    weights: Array,
+    only: Sequence[str] | None = None,
+) -> dict[str, float]:
     """Values of parameters with the wanted base parameters, as far as they can have them.
 
     Newton's method with the least change of parameters relative to their sizes; where fewer
@@ -34,9 +41,12 @@ def nearest(model: LoadedModel, base: Base, estimates: Array, weights: Array) ->
         base: Base parameters.
         estimates: Their values (nb,).
         weights: A matrix whose square is the inverse of their covariance (nb, nb).
+        only: Names of those that may change; by default all.
     """
     names, nominal = list(model.parameters), model.parameters.vector.copy()
     free = _inertial(model)
+    if only is not None:
+        free &= np.array([name in only for name in names], dtype=np.bool_)
     sizes = _sizes(model)[free]
     p, best, least = nominal.copy(), nominal.copy(), np.inf
     for _ in range(STEPS):
@@ -79,6 +89,11 @@ def _sizes(model: LoadedModel) -> Array:
         some = [v for v, u in zip(values, units, strict=True) if u == unit and v > 0]
         usual[unit] = float(np.median(some)) if some else 1.0
     return np.maximum(values, [SMALL * usual[unit] for unit in units])
+
+
+def inertial(model: LoadedModel) -> tuple[str, ...]:
+    """Names of the parameters that base parameters consist of."""
+    return tuple(n for n, is_one in zip(model.parameters, _inertial(model), strict=True) if is_one)
 
 
 def _inertial(model: LoadedModel) -> Booleans:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -106,9 +107,26 @@ class IdentificationRecord:
         What data cannot tell stays as near to the nominal model as it can. Where a model has fewer
         parameters (exact zeros of a scene are none), the nearest it can have.
         """
+        return self.nearest_to(self.nominal)
+
+    def nearest_to(self, model: LoadedModel, only: Sequence[str] | None = None) -> dict[str, float]:
+        """The same for another model of the same bodies, and some of its parameters alone.
+
+        Args:
+            model: Whose values they are nearest to.
+            only: Names of the parameters that may change; by default all.
+
+        Raises:
+            ArgumentError: it has other inertial parameters.
+        """
+        if tuple(model.inertial_parameters()) != self.base.parameters:
+            raise ArgumentError(
+                f"the identification is of '{self.base.name}', whose bodies and forces are others "
+                f"than those of '{model.name}'"
+            )
         # of the covariance C = L Lᵀ: errors times the inverse of L have variance 1
-        root = np.linalg.cholesky(self.covariance)
-        return nearest(self.nominal, self.base, self.estimates, np.linalg.inv(root))
+        root = np.linalg.inv(np.linalg.cholesky(self.covariance))
+        return nearest(model, self.base, self.estimates, root, only)
 
     @cached_property
     def model(self) -> LoadedModel:
@@ -124,9 +142,7 @@ class IdentificationRecord:
     @cached_property
     def implausible(self) -> tuple[str, ...]:
         """Bodies of the identified model that no distribution of mass can be."""
-        phi = self.model.inertial_parameters()
-        names = [name.removesuffix(".mass") for name in phi if name.endswith(".mass")]
-        return tuple(name for name in names if not _consistent(phi, name))
+        return implausible(self.model)
 
     @property
     def explained(self) -> Array:
@@ -164,6 +180,13 @@ class IdentificationRecord:
 def _explained(part: float) -> str:
     """In words, where there was something to explain: no force on a passive joint."""
     return f" ({100 * part:.2f} % explained)" if part > 0 else ""
+
+
+def implausible(model: LoadedModel) -> tuple[str, ...]:
+    """Bodies of a model that no distribution of mass can be."""
+    phi = model.inertial_parameters()
+    names = [name.removesuffix(".mass") for name in phi if name.endswith(".mass")]
+    return tuple(name for name in names if not _consistent(phi, name))
 
 
 def _consistent(phi: dict[str, Any], body: str) -> bool:

@@ -7,6 +7,8 @@ comparison says of the time itself.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from ...arrays import Array
@@ -22,10 +24,18 @@ HALVINGS = 200
 
 
 def stops_of(
-    model: LoadedModel, input_signals: Signals, start: float, end: float, looks: int = LOOKS
+    model: LoadedModel,
+    input_signals: Signals,
+    start: float,
+    end: float,
+    looks: int = LOOKS,
+    more: Iterable[float] = (),
 ) -> list[float]:
-    """Times at which steps must end, in their direction: corners of inputs, jumps, the end."""
-    inside = {*input_signals.corners(start, end), *time_jumps(model, start, end, looks)}
+    """Times at which steps must end, in their direction: corners of inputs, jumps, the end.
+
+    ``more`` are others inside, such as those of samples.
+    """
+    inside = {*input_signals.corners(start, end), *time_jumps(model, start, end, looks), *more}
     return [*sorted(inside, reverse=end < start), end]
 
 

@@ -67,7 +67,7 @@ class RunSetup:
 def run_setup(
     model: LoadedModel,
     times: tuple[object, object],
-    state: Mapping[str, object],
+    state: Mapping[str, object] | None,
     events: Mapping[str, object] | None,
     options: tuple[str | GeneralizedAlpha | Alpha, float, float | None, float | None, float | None],
     inputs: Inputs | None,
@@ -79,24 +79,32 @@ def run_setup(
     Args:
         model, events, inputs, parameters, sample: As there.
         times: t and t_eval.
-        state: x0, q, u and z by name.
+        state: x0, q, u and z by name; None of several runs, each of which has its own.
         options: method, rtol, atol, step and max_step.
     """
-    x0, q, u, z = (state[name] for name in ("x0", "q", "u", "z"))
     method, rtol, atol, step, max_step = options
     model = model if parameters is None else model.with_parameters(parameters)
     over = span(*times)
-    begin = start(model, x0, q, u, z)
     event_table = event_table_of(model, events)
     event_table.forward(over.start, over.end)
     input_signals = signals(model.manifest.inputs, inputs, sample, (over.start, over.end))
     how = settings(method, rtol, atol, step, max_step, over.length)
     how = watched(how, input_signals, over.length, max_step)
-    begin_inputs = over.start, input_signals.first(over.start)
-    begin = closed_start(model, begin, *blocks(x0, q, u), *begin_inputs)
-    check_start(model, begin.x, *begin_inputs)
+    begin = start(model, *(state[name] if state else None for name in ("x0", "q", "u", "z")))
+    if state is not None:
+        begin = beginning(model, begin, state, over.start, input_signals)
     case = case_of(model, rtol, over, input_signals, event_table) if method == "auto" else None
     return RunSetup(model, how, input_signals, event_table, over, begin, case)
+
+
+def beginning(
+    model: LoadedModel, begin: Start, state: Mapping[str, object], t: float, input_signals: Signals
+) -> Start:
+    """The start of a run at which loops are closed, of one by what was named: x0, q and u."""
+    r = input_signals.first(t)
+    begin = closed_start(model, begin, *blocks(state["x0"], state["q"], state["u"]), t, r)
+    check_start(model, begin.x, t, r)
+    return begin
 
 
 def case_of(
@@ -213,7 +221,8 @@ def driven(
             motion = recorder.motion(over, begin, outcome, milliseconds)
         except MemoryError:
             full = True
-    missed = excess(motion, runner.settings, begin.closure_tol)
+    # of runs that serve a search nobody asks what became of the energy
+    missed = excess(motion, runner.settings, begin.closure_tol) if dense else ""
     motion = (
         replace(motion, solver_info=replace(motion.solver_info, warning=missed))
         if missed
@@ -235,7 +244,7 @@ def _loop(
     file: RunFile | None,
 ) -> int:
     """Go on until the run is over. Returns the last answer of the kernels."""
-    stops = stops_of(runner.model, runner.signals, over.start, over.end)
+    stops = stops_of(runner.model, runner.signals, over.start, over.end, more=over.stops)
     answer = runner.start(over.start, begin.x, stops)
     if file is not None and answer >= 0:
         answer_saved = file.go_on(runner, recorder)

@@ -26,17 +26,18 @@ def spare(
     runner: Runner | None = model._derived.pop((Runner, settings.method.name), None)
     if runner is None or runner.settings.method != settings.method:
         return None
+    runner.settings, runner.signals, runner.event_table = settings, input_signals, event_table
+    rewind(runner)
+    return runner
+
+
+def rewind(runner: Runner) -> None:
+    """Make a runner as good as new: its memory and its record serve another run."""
     record, runner.closing = runner.begun
     ctypes.memmove(ctypes.addressof(runner.record), record, len(record))
     runner.memory.fill(0.0)
-    runner.settings, runner.signals, runner.event_table, runner.error = (
-        settings,
-        input_signals,
-        event_table,
-        None,
-    )
+    runner.error = None
     runner.adjust()
-    return runner
 
 
 def put_aside(runner: Runner) -> None:

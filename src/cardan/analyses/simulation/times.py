@@ -13,11 +13,18 @@ from ...errors import ArgumentError, ModelError, SolveError, brief
 
 @dataclass(frozen=True)
 class Span:
-    """Start and end of a run [s]; ``times`` are the wanted output times, None for every step."""
+    """Start and end of a run [s].
+
+    Attributes:
+        start, end: Both.
+        times: The wanted output times, None for every step.
+        stops: More times inside at which a step must end.
+    """
 
     start: float
     end: float
     times: Array | None = None
+    stops: tuple[float, ...] = ()
 
     @property
     def length(self) -> float:

@@ -160,8 +160,7 @@ class Dynamics:
         problem = Bound(mass, drive, c.jacobian, c.gamma, c.position, c.rates, labels)
         with self.k.graph.made_by("constraints", "multipliers"):
             udot, lam = self.treatment.accelerations(problem)
-            for row, node in zip(c.rows, lam.nodes, strict=True):
-                self.k.graph.label(node, row.owner, row.word("multiplier"))
+            self._label_multipliers(lam, "multiplier")
         if isinstance(self.treatment, Multipliers) and mass is self.mass_matrix:
             self.solutions.append((tau, udot, lam))
         return self._label(udot, "udot"), lam
@@ -227,7 +226,9 @@ class Dynamics:
         still = Matrix.zeros(self.k.graph, G.rows)
         labels = self._labels("response", "response_gamma")
         problem = Bound(mass, row.T, G, still, nothing, nothing, labels)
-        return Multipliers().accelerations(problem)[0]
+        udot, lam = Multipliers().accelerations(problem)
+        self._label_multipliers(lam, "response_multiplier")
+        return udot
 
     def pushed(self, jacobian: Matrix, residual: Matrix, labels: Labels) -> tuple[Matrix, Matrix]:
         """du (nu, 1) and impulses P with M du = Jᵀ P and J du = -residual."""
@@ -247,6 +248,11 @@ class Dynamics:
         nothing = Matrix.zeros(self.k.graph, 0)
         problem = Bound(regular, zero_force, jacobian, -residual, nothing, nothing)
         return Multipliers().accelerations(problem)[0]
+
+    def _label_multipliers(self, lam: Matrix, quantity: str) -> None:
+        """Name multipliers after the elements whose constraints they belong to."""
+        for row, node in zip(self.constraints.rows, lam.nodes, strict=True):
+            self.k.graph.label(node, row.owner, row.word(quantity))
 
     def _label(self, x: Matrix, quantity: str) -> Matrix:
         """Name the entries of a vector like u after the joints they belong to."""

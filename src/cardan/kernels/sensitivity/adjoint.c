@@ -130,21 +130,52 @@ static void by_slope(const cardan_adjoint *adjoint, ptrdiff_t s, real h, real *w
     }
 }
 
+/* Of which step the Jacobians of stages are multiplied with. */
+typedef struct stage_times {
+    const cardan_adjoint *adjoint;
+    real t, h;
+} stage_times;
+
+/* Weights (stages, nx) times the Jacobians of the rates at the stages. */
+static int times_stages(const void *context, const real *weights, real *out)
+{
+    const stage_times *of = context;
+    const cardan_adjoint *adjoint = of->adjoint;
+    const cardan_steps *steps = adjoint->steps;
+    const ptrdiff_t nx = steps->run->nx;
+
+    for (ptrdiff_t s = 0; s < steps->stages; s++) {
+        real *by_x = out + s * nx;
+        for (ptrdiff_t i = 0; i < nx; i++)
+            adjoint->v[i] = weights[s * nx + i];
+        if (product(adjoint, &adjoint->rates, of->t + steps->nodes[s] * of->h, steps->states + s * nx, 0)
+            != 0)
+            return CARDAN_MODEL;
+        for (ptrdiff_t i = 0; i < nx; i++)
+            by_x[i] = adjoint->out[i];
+        cardan_stage_lengths(steps, s, by_x);
+    }
+    return 0;
+}
+
 /* lam by the start of a step from that by its end. */
 static int pull_stages(const cardan_adjoint *adjoint, real t, real h)
 {
     const cardan_steps *steps = adjoint->steps;
     const ptrdiff_t nx = steps->run->nx, count = steps->stages;
     const int coupled = steps->kind == CARDAN_COUPLED;
+    const stage_times stages = {adjoint, t, h};
     real *lam = adjoint->lam;
+    int status;
 
     if (begin(adjoint, t, h) != 0)
         return CARDAN_MODEL;
     /* slopes of an implicit method depend on each other: all of them at once */
     for (ptrdiff_t s = 0; s < count && coupled; s++)
         by_slope(adjoint, s, h, adjoint->weights + s * nx);
-    if (coupled)
-        cardan_stages_backward(steps, adjoint->weights);
+    status = coupled ? cardan_stages_backward(steps, adjoint->weights, times_stages, &stages) : 0;
+    if (status != 0)
+        return status;
     for (ptrdiff_t s = count - 1; s >= 0; s--) {
         if (!coupled)
             by_slope(adjoint, s, h, adjoint->v);

@@ -28,7 +28,6 @@ typedef struct rooms {
     real *order;        /* (size) */
     real *jacobians;    /* (stages, nx, nx) at the stages */
     real *change;       /* (size) */
-    real *lengths;      /* (stages, quaternions) of what was scaled to 1 */
     real *by;           /* result of the Jacobian */
 } rooms;
 
@@ -42,35 +41,35 @@ static ptrdiff_t lay(const cardan_run *run, ptrdiff_t stages, real *memory, room
     at->order = cardan_reserve(memory, &used, size);
     at->jacobians = cardan_reserve(memory, &used, size * nx);
     at->change = cardan_reserve(memory, &used, size);
-    at->lengths = cardan_reserve(memory, &used, stages * run->quaternion_count);
     at->by = cardan_reserve(memory, &used, nx * (nx + 1 + run->nr));
     return used;
 }
 
 ptrdiff_t cardan_stages_length(const cardan_run *run, ptrdiff_t stages)
 {
-    rooms at;
+    rooms at = {0};
 
-    return lay(run, stages, NULL, &at);
+    return run->mesh ? cardan_element_stages_length(run) : lay(run, stages, NULL, &at);
 }
 
-/* States of the stages for their slopes. */
-static void place(const cardan_steps *steps, const rooms *at, real h, const real *y)
+/* States of the stages of a step of size h from y, for their slopes. */
+void cardan_stage_states(const cardan_steps *steps, real h, const real *y)
 {
     const cardan_run *run = steps->run;
+    const ptrdiff_t nx = run->nx;
 
     for (ptrdiff_t s = 0; s < steps->stages; s++) {
         const real *a = steps->matrix + s * steps->stages;
-        real *x = steps->states + s * at->nx;
-        for (ptrdiff_t i = 0; i < at->nx; i++) {
+        real *x = steps->states + s * nx;
+        for (ptrdiff_t i = 0; i < nx; i++) {
             real sum = 0;
             for (ptrdiff_t j = 0; j < steps->stages; j++)
-                sum += a[j] * steps->slopes[j * at->nx + i];
+                sum += a[j] * steps->slopes[j * nx + i];
             x[i] = y[i] + h * sum;
         }
         for (ptrdiff_t k = 0; k < run->quaternion_count; k++) {
             const real *q = x + run->quaternions[k];
-            at->lengths[s * run->quaternion_count + k] = sqrt(cardan_dot(q, q, 4));
+            steps->lengths[s * run->quaternion_count + k] = sqrt(cardan_dot(q, q, 4));
         }
         cardan_normalize(run, x);
     }
@@ -80,14 +79,12 @@ static void place(const cardan_steps *steps, const rooms *at, real h, const real
 void cardan_stage_lengths(const cardan_steps *steps, ptrdiff_t stage, real *change)
 {
     const cardan_run *run = steps->run;
-    rooms at;
+    const real *lengths = steps->lengths + stage * run->quaternion_count;
 
     if (steps->kind != CARDAN_COUPLED)
         return;
-    (void)lay(run, steps->stages, steps->system, &at);
     for (ptrdiff_t k = 0; k < run->quaternion_count; k++)
-        cardan_unit_change(steps->states + stage * at.nx + run->quaternions[k],
-                           at.lengths[stage * run->quaternion_count + k],
+        cardan_unit_change(steps->states + stage * run->nx + run->quaternions[k], lengths[k],
                            change + run->quaternions[k]);
 }
 
@@ -131,7 +128,7 @@ static int iterate(const cardan_steps *steps, const rooms *at, real t, real h, c
     const ptrdiff_t nx = at->nx, ends[4] = {0, run->nq, run->nq + run->nu, nx};
     real sizes[3] = {0, 0, 0};
 
-    place(steps, at, h, y);
+    cardan_stage_states(steps, h, y);
     for (ptrdiff_t s = 0; s < steps->stages; s++)
         if (cardan_rates_at(steps, t + steps->nodes[s] * h, steps->states + s * nx,
                             at->change + s * nx)
@@ -163,14 +160,16 @@ int cardan_stages_solve(const cardan_steps *steps, ptrdiff_t k)
     const real *row = steps->rows + k * width, *y = row + 1, *next = row + width + 1;
     const real t = row[0], h = row[width] - t;
     real left, last = INFINITY;
-    rooms at;
+    rooms at = {0};
     int status;
 
+    if (steps->run->mesh)
+        return cardan_element_stages_solve(steps, k);
     (void)lay(steps->run, steps->stages, steps->system, &at);
     /* the mean slope is near enough: the step was short enough for a Newton method */
     for (ptrdiff_t i = 0; i < at.size; i++)
         steps->slopes[i] = (next[i % at.nx] - y[i % at.nx]) / h;
-    place(steps, &at, h, y);
+    cardan_stage_states(steps, h, y);
     status = factor(steps, &at, t, h);
     for (int n = 0; n < MOST && status == 0; n++, last = left) {
         status = iterate(steps, &at, t, h, y, &left);
@@ -178,32 +177,51 @@ int cardan_stages_solve(const cardan_steps *steps, ptrdiff_t k)
             return status;
         /* solved, or as far as rounding lets it */
         if (left <= ROUNDING || (left > 0.5 * last && left <= STUCK)) {
-            place(steps, &at, h, y);
+            cardan_stage_states(steps, h, y);
             return factor(steps, &at, t, h);
         }
         if (left > SLOW * last) {
-            place(steps, &at, h, y);
+            cardan_stage_states(steps, h, y);
             status = factor(steps, &at, t, h);
         }
     }
     return status != 0 ? status : CARDAN_UNSOLVED;
 }
 
-/* change (stages, nx): what slopes would change by if the states of stages did not follow becomes the
- * change with them. */
-void cardan_stages_forward(const cardan_steps *steps, real *change)
+/* Products with the Jacobians that a sweep has stored. */
+static int times_stored(const void *context, const real *x, real *out)
 {
-    rooms at;
+    const cardan_steps *steps = context;
+    const ptrdiff_t nx = steps->run->nx;
 
-    (void)lay(steps->run, steps->stages, steps->system, &at);
-    cardan_substitute(at.size, at.matrix, at.order, change);
+    for (ptrdiff_t i = 0; i < steps->stages * nx; i++)
+        out[i] = cardan_dot(steps->jacobians + i * nx, x + i / nx * nx, nx);
+    return 0;
 }
 
-/* weights (stages, nx): the gradient by slopes becomes that by the rates in their equations. */
-void cardan_stages_backward(const cardan_steps *steps, real *weights)
+/* change (stages, nx): what slopes would change by if the states of stages did not follow becomes the
+ * change with them. */
+int cardan_stages_forward(const cardan_steps *steps, real *change)
 {
-    rooms at;
+    rooms at = {0};
 
+    if (steps->run->mesh)
+        return cardan_element_stages_refine(steps, 0, change, times_stored, steps);
+    (void)lay(steps->run, steps->stages, steps->system, &at);
+    cardan_substitute(at.size, at.matrix, at.order, change);
+    return 0;
+}
+
+/* weights (stages, nx): the gradient by slopes becomes that by the rates in their equations. `product`:
+ * with the transposed Jacobians. */
+int cardan_stages_backward(const cardan_steps *steps, real *weights, cardan_stage_product *product,
+                           const void *context)
+{
+    rooms at = {0};
+
+    if (steps->run->mesh)
+        return cardan_element_stages_refine(steps, 1, weights, product, context);
     (void)lay(steps->run, steps->stages, steps->system, &at);
     cardan_substitute_transposed(at.size, at.matrix, at.order, weights);
+    return 0;
 }

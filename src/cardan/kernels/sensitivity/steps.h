@@ -31,7 +31,9 @@ typedef struct cardan_steps {
     real *open;          /* (CARDAN_MOST_STAGES, nx) of a pass: states before they were projected */
     real *end;           /* (nx) state at the end, before projections */
     real *place;         /* (nx) the same at the positions behind them */
+    real *lengths;       /* (CARDAN_MOST_STAGES, quaternions) of what coupled stages scale to 1 */
     real *system;        /* cardan_stages_length numbers, of coupled stages */
+    real *jacobians;     /* (stages, nx, nx) of a sweep forward over elements, else NULL */
     real *work;          /* of the functions */
 } cardan_steps;
 
@@ -39,12 +41,20 @@ int cardan_step_again(cardan_steps *steps, ptrdiff_t k);
 cardan_in cardan_step_in(const cardan_steps *steps, const real *t, const real *x);
 int cardan_rates_at(const cardan_steps *steps, real t, const real *x, real *rates);
 
-/* stages.c: the linear system of the stages of an implicit method, I - h A J */
+/* stages.c: the linear system of the stages of an implicit method, I - h A J; stages_elements.c: the same
+ * over elements. A product: every stage's Jacobian, or its transposed, times its part of x (stages, nx). */
+typedef int cardan_stage_product(const void *context, const real *x, real *out);
 ptrdiff_t cardan_stages_length(const cardan_run *run, ptrdiff_t stages);
 int cardan_stages_solve(const cardan_steps *steps, ptrdiff_t k);
-void cardan_stages_forward(const cardan_steps *steps, real *change);
-void cardan_stages_backward(const cardan_steps *steps, real *weights);
+int cardan_stages_forward(const cardan_steps *steps, real *change);
+int cardan_stages_backward(const cardan_steps *steps, real *weights, cardan_stage_product *product,
+                           const void *context);
+void cardan_stage_states(const cardan_steps *steps, real h, const real *y);
 void cardan_stage_lengths(const cardan_steps *steps, ptrdiff_t stage, real *change);
+ptrdiff_t cardan_element_stages_length(const cardan_run *run);
+int cardan_element_stages_solve(const cardan_steps *steps, ptrdiff_t k);
+int cardan_element_stages_refine(const cardan_steps *steps, int transposed, real *x,
+                                 cardan_stage_product *product, const void *context);
 
 /* passes.c: steps over places where branches meet */
 typedef struct cardan_pass {

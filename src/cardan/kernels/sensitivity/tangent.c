@@ -82,19 +82,37 @@ static void rise(const cardan_tangent *tangent, const real *w, real h, const rea
 
 /* Slopes of the stages of an implicit method changed along a column, with the states of all stages
  * following. */
-static void follow(const cardan_tangent *tangent, ptrdiff_t column)
+static int follow(const cardan_tangent *tangent, ptrdiff_t column)
 {
     const cardan_steps *steps = tangent->steps;
     const ptrdiff_t nx = steps->run->nx, size = tangent->columns * nx;
     real *rising = tangent->rising + column * nx;
+    int status;
 
     for (ptrdiff_t s = 0; s < steps->stages; s++)
         for (ptrdiff_t i = 0; i < nx; i++)
             tangent->coupled[s * nx + i] = rising[s * size + i];
-    cardan_stages_forward(steps, tangent->coupled);
+    status = cardan_stages_forward(steps, tangent->coupled);
     for (ptrdiff_t s = 0; s < steps->stages; s++)
         for (ptrdiff_t i = 0; i < nx; i++)
             rising[s * size + i] = tangent->coupled[s * nx + i];
+    return status;
+}
+
+/* Keep the Jacobian of the rates at a stage, which `out` has by blocks. */
+static void store(const cardan_tangent *tangent, ptrdiff_t stage)
+{
+    const cardan_steps *steps = tangent->steps;
+    const cardan_run *run = steps->run;
+    const ptrdiff_t nx = run->nx, sizes[3] = {run->nq, run->nu, run->nz};
+    const real *by = tangent->out;
+
+    for (ptrdiff_t block = 0, first = 0; block < 3; first += sizes[block++])
+        for (ptrdiff_t i = 0; i < nx; i++)
+            for (ptrdiff_t j = 0; j < sizes[block]; j++)
+                steps->jacobians[(stage * nx + i) * nx + first + j] = *by++;
+    for (ptrdiff_t i = 0; i < nx; i++)
+        cardan_stage_lengths(steps, stage, steps->jacobians + (stage * nx + i) * nx);
 }
 
 /* Changes (columns, nx) at the end of a step, before projections. */
@@ -103,11 +121,14 @@ static int step(const cardan_tangent *tangent, real t, real h, const real *old, 
     const cardan_steps *steps = tangent->steps;
     const ptrdiff_t nx = steps->run->nx, size = tangent->columns * nx;
     const int coupled = steps->kind == CARDAN_COUPLED;
+    int status = 0;
 
     for (ptrdiff_t s = 0; s < steps->stages; s++) {
         const real time = t + steps->nodes[s] * h, *a = steps->matrix + s * steps->stages;
         if (derivative(tangent, &tangent->rates, time, steps->states + s * nx) != 0)
             return CARDAN_MODEL;
+        if (coupled && steps->jacobians)
+            store(tangent, s);
         for (ptrdiff_t k = 0; k < tangent->columns; k++) {
             for (ptrdiff_t i = 0; i < nx; i++) {
                 real sum = 0;
@@ -120,10 +141,10 @@ static int step(const cardan_tangent *tangent, real t, real h, const real *old, 
             multiply(tangent, k, nx, nx, tangent->rising + s * size + k * nx);
         }
     }
-    for (ptrdiff_t k = 0; k < tangent->columns && coupled; k++)
-        follow(tangent, k);
+    for (ptrdiff_t k = 0; k < tangent->columns && coupled && status == 0; k++)
+        status = follow(tangent, k);
     rise(tangent, steps->weights, h, old, changes);
-    return 0;
+    return status;
 }
 
 /* Changes behind a function that projects `size` entries of the state from `first` on. */

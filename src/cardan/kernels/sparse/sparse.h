@@ -117,6 +117,10 @@ void cardan_sparse_solve_transposed(const cardan_sparse *plan, const cardan_spar
 /* y = a x. */
 void cardan_sparse_multiply(const cardan_sparse *plan, const double *a, const double *x, double *y);
 
+/* y = a^T x. */
+void cardan_sparse_multiply_transposed(const cardan_sparse *plan, const double *a, const double *x,
+                                       double *y);
+
 /* r = b - a x. Returns the backward error: the largest entry of r over the largest sum of magnitudes
  * |b| + |a| |x|, both scaled by units; infinity if a number is not finite. */
 double cardan_sparse_residual(const cardan_sparse *plan, const cardan_sparse_factors *f,

@@ -25,6 +25,22 @@ void cardan_sparse_multiply(const cardan_sparse *plan, const double *a, const do
     }
 }
 
+void cardan_sparse_multiply_transposed(const cardan_sparse *plan, const double *a, const double *x,
+                                       double *y)
+{
+    for (ptrdiff_t i = 0; i < plan->n; i++)
+        y[i] = 0;
+    for (ptrdiff_t block = 0; block < plan->blocks; block++) {
+        const double *row = a + plan->at[block];
+        for (ptrdiff_t i = plan->first[block]; i < plan->first[block + 1]; i++)
+            for (ptrdiff_t pair = plan->row[block]; pair < plan->row[block + 1]; pair++) {
+                const int32_t column = plan->column[pair];
+                for (ptrdiff_t j = plan->first[column]; j < plan->first[column + 1]; j++)
+                    y[j] += *row++ * x[i];
+            }
+    }
+}
+
 double cardan_sparse_residual(const cardan_sparse *plan, const cardan_sparse_factors *f,
                               const double *a, const double *b, const double *x, double *r)
 {

@@ -39,7 +39,7 @@ class Generated(Source):
     def add(self, model: LoadedModel, missing: Sequence[Key]) -> None:
         """Load functions, check those that were compiled now, and publish them."""
         objects, loaded = model._objects, model._functions
-        codes = objects.load(objects.symbols(missing))
+        codes = objects.codes(missing)
         fresh = {key: c.symbol for key, c in zip(missing, codes, strict=True) if c.fresh}
         p = model.parameters.vector
         try:

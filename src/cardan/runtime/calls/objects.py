@@ -74,6 +74,7 @@ class Objects:
         self.available = available
         self.lock = threading.RLock()
         self._loaded: dict[str, Code] = {}
+        self._symbols: dict[Key, str] = {}
         self._saved: dict[str, Any] = {}
         self._saved_mark = (0, 0)
         self._parsed: dict[str, tuple[Any, Any]] = {}
@@ -198,6 +199,17 @@ class Objects:
             f"functions=(..., {requested}), or use it once before pickling.{near(name, functions)}"
         )
 
+    def codes(self, keys: Sequence[Key]) -> list[Code]:
+        """The compiled functions of keys: :meth:`load` of their :meth:`symbols`.
+
+        Files of functions that are loaded are not read again: other parameters take no time.
+        """
+        with self.lock:
+            missing = [key for key in keys if self._symbols.get(key) not in self._loaded]
+            if missing:
+                self._symbols.update(zip(missing, self.symbols(missing), strict=True))
+            return self.load([self._symbols[key] for key in keys])
+
     def load(self, symbols: Sequence[str]) -> list[Code]:
         """The compiled functions; several that must be compiled are compiled at once.
 
@@ -210,7 +222,7 @@ class Objects:
             missing = [s for s in dict.fromkeys(symbols) if s not in self._loaded]
             if missing:
                 self._verify_headers()
-            self._loaded.update(zip(missing, self._compiled(missing), strict=True))
+                self._loaded.update(zip(missing, self._compiled(missing), strict=True))
             return [self._loaded[s] for s in symbols]
 
     def publish(self, symbol: str) -> Code:

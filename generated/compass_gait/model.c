@@ -1,0 +1,79 @@
+/*
+ * model.c: values of model 'compass_gait' to start from; the model as one
+ * constant.
+ */
+#include "functions.h"
+
+/* generalized coordinates */
+const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
+    0.0, /* stance [rad] */
+    0.0, /* hip [rad] */
+};
+
+/* generalized speeds */
+const double cardan_default_u[cardan_nu + (cardan_nu == 0)] = {
+    0.0, /* stance.u [rad/s] */
+    0.0, /* hip.u [rad/s] */
+};
+
+/* inputs of the model */
+const double cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
+    0.0, /* nothing */
+};
+
+/* parameters */
+const double cardan_default_p[cardan_np + (cardan_np == 0)] = {
+    0.05235987755982989, /* slope [rad] */
+    -9.81, /* gravity.z [m/s^2] */
+    5.0, /* stance_leg.mass [kg] */
+    0.5, /* stance_leg.com.z [m] */
+    1.0, /* top.position.z [m] */
+    10.0, /* hip_mass.mass [kg] */
+    1.0, /* hip.position.z [m] */
+    5.0, /* swing_leg.mass [kg] */
+    -0.5, /* swing_leg.com.z [m] */
+};
+
+/* internal continuous states */
+const double cardan_default_z[cardan_nz + (cardan_nz == 0)] = {
+    0.0, /* nothing */
+};
+
+/* discrete states */
+const double cardan_default_s[cardan_ns + (cardan_ns == 0)] = {
+    0.0, /* nothing */
+};
+
+/* all that a run must know of the model */
+static const cardan_exported_function scene_functions[] = {
+    {.name = "forward_dynamics", .function = forward_dynamics, .out = forward_dynamics_out_size, .work = forward_dynamics_work_size, .w = forward_dynamics_w_size, .prepare = prepare_forward_dynamics},
+    {.name = "inverse_dynamics", .function = inverse_dynamics, .out = inverse_dynamics_out_size, .work = inverse_dynamics_work_size, .w = inverse_dynamics_w_size, .prepare = prepare_inverse_dynamics},
+    {.name = "mass_matrix", .function = mass_matrix, .out = mass_matrix_out_size, .work = mass_matrix_work_size, .w = mass_matrix_w_size, .prepare = prepare_mass_matrix},
+    {.name = "events", .function = events, .out = events_out_size, .work = events_work_size, .w = events_w_size, .prepare = prepare_events},
+    {.name = "transition", .function = transition, .out = transition_out_size, .work = transition_work_size, .w = transition_w_size, .prepare = prepare_transition},
+};
+const cardan_export cardan_scene = {
+    .name = "compass_gait",
+    .nq = 2,
+    .nu = 2,
+    .nr = 0,
+    .nz = 0,
+    .ns = 0,
+    .zeros = 18,
+    .q = cardan_default_q,
+    .u = cardan_default_u,
+    .r = cardan_default_r,
+    .p = cardan_default_p,
+    .z = cardan_default_z,
+    .s = cardan_default_s,
+    .functions = scene_functions,
+    .function_count = 5,
+    .methods = NULL,
+    .method_count = 0,
+    .quaternions = NULL,
+    .quaternion_count = 0,
+    .positions = 0,
+    .rates = 0,
+    .size = 1.0,
+    .columns = NULL,
+};

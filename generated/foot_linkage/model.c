@@ -1,0 +1,90 @@
+/*
+ * model.c: values of model 'foot_linkage' to start from; the model as one
+ * constant.
+ */
+#include "functions.h"
+
+/* generalized coordinates */
+const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
+    1.318116071653, /* B [rad] */
+    1.823476581937, /* D [rad] */
+};
+
+/* generalized speeds */
+const double cardan_default_u[cardan_nu + (cardan_nu == 0)] = {
+    -10.771174812308, /* B.u [rad/s] */
+    -4.487989505128, /* D.u [rad/s] */
+};
+
+/* inputs of the model */
+const double cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
+    0.0, /* nothing */
+};
+
+/* parameters */
+const double cardan_default_p[cardan_np + (cardan_np == 0)] = {
+    0.25, /* crank [m] */
+    0.7, /* coupler [m] */
+    0.7, /* rocker [m] */
+    0.6, /* ground [m] */
+    1.0, /* along [m] */
+    0.1, /* aside [m] */
+    0.0, /* base_x [m] */
+    0.0, /* base_y [m] */
+    0.0, /* tilt [rad] */
+    0.0, /* phase [rad] */
+    1.0, /* crank_link.mass [kg] */
+    0.1, /* crank_link.inertia.xx [kg m^2] */
+    0.1, /* crank_link.inertia.yy [kg m^2] */
+    0.1, /* crank_link.inertia.zz [kg m^2] */
+    1.0, /* coupler_link.mass [kg] */
+    0.1, /* coupler_link.inertia.xx [kg m^2] */
+    0.1, /* coupler_link.inertia.yy [kg m^2] */
+    0.1, /* coupler_link.inertia.zz [kg m^2] */
+    1.0, /* rocker_link.mass [kg] */
+    0.1, /* rocker_link.inertia.xx [kg m^2] */
+    0.1, /* rocker_link.inertia.yy [kg m^2] */
+    0.1, /* rocker_link.inertia.zz [kg m^2] */
+};
+
+/* internal continuous states */
+const double cardan_default_z[cardan_nz + (cardan_nz == 0)] = {
+    0.0, /* nothing */
+};
+
+/* discrete states */
+const double cardan_default_s[cardan_ns + (cardan_ns == 0)] = {
+    0.0, /* nothing */
+};
+
+/* all that a run must know of the model */
+static const cardan_exported_function scene_functions[] = {
+    {.name = "forward_dynamics", .function = forward_dynamics, .out = forward_dynamics_out_size, .work = forward_dynamics_work_size, .w = forward_dynamics_w_size, .prepare = prepare_forward_dynamics},
+    {.name = "inverse_dynamics", .function = inverse_dynamics, .out = inverse_dynamics_out_size, .work = inverse_dynamics_work_size, .w = inverse_dynamics_w_size, .prepare = prepare_inverse_dynamics},
+    {.name = "mass_matrix", .function = mass_matrix, .out = mass_matrix_out_size, .work = mass_matrix_work_size, .w = mass_matrix_w_size, .prepare = prepare_mass_matrix},
+};
+const cardan_export cardan_scene = {
+    .name = "foot_linkage",
+    .nq = 2,
+    .nu = 2,
+    .nr = 0,
+    .nz = 0,
+    .ns = 0,
+    .zeros = 18,
+    .q = cardan_default_q,
+    .u = cardan_default_u,
+    .r = cardan_default_r,
+    .p = cardan_default_p,
+    .z = cardan_default_z,
+    .s = cardan_default_s,
+    .functions = scene_functions,
+    .function_count = 3,
+    .methods = NULL,
+    .method_count = 0,
+    .quaternions = NULL,
+    .quaternion_count = 0,
+    .positions = 2,
+    .rates = 2,
+    .size = 1.0,
+    .columns = NULL,
+};

@@ -1,0 +1,81 @@
+/*
+ * model.c: values of model 'reaching_arm' to start from; the model as one
+ * constant.
+ */
+#include "functions.h"
+
+/* generalized coordinates */
+const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
+    0.0, /* shoulder [rad] */
+    0.0, /* elbow [rad] */
+};
+
+/* generalized speeds */
+const double cardan_default_u[cardan_nu + (cardan_nu == 0)] = {
+    0.0, /* shoulder.u [rad/s] */
+    0.0, /* elbow.u [rad/s] */
+};
+
+/* inputs of the model */
+const double cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
+    0.0, /* shoulder_torque [N m] */
+    0.0, /* elbow_torque [N m] */
+};
+
+/* parameters */
+const double cardan_default_p[cardan_np + (cardan_np == 0)] = {
+    1.0, /* upper.mass [kg] */
+    0.25, /* upper.com.x [m] */
+    0.020833333333333332, /* upper.inertia.yy [kg m^2] */
+    0.020833333333333332, /* upper.inertia.zz [kg m^2] */
+    0.5, /* elbow.position.x [m] */
+    1.0, /* lower.mass [kg] */
+    0.25, /* lower.com.x [m] */
+    0.020833333333333332, /* lower.inertia.yy [kg m^2] */
+    0.020833333333333332, /* lower.inertia.zz [kg m^2] */
+    0.5, /* lower.at1.position.x [m] */
+    0.1, /* shoulder_bearing.damping [N*m*s/rad] */
+    0.1, /* elbow_bearing.damping [N*m*s/rad] */
+};
+
+/* internal continuous states */
+const double cardan_default_z[cardan_nz + (cardan_nz == 0)] = {
+    0.0, /* nothing */
+};
+
+/* discrete states */
+const double cardan_default_s[cardan_ns + (cardan_ns == 0)] = {
+    0.0, /* nothing */
+};
+
+/* all that a run must know of the model */
+static const cardan_exported_function scene_functions[] = {
+    {.name = "forward_dynamics", .function = forward_dynamics, .out = forward_dynamics_out_size, .work = forward_dynamics_work_size, .w = forward_dynamics_w_size, .prepare = prepare_forward_dynamics},
+    {.name = "inverse_dynamics", .function = inverse_dynamics, .out = inverse_dynamics_out_size, .work = inverse_dynamics_work_size, .w = inverse_dynamics_w_size, .prepare = prepare_inverse_dynamics},
+    {.name = "mass_matrix", .function = mass_matrix, .out = mass_matrix_out_size, .work = mass_matrix_work_size, .w = mass_matrix_w_size, .prepare = prepare_mass_matrix},
+};
+const cardan_export cardan_scene = {
+    .name = "reaching_arm",
+    .nq = 2,
+    .nu = 2,
+    .nr = 2,
+    .nz = 0,
+    .ns = 0,
+    .zeros = 12,
+    .q = cardan_default_q,
+    .u = cardan_default_u,
+    .r = cardan_default_r,
+    .p = cardan_default_p,
+    .z = cardan_default_z,
+    .s = cardan_default_s,
+    .functions = scene_functions,
+    .function_count = 3,
+    .methods = NULL,
+    .method_count = 0,
+    .quaternions = NULL,
+    .quaternion_count = 0,
+    .positions = 0,
+    .rates = 0,
+    .size = 1.0,
+    .columns = NULL,
+};

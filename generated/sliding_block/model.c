@@ -1,0 +1,78 @@
+/*
+ * model.c: values of model 'sliding_block' to start from; the model as one
+ * constant.
+ */
+#include "functions.h"
+
+/* generalized coordinates */
+const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
+    0.0, /* slide [m] */
+};
+
+/* generalized speeds */
+const double cardan_default_u[cardan_nu + (cardan_nu == 0)] = {
+    0.0, /* slide.u [m/s] */
+};
+
+/* inputs of the model */
+const double cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
+    0.0, /* nothing */
+};
+
+/* parameters */
+const double cardan_default_p[cardan_np + (cardan_np == 0)] = {
+    0.2, /* mu */
+    0.5, /* e */
+    -9.81, /* gravity.z [m/s^2] */
+    2.0, /* block.mass [kg] */
+    0.01, /* block.inertia.xx [kg m^2] */
+    0.01, /* block.inertia.yy [kg m^2] */
+    0.01, /* block.inertia.zz [kg m^2] */
+    1.0, /* wall.upper [m] */
+    0.0001, /* wall.settle [m/s] */
+};
+
+/* internal continuous states */
+const double cardan_default_z[cardan_nz + (cardan_nz == 0)] = {
+    0.0, /* nothing */
+};
+
+/* discrete states */
+const double cardan_default_s[cardan_ns + (cardan_ns == 0)] = {
+    0.0, /* friction */
+    0.0, /* wall */
+};
+
+/* all that a run must know of the model */
+static const cardan_exported_function scene_functions[] = {
+    {.name = "forward_dynamics", .function = forward_dynamics, .out = forward_dynamics_out_size, .work = forward_dynamics_work_size, .w = forward_dynamics_w_size, .prepare = prepare_forward_dynamics},
+    {.name = "inverse_dynamics", .function = inverse_dynamics, .out = inverse_dynamics_out_size, .work = inverse_dynamics_work_size, .w = inverse_dynamics_w_size, .prepare = prepare_inverse_dynamics},
+    {.name = "mass_matrix", .function = mass_matrix, .out = mass_matrix_out_size, .work = mass_matrix_work_size, .w = mass_matrix_w_size, .prepare = prepare_mass_matrix},
+    {.name = "events", .function = events, .out = events_out_size, .work = events_work_size, .w = events_w_size, .prepare = prepare_events},
+    {.name = "transition", .function = transition, .out = transition_out_size, .work = transition_work_size, .w = transition_w_size, .prepare = prepare_transition},
+};
+const cardan_export cardan_scene = {
+    .name = "sliding_block",
+    .nq = 1,
+    .nu = 1,
+    .nr = 0,
+    .nz = 0,
+    .ns = 2,
+    .zeros = 6,
+    .q = cardan_default_q,
+    .u = cardan_default_u,
+    .r = cardan_default_r,
+    .p = cardan_default_p,
+    .z = cardan_default_z,
+    .s = cardan_default_s,
+    .functions = scene_functions,
+    .function_count = 5,
+    .methods = NULL,
+    .method_count = 0,
+    .quaternions = NULL,
+    .quaternion_count = 0,
+    .positions = 0,
+    .rates = 2,
+    .size = 1.0,
+    .columns = NULL,
+};
