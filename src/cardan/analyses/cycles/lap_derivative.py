@@ -19,7 +19,6 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
-from ..gradients.differentiable import EXPLICIT
 from ..gradients.jumps import EventInstant, event_instants
 from ..gradients.tangent import Directions, Tangents, directions_of
 from ..gradients.tangent_jumps import TangentJumps
@@ -30,6 +29,7 @@ from .cycle_problem import CycleProblem, CycleState, Values
 from .flow import Course
 
 Sweep: TypeAlias = Callable[[float], Values]  # values behind a part of their range
+EXPLICIT = ("rk4", "rk45", "dop853")  # kernels of the methods whose laps are swept over
 WIDE = 0.3  # of the steps of differences: of what takes no run
 COARSER = 1  # steps beside within one, up to which it is short enough
 NEIGHBOR = 1e-3  # increments to the motion beside, whose steps tell what changes need
