@@ -78,6 +78,7 @@ CARDAN_INLINE int cardan_superelement_dynamics_gradient(int n, int on_node, int 
     cardan_frame_motion at;
     const int status = cardan_superelement_tangent(n, on_node, drifts, constants, in, K, scratch);
 
+    /* rows of the tangent, with the weights of the forces */
     cardan_weighted_rows(N, in->v, K, along);
     cardan_by_coordinates(n, on_node, in->q, along, out);
     cardan_weighted_rows(N, in->v, K + N * N, by_u);
@@ -94,6 +95,7 @@ CARDAN_INLINE int cardan_superelement_dynamics_gradient(int n, int on_node, int 
     } else {
         real flow[3];
 
+        /* of what is fixed to the ground only coordinates feel gravity */
         cardan_dots_constants(3, n, c.momentum, in->v, flow);
         cardan_3_times(at.R0, 0, flow, 1, by_g);
         for (int k = 0; k < 3; ++k) by_g[k] = -by_g[k];
@@ -126,6 +128,7 @@ CARDAN_INLINE int cardan_superelement_energy_gradient(int n, int on_node, int dr
     there.u = there.udot = still;
     (void)cardan_superelement_balance(n, on_node, drifts, constants, &there, force, scratch);
     cardan_frame_motion_of(in, on_node, 1, &at);
+    /* both energies along the speeds, and the kinetic one by them; nothing depends on accelerations */
     for (int i = 0; i < N; ++i) {
         slope[i] = slope[i] * kinetic + force[i] * potential;
         by_u[i] = momenta[i] * kinetic;
