@@ -102,14 +102,43 @@ static void take_gradient(const cardan_mesh *mesh, const cardan_group *g,
         add_data(here->product->data + (g - mesh->groups), some, next + some->lanes, by->p);
 }
 
-/* Add the gradient of a sum of results of elements at the state. */
-static int sweep(cardan_place *here, const cardan_form *forms, ptrdiff_t weighed, const real *weights)
+/* Weights of the results of elements: of a balance with what belongs to it those of the balance (nu), g
+ * (mp), the rates (m), of what accelerations miss (m) and of zdot. */
+static real *give_weights(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
+                          ptrdiff_t lanes, const cardan_gift *gift, real *to)
 {
+    const real *v = gift->v, *rates = v + mesh->nu + mesh->mp;
+    const ptrdiff_t size = gift->form == CARDAN_ENERGY ? 2 : 6;
+
+    if (gift->form == CARDAN_POWER)
+        return cardan_mesh_pick(v, g->powers, g->forms[CARDAN_POWER].size, element, lanes, to);
+    if (gift->form == CARDAN_OUTPUTS)
+        return cardan_mesh_pick(v, g->outputs, g->forms[CARDAN_OUTPUTS].size, element, lanes, to);
+    if (gift->form != CARDAN_BALANCE) {
+        for (ptrdiff_t i = 0; i < size; i++)
+            for (ptrdiff_t lane = 0; lane < lanes; lane++)
+                *to++ = v[i];
+        return to;
+    }
+    to = cardan_mesh_fetch_places(g, element, lanes, mesh->u, v, to);
+    to = cardan_mesh_pick_rows(g, g->mp, element, lanes, v + mesh->nu, to);
+    to = cardan_mesh_pick_rows(g, g->m, element, lanes, rates, to);
+    to = cardan_mesh_pick_rows(g, g->m, element, lanes, rates + mesh->m, to);
+    /* an element has rates of its own states, the first of those that it reads */
+    for (ptrdiff_t i = 0; i < g->z_states; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            *to++ = rates[2 * mesh->m + g->z[element[lane] * g->nz + i]];
+    return to;
+}
+
+/* Add the gradient of a sum of results of elements at the state. */
+static int sweep(cardan_place *here, const cardan_form *forms, int form, const real *weights)
+{
+    const cardan_gift gift = {give_weights, form, weights, NULL};
     cardan_state at = here->at;
     int status = 0;
 
-    at.weighed = weighed;
-    at.v = weights;
+    at.gift = &gift;
     for (ptrdiff_t k = 0; k < here->mesh->group_count && status == 0; k++)
         status = cardan_mesh_group(here->mesh, here->mesh->groups + k, forms + k, &at, take_gradient,
                                    here, here->room);
@@ -193,10 +222,10 @@ static int pull_solution(cardan_place *here, const real *by_udot, const real *by
 }
 
 /* Derivatives through what was solved for, of powers and outputs, by which they have some. */
-static int pull_direct(cardan_place *here, ptrdiff_t weighed, const real *weights, int solved)
+static int pull_direct(cardan_place *here, int form, const real *weights, int solved)
 {
     cardan_slopes *by = &here->by;
-    int status = sweep(here, here->product->direct, weighed, weights);
+    int status = sweep(here, here->product->direct, form, weights);
 
     if (status == 0 && solved)
         status = pull_solution(here, by->udot, by->lam);
