@@ -108,15 +108,9 @@ int cardan_mesh_call_vjp(const cardan_in *in, real *out, real *work)
 int cardan_mesh_call_jvp(const cardan_in *in, real *out, real *work)
 {
     cardan_place here;
-    int status = enter(in, work, &here);
+    const int status = enter(in, work, &here);
 
-    for (ptrdiff_t k = 0; k < here.product->results && status == 0; k++) {
-        status = row(&here, k);
-        out[k] = 0;
-        for (ptrdiff_t i = 0; i < here.product->columns; i++)
-            out[k] += here.by.t[here.product->column[i]] * in->v[i];
-    }
-    return status;
+    return status != 0 ? status : cardan_mesh_push(&here, in->v, out);
 }
 
 int cardan_mesh_call_derivative(const cardan_in *in, real *out, real *work)

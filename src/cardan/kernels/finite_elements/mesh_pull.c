@@ -35,12 +35,12 @@ ptrdiff_t cardan_mesh_lay_place(const cardan_mesh_product *product, real *block,
     here->direct = cardan_reserve(block, &used, mesh->outputs + 2);
     here->unit = cardan_reserve(block, &used, product->results + mesh->outputs);
     used += lay_slopes(product, block ? block + used : NULL, &here->by);
+    used += lay_slopes(product, block ? block + used : NULL, &here->way);
     here->room = cardan_reserve(block, &used, cardan_mesh_room(mesh));
     return used;
 }
 
-/* Add entries of elements to those of a block that they pick. Returns what follows. */
-static const real *add_picked(const cardan_element_lanes *some, const ptrdiff_t *which, ptrdiff_t n,
+const real *cardan_mesh_add_picked(const cardan_element_lanes *some, const ptrdiff_t *which, ptrdiff_t n,
                               const real *out, real *to)
 {
     for (ptrdiff_t i = 0; i < n; i++, out += some->lanes)
@@ -49,8 +49,7 @@ static const real *add_picked(const cardan_element_lanes *some, const ptrdiff_t 
     return out;
 }
 
-/* The same of the numbers of their places. */
-static const real *add_places(const cardan_group *g, const cardan_element_lanes *some,
+const real *cardan_mesh_add_places(const cardan_group *g, const cardan_element_lanes *some,
                               const ptrdiff_t *starts, const real *out, real *to)
 {
     for (ptrdiff_t k = 0; k < g->places; k++) {
@@ -59,6 +58,17 @@ static const real *add_places(const cardan_group *g, const cardan_element_lanes 
             for (ptrdiff_t lane = 0; lane < some->filled; lane++)
                 to[starts[g->place[some->element[lane] * g->places + k]] + i] += out[lane];
     }
+    return out;
+}
+
+const real *cardan_mesh_add_rows(const cardan_group *g, ptrdiff_t count,
+                                 const cardan_element_lanes *some, const real *out, real *to)
+{
+    for (ptrdiff_t k = 0; k < count; k++, out += some->lanes)
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
+            const ptrdiff_t *rows = g->rows + 2 * some->element[lane];
+            to[k < g->mp ? rows[0] + k : rows[1] + k - g->mp] += out[lane];
+        }
     return out;
 }
 
@@ -80,18 +90,14 @@ static void take_gradient(const cardan_mesh *mesh, const cardan_group *g,
 {
     const cardan_place *here = to;
     const cardan_slopes *by = &here->by;
-    const real *next = add_places(g, some, mesh->q, out, by->q);
+    const real *next = cardan_mesh_add_places(g, some, mesh->q, out, by->q);
 
-    next = add_places(g, some, mesh->u, next, by->u);
-    next = add_places(g, some, mesh->u, next, by->udot);
-    for (ptrdiff_t k = 0; k < g->m; k++, next += some->lanes)
-        for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
-            const ptrdiff_t *rows = g->rows + 2 * some->element[lane];
-            by->lam[k < g->mp ? rows[0] + k : rows[1] + k - g->mp] += next[lane];
-        }
+    next = cardan_mesh_add_places(g, some, mesh->u, next, by->u);
+    next = cardan_mesh_add_places(g, some, mesh->u, next, by->udot);
+    next = cardan_mesh_add_rows(g, g->m, some, next, by->lam);
     /* internal states and modes, of which each belongs to one element */
-    next = add_picked(some, g->z, g->nz, next, by->z);
-    next = add_picked(some, g->s, g->ns, next, by->s);
+    next = cardan_mesh_add_picked(some, g->z, g->nz, next, by->z);
+    next = cardan_mesh_add_picked(some, g->s, g->ns, next, by->s);
     /* what all elements share: inputs, time and parameters */
     for (ptrdiff_t i = 0; i < mesh->nr; i++, next += some->lanes)
         for (ptrdiff_t lane = 0; lane < some->filled; lane++)
