@@ -149,6 +149,9 @@ def test_single_names() -> None:
     assert by_E.shape == by_torque.shape == (model.nx,)
     assert np.array_equal(by_E, by_p[:, list(model.parameters).index("E")])
     assert np.array_equal(by_torque, by_r[:, 0])
+    # many columns are found row by row, few of them column by column
+    by_rows = model.derivative("rhs", wrt=("q", "coordinates", "u", "p"))(**state)[-1]
+    assert np.abs(by_rows - by_p).max() <= 1e-10 * np.abs(by_p).max()
     some = model.vjp("rhs", wrt=("E", "q", "u"))(**state, weights=np.ones(model.nx))
     assert [np.shape(x) for x in some] == [(), (model.nu,), (model.nu,)]
     assert some[0] == pytest.approx(by_E.sum(), rel=1e-10)

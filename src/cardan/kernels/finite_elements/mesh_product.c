@@ -130,3 +130,23 @@ int cardan_mesh_call_derivative(const cardan_in *in, real *out, real *work)
     }
     return status;
 }
+
+int cardan_mesh_call_columns(const cardan_in *in, real *out, real *work)
+{
+    cardan_place here;
+    int status = enter(in, work, &here);
+    const cardan_mesh_product *product = here.product;
+    real *direction = here.column, *change = direction + product->columns;
+
+    for (ptrdiff_t n = 0; n < product->parts; n++) {
+        const ptrdiff_t first = product->part[n], size = product->part[n + 1] - first;
+        for (ptrdiff_t i = 0; i < size && status == 0; i++) {
+            for (ptrdiff_t k = 0; k < product->columns; k++)
+                direction[k] = k == first + i;
+            status = cardan_mesh_push(&here, direction, change);
+            for (ptrdiff_t k = 0; k < product->results; k++)
+                out[product->results * first + k * size + i] = change[k];
+        }
+    }
+    return status;
+}

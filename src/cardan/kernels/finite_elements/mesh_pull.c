@@ -34,6 +34,7 @@ ptrdiff_t cardan_mesh_lay_place(const cardan_mesh_product *product, real *block,
     here->weights = cardan_reserve(block, &used, mesh->nu + mesh->mp + 2 * mesh->m + mesh->nz);
     here->direct = cardan_reserve(block, &used, mesh->outputs + 2);
     here->unit = cardan_reserve(block, &used, product->results + mesh->outputs);
+    here->column = cardan_reserve(block, &used, product->columns + product->results);
     used += lay_slopes(product, block ? block + used : NULL, &here->by);
     used += lay_slopes(product, block ? block + used : NULL, &here->way);
     here->room = cardan_reserve(block, &used, cardan_mesh_room(mesh));

@@ -23,6 +23,7 @@ typedef struct cardan_place {
     real *weights; /* of the balance (nu), g (mp), rates (m), what accelerations miss (m), zdot (nz) */
     real *direct;  /* energies' weights (2), or the outputs that a formula reads */
     real *unit;    /* (results), or weights of outputs */
+    real *column;  /* (columns), then a result */
     real *room;    /* of loops over elements */
 } cardan_place;
 

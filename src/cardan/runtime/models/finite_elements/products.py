@@ -108,8 +108,13 @@ class Products:
         name = request.function
         self._check(row, name)
         mesh, constant = self.mesh, constants("mesh_product.h")
+        shape = () if name == EXPRESSION else self.results.shape(name)[0]
+        by_parameters = not {"p", *self._parameters}.isdisjoint(request.wrt)
+        # whatever is less: rows by gradients, or columns by changes
+        count = sum(prod(width) for width in self._widths(request).values())
+        forward = row == "jvp" or (row == "derivative" and count < prod(shape))
+        mode = "change" if forward else "gradient"
         mesh.connect("balance", *BASE.get(name, ()))
-        mode = "change" if row == "jvp" else "gradient"
         forms: dict[str, ctypes.Array[Form] | ctypes.Array[DataSlopes]] = {
             "rates": self._rates(f"qdot_{mode}")
         }
@@ -120,15 +125,12 @@ class Products:
             forms["direct"] = self._derivatives(f"{DIRECT[name]}_{mode}")
         if name == EXPRESSION:
             forms["formula"] = self._formula(request.of or "")
-        by_parameters = not {"p", *self._parameters}.isdisjoint(request.wrt)
         # changes of data are always read
-        forward = row == "jvp"
         columns, parts = self._columns(request, by_parameters or forward)
         record_of_mesh = MeshRecord.from_buffer_copy(mesh.record)
         record_of_mesh.local += self._local
         record_of_mesh.work = max(record_of_mesh.work, self._work)
         record_of_mesh.lanes = max(record_of_mesh.lanes, self._lanes)
-        shape = () if name == EXPRESSION else self.results.shape(name)[0]
         quaternions = np.array(self.model.manifest.quaternions, dtype=np.intp)
         tables = {"column": columns, "part": parts, "quaternion": quaternions}
         if by_parameters or forward:
@@ -149,7 +151,8 @@ class Products:
             setattr(record, field, ctypes.addressof(records))
         library = mesh.library
         library.cardan_mesh_product_work.restype = ctypes.c_ssize_t
-        function = getattr(library, f"cardan_mesh_call_{row}")
+        called = "columns" if forward and row == "derivative" else row
+        function = getattr(library, f"cardan_mesh_call_{called}")
         work = int(library.cardan_mesh_product_work(ctypes.byref(record)))
         address = ctypes.cast(function, ctypes.c_void_p).value or 0
         entry = self._entry(row, request, shape, work)
@@ -302,6 +305,12 @@ class Products:
             parts.append(len(columns))
         return np.array(columns, dtype=np.intp), np.array(parts, dtype=np.intp)
 
+    def _widths(self, request: Request) -> dict[str, tuple[int, ...]]:
+        """Axis of columns by every block or name; none of single ones."""
+        return {
+            n: () if n == "t" or n not in DIRECTIONS else (self._count(n),) for n in request.wrt
+        }
+
     def _count(self, name: str) -> int:
         if name == "t":
             return 1
@@ -311,9 +320,7 @@ class Products:
 
     def _entry(self, row: str, request: Request, shape: tuple[int, ...], work: int) -> FunctionRow:
         """What is said of it as of other functions."""
-        widths = {
-            n: () if n == "t" or n not in DIRECTIONS else (self._count(n),) for n in request.wrt
-        }
+        widths = self._widths(request)
         if row == EXPRESSION:
             outputs = {"expression": shape}
         elif row == "jvp":
