@@ -1,7 +1,8 @@
 """Gradients of motions beside CasADi with CVODES, products of derivatives in lanes, sensitivities.
 
-CasADi calls our exported C for values and derivatives, so that what is compared is the way
-through the motion: a discrete adjoint against the adjoint equations that CVODES integrates.
+CasADi has the same equations, as expressions of its own and as our exported C: with this what is
+compared is the way through the motion, a discrete adjoint against the adjoint equations that CVODES
+integrates.
 Writes docs/performance/gradients.md, or nothing with ``--quick``.
 
 usage: gradients.py [--quick]
@@ -16,6 +17,7 @@ import sys
 import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -27,6 +29,7 @@ import casadi as ca
 import numpy as np
 
 import cardan as cd
+from benchmarks.casadi_expressions import rates
 from benchmarks.page import markdown
 from benchmarks.provenance import signed
 from cardan.peers.processor import name as processor
@@ -44,20 +47,21 @@ WAYS: dict[str, dict[str, object]] = {
         "nonlinear_solver_iteration": "functional",
     },
 }
-ROUNDS = 15
+ROUNDS = 9
 LANES = 4096
 TEXT = """# Gradients
 
 The gradient of a cost of a motion by its start and all parameters, beside CasADi {casadi} with
-CVODES on the same equations: CasADi calls the C that cardan exports to it, with exact products of
-derivatives. Written by `tests/benchmarks/gradients.py`; {processor}, one core, Python {python}.
+CVODES on the same equations: as *its expressions*, which CasADi differentiates and evaluates, and
+as *our C*, which cardan exports to it with exact products of derivatives. Written by
+`tests/benchmarks/gradients.py`; {processor}, one core, Python {python}.
 
 The cost is a sum of squares of all coordinates and speeds at the end. Errors are the largest of all
 entries of the gradient, of its largest entry, against a run of cardan's DOP853 at rtol 1e-13.
 cardan runs DOP853 at rtol {ours:.0e}; of CVODES each way of stepping is shown with the loosest
 tolerance whose error is not larger than ours, or the tightest where none is. All run in turn in one
-process, {rounds} rounds: least / median of them. The four-bar is differentiated by the angle and
-speed of its crank, and by masses, their places and inertias.
+process, {rounds} rounds, twice in each, of which the second is timed: least / median. The four-bar
+is differentiated by the angle and speed of its crank, and by masses, their places and inertias.
 
 """
 NOTES = """
@@ -101,8 +105,9 @@ class Case:
 
     @property
     def wrt(self) -> tuple[str, ...]:
-        """All names."""
-        return (*self.starts, *self.parameters)
+        """Names as the gradient takes them."""
+        every = tuple(cd.compile(self.scene).parameters) == self.parameters
+        return (*self.starts, *(("p",) if every else self.parameters))
 
 
 def double_pendulum() -> Case:
@@ -175,11 +180,11 @@ def worst(found: Array, exact: Array) -> float:
 
 def contenders(case: Case, model: cd.CompiledModel) -> list[Contender]:
     """cardan, and CasADi with its ways of stepping."""
-    cost, weights = cost_of(model)
+    (cost, weights), wrt = cost_of(model), case.wrt
 
     def gradient(rtol: float) -> Array:
         how = {"rtol": rtol, "atol": 1e-2 * rtol}
-        return flat(model.gradient(case.t, cost, wrt=case.wrt, **case.start, **how).slope)
+        return flat(model.gradient(case.t, cost, wrt=wrt, **case.start, **how).slope)
 
     def simulate() -> Any:
         how = {"method": "DOP853", "rtol": OURS, "atol": 1e-2 * OURS}
@@ -189,26 +194,35 @@ def contenders(case: Case, model: cd.CompiledModel) -> list[Contender]:
     error = worst(gradient(OURS), exact)
     ours = Contender(f"cardan, DOP853, rtol {OURS:.0e}", simulate, lambda: gradient(OURS), error)
     result = [ours]
-    with tempfile.TemporaryDirectory() as folder:
-        functions = ["rhs", ("vjp", "rhs: q u p")]
-        place = cd.derive(case.scene).export(Path(folder) / "casadi", functions, language="casadi")
-        sys.path.insert(0, str(place))
-        module = importlib.import_module(next(place.glob("*_casadi.py")).stem)
-        sys.path.remove(str(place))
-        rhs = module.function("rhs", parameters=True)
     moved = np.eye(model.nx)
     if "x0" not in case.starts:
         # what follows from the crank: changes of the start
         first = model.simulate(1e-6, sensitivity=case.starts, **case.start).sensitivity
         moved = np.stack([first[name][0] for name in case.starts], axis=1)
     x0 = simulate().x[0]
-    for name, options in WAYS.items():
+    for (kind, rhs), (name, options) in product(forms(case, model), WAYS.items()):
         for tolerance in TOLERANCES:
             theirs = cvodes(case, model, rhs, weights, x0, moved, {**options, **limits(tolerance)})
             error = worst(theirs[1](), exact)
             if error <= ours.error or tolerance == TOLERANCES[-1]:
                 break
-        result.append(Contender(f"CVODES, {name}, {tolerance:.0e}", *theirs, error))
+        result.append(Contender(f"CVODES, {name}, {tolerance:.0e}, {kind}", *theirs, error))
+    return result
+
+
+def forms(case: Case, model: cd.CompiledModel) -> list[tuple[str, Any]]:
+    """Rates as functions of CasADi of x and p: our C, and of trees its own expressions."""
+    equations = cd.derive(case.scene)
+    with tempfile.TemporaryDirectory() as folder:
+        functions = ["rhs", ("vjp", "rhs: q u p")]
+        place = equations.export(Path(folder) / "casadi", functions, language="casadi")
+        sys.path.insert(0, str(place))
+        module = importlib.import_module(next(place.glob("*_casadi.py")).stem)
+        sys.path.remove(str(place))
+        result = [("our C", module.function("rhs", parameters=True))]
+    if "x0" in case.starts:
+        names = tuple(model.parameters)
+        result.append(("its expressions", rates(equations, model.nq, model.nu, names)))
     return result
 
 
@@ -255,12 +269,13 @@ def cvodes(
 def timed(calls: Mapping[Any, Callable[[], Any]], rounds: int) -> dict[Any, tuple[float, float]]:
     """Least and median times [s] of calls that take turns."""
     times: dict[Any, list[float]] = {key: [] for key in calls}
-    for turn in range(rounds + 1):
+    for _ in range(rounds):
         for key, call in calls.items():
+            # memory is as the one before has left it
+            call()
             begin = perf_counter()
             call()
-            if turn:
-                times[key].append(perf_counter() - begin)
+            times[key].append(perf_counter() - begin)
     return {key: (min(t), float(np.median(t))) for key, t in times.items()}
 
 
@@ -290,6 +305,8 @@ def lanes(case: Case, model: cd.CompiledModel, rounds: int) -> tuple[str, ...]:
     start = model.initial(**case.start)
     x = start + rng.uniform(-0.3, 0.3, (LANES, model.nx))
     weights = rng.uniform(-1, 1, (LANES, model.nx))
+    products = [("vjp", "rhs: q u"), ("vjp", "rhs: q u p")]
+    model.prepare("rhs", *products, batch=True)
     calls: dict[str, Callable[[], Any]] = {"rhs": lambda: model.rhs(0.0, x)}
     for name, wrt in (("state", ("q", "u")), ("all", ("q", "u", "p"))):
         product = model.vjp("rhs", wrt=wrt)
@@ -316,8 +333,8 @@ def fixed() -> float:
     """Time of the gradient of a motion of a microsecond [s]."""
     case = double_pendulum()
     model = cd.compile(case.scene)
-    cost, _ = cost_of(model)
-    call = {0: lambda: model.gradient(1e-6, cost, wrt=case.wrt, **case.start)}
+    (cost, _), wrt = cost_of(model), case.wrt
+    call = {0: lambda: model.gradient(1e-6, cost, wrt=wrt, **case.start)}
     return timed(call, 20 * ROUNDS)[0][0]
 
 

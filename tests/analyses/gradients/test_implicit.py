@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -54,3 +57,62 @@ def test_stiff_motions_by_radau() -> None:
         at = np.array([1e4, 400.0, 1.0]) + 1e-30j * np.eye(3)[n]
         assert found.slope[name] == pytest.approx(value(*at).imag / 1e-30, rel=1e-9), name
     assert len(found.motion.t) < 500
+
+
+def four_bar() -> cd.CompiledModel:
+    scene = cd.Scene("four-bar", gravity=(0, -9.81, 0))
+    crank, coupler, rocker = (
+        scene.body(name, mass=1.0, com=(size / 2, 0, 0), inertia=cd.inertia.rod(1.0, 0.5))
+        for name, size in (("crank", 0.3), ("coupler", 0.8), ("rocker", 0.6))
+    )
+    scene.joint("A", cd.Revolute("z"), scene.ground, crank)
+    scene.joint("B", cd.Revolute("z"), crank.at(0.3, 0, 0), coupler)
+    scene.joint("D", cd.Revolute("z"), scene.ground.at(0.9, 0, 0), rocker)
+    scene.joint("C", cd.Revolute("z"), coupler.at(0.8, 0, 0), rocker.at(0.6, 0, 0), cut=True)
+    return cd.compile(scene)
+
+
+def flexible_crank() -> cd.CompiledModel:
+    """A crank that moves a slider by a rod of rubber, which closes a loop."""
+    scene = cd.Scene("flexible_crank", gravity=(0, 0, -9.81))
+    rubber = cd.material(E=5e7, nu=0.45, rho=1100)
+    inertia = cd.inertia.rod(1.0, 0.2, axis="x")
+    crank = scene.body("crank", mass=1.0, com=(0.1, 0, 0), inertia=inertia)
+    section = cd.section.rectangle(0.02, 0.02)
+    rod = scene.beam("rod", (0.2, 0, 0), (0.7, 0, 0), section, rubber, elements=2)
+    slider = scene.body("slider", mass=0.5)
+    scene.joint("A", cd.Revolute("y"), scene.ground, crank)
+    scene.joint("B", cd.Revolute("y"), crank.at(0.2, 0, 0), rod.start)
+    scene.joint("S", cd.Prismatic("x"), scene.ground.at(0.7, 0, 0), slider)
+    scene.joint("C", cd.Revolute("y"), rod.end, slider, cut=True)
+    return cd.compile(scene)
+
+
+# method, model, how far its gradients are from those of a tight motion by DOP853
+CASES = [
+    ("Radau", four_bar, {"rtol": 1e-10}, 1e-8),
+    ("GeneralizedAlpha", four_bar, {"step": 1e-4}, 1e-5),
+    ("Radau", flexible_crank, {"rtol": 1e-7}, 1e-4),
+    ("GeneralizedAlpha", flexible_crank, {"rtol": 1e-8}, 1e-3),
+]
+
+
+@each("method, make, how, error", CASES)
+def test_loops_and_beams(
+    method: str, make: Callable[[], cd.CompiledModel], how: dict[str, Any], error: float
+) -> None:
+    """Another method with another derivative of its steps; forward and backward are the same."""
+    model, names = make(), ("u0.A", "crank.mass", "gravity.y")
+    if make is flexible_crank:
+        names = ("u0.A", "crank.mass", "gravity.z", "rod.material.E", "rod.section.height")
+    given: dict[str, Any] = {"q": {"A": 0.7}, "u": {"A": 3.0}}
+    cost = cd.cost(final="A", running="A.u^2")
+    tight = model.gradient(0.1, cost, wrt=names, method="DOP853", rtol=1e-11, **given)
+    found = model.gradient(0.1, cost, wrt=names, method=method, **how, **given)
+    final = model.gradient(0.1, cd.cost(final="A"), wrt=names, method=method, **how, **given)
+    motion = model.simulate(0.1, sensitivity=names, method=method, **how, **given)
+    place = model.coordinates.index("A")
+    for name in names:
+        assert found.slope[name] == pytest.approx(tight.slope[name], rel=error), name
+        forward = motion.sensitivity[name][-1, place]
+        assert forward == pytest.approx(final.slope[name], rel=1e-9, abs=1e-16), name

@@ -20,6 +20,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import SolveError
 from ..gradients.jumps import EventInstant, event_instants
+from ..gradients.steps import TABLES
 from ..gradients.tangent import Directions, Tangents, directions_of
 from ..gradients.tangent_jumps import TangentJumps
 from ..simulation import run_record as abi
@@ -29,7 +30,6 @@ from .cycle_problem import CycleProblem, CycleState, Values
 from .flow import Course
 
 Sweep: TypeAlias = Callable[[float], Values]  # values behind a part of their range
-EXPLICIT = ("rk4", "rk45", "dop853")  # kernels of the methods whose laps are swept over
 WIDE = 0.3  # of the steps of differences: of what takes no run
 COARSER = 1  # steps beside within one, up to which it is short enough
 NEIGHBOR = 1e-3  # increments to the motion beside, whose steps tell what changes need
@@ -63,7 +63,7 @@ def refusal(problem: CycleProblem) -> str:
     method, inputs = problem.how.method, problem.flow({}).runner.signals
     if problem.model.manifest.absolute:
         return "there is no sweep through steps of finite elements"
-    if method.kernel not in EXPLICIT:
+    if method.kernel not in TABLES:
         return f"there is no sweep through steps of {method.name}"
     if inputs.functions:
         names = [problem.model.inputs[k] for k in inputs.functions]

@@ -56,25 +56,22 @@ class Unknowns:
             signals: The inputs of the run.
             inputs: Gradients by them.
         """
-        return {name: self._slope(name, start, by_p, signals, inputs) for name in self.names}
-
-    def _slope(
-        self, name: str, start: Array, by_p: Array, signals: Signals, inputs: InputSlopes
-    ) -> Slope:
-        model = self.model
-        blocks = start_blocks(model)
-        if name in blocks:
-            return start[blocks[name]].copy()
-        if name == "p":
-            return by_p.copy()
-        places = start_places(model)
-        if name in places:
-            part = start[places[name]]
-            return float(part[0]) if len(part) == 1 else part.copy()
-        names = list(model.parameters)
-        if name in names:
-            return float(by_p[names.index(name)])
-        return inputs.by_values(name, signals, self.values.get(name))
+        model, slopes = self.model, dict[str, Slope]()
+        blocks, places = start_blocks(model), start_places(model)
+        parameters = {name: k for k, name in enumerate(model.parameters)}
+        for name in self.names:
+            if name in blocks:
+                slopes[name] = start[blocks[name]].copy()
+            elif name == "p":
+                slopes[name] = by_p.copy()
+            elif name in places:
+                part = start[places[name]]
+                slopes[name] = float(part[0]) if len(part) == 1 else part.copy()
+            elif name in parameters:
+                slopes[name] = float(by_p[parameters[name]])
+            else:
+                slopes[name] = inputs.by_values(name, signals, self.values.get(name))
+        return slopes
 
 
 @dataclass(frozen=True)

@@ -152,6 +152,15 @@ typedef struct cardan_element_lanes {
 typedef void cardan_taker(const cardan_mesh *mesh, const cardan_group *group,
                           const cardan_element_lanes *some, real *out, void *to);
 
+/* Add entries of elements to those that they pick, to those of their places, and to the first `count` of
+ * their rows. Return what follows. */
+const real *cardan_mesh_add_picked(const cardan_element_lanes *some, const ptrdiff_t *which,
+                                   ptrdiff_t n, const real *out, real *to);
+const real *cardan_mesh_add_places(const cardan_group *g, const cardan_element_lanes *some,
+                                   const ptrdiff_t *starts, const real *out, real *to);
+const real *cardan_mesh_add_rows(const cardan_group *g, ptrdiff_t count,
+                                 const cardan_element_lanes *some, const real *out, real *to);
+
 /* numbers of memory that a loop over elements needs */
 ptrdiff_t cardan_mesh_room(const cardan_mesh *mesh);
 int cardan_mesh_each(const cardan_mesh *mesh, const cardan_state *at, int form,

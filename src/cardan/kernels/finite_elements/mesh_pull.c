@@ -41,38 +41,6 @@ ptrdiff_t cardan_mesh_lay_place(const cardan_mesh_product *product, real *block,
     return used;
 }
 
-const real *cardan_mesh_add_picked(const cardan_element_lanes *some, const ptrdiff_t *which, ptrdiff_t n,
-                              const real *out, real *to)
-{
-    for (ptrdiff_t i = 0; i < n; i++, out += some->lanes)
-        for (ptrdiff_t lane = 0; lane < some->filled; lane++)
-            to[which[some->element[lane] * n + i]] += out[lane];
-    return out;
-}
-
-const real *cardan_mesh_add_places(const cardan_group *g, const cardan_element_lanes *some,
-                              const ptrdiff_t *starts, const real *out, real *to)
-{
-    for (ptrdiff_t k = 0; k < g->places; k++) {
-        const ptrdiff_t *entries = starts + g->place[some->element[0] * g->places + k];
-        for (ptrdiff_t i = 0, n = entries[1] - entries[0]; i < n; i++, out += some->lanes)
-            for (ptrdiff_t lane = 0; lane < some->filled; lane++)
-                to[starts[g->place[some->element[lane] * g->places + k]] + i] += out[lane];
-    }
-    return out;
-}
-
-const real *cardan_mesh_add_rows(const cardan_group *g, ptrdiff_t count,
-                                 const cardan_element_lanes *some, const real *out, real *to)
-{
-    for (ptrdiff_t k = 0; k < count; k++, out += some->lanes)
-        for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
-            const ptrdiff_t *rows = g->rows + 2 * some->element[lane];
-            to[k < g->mp ? rows[0] + k : rows[1] + k - g->mp] += out[lane];
-        }
-    return out;
-}
-
 /* Derivatives by data become those by parameters. */
 static void add_data(const cardan_data_slopes *data, const cardan_element_lanes *some,
                      const real *out, real *by_p)

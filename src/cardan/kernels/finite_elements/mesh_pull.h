@@ -42,13 +42,5 @@ ptrdiff_t cardan_mesh_lay_place(const cardan_mesh_product *product, real *block,
 int cardan_mesh_pull(cardan_place *here, const real *v);
 /* mesh_push.c: change of the results along a direction v (columns). */
 int cardan_mesh_push(cardan_place *here, const real *v, real *out);
-/* Add entries of elements to those that they pick, to those of their places, and to the first `count` of
- * their rows. Return what follows. */
-const real *cardan_mesh_add_picked(const cardan_element_lanes *some, const ptrdiff_t *which,
-                                   ptrdiff_t n, const real *out, real *to);
-const real *cardan_mesh_add_places(const cardan_group *g, const cardan_element_lanes *some,
-                                   const ptrdiff_t *starts, const real *out, real *to);
-const real *cardan_mesh_add_rows(const cardan_group *g, ptrdiff_t count,
-                                 const cardan_element_lanes *some, const real *out, real *to);
 
 #endif

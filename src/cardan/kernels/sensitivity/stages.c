@@ -91,7 +91,6 @@ void cardan_stage_lengths(const cardan_steps *steps, ptrdiff_t stage, real *chan
 /* Factors of I - h A J with the Jacobians at the stages. */
 static int factor(const cardan_steps *steps, const rooms *at, real t, real h)
 {
-    const cardan_run *run = steps->run;
     const ptrdiff_t nx = at->nx, stages = steps->stages;
 
     for (ptrdiff_t s = 0; s < stages; s++) {
