@@ -14,9 +14,10 @@ from scipy.linalg import null_space
 
 from ...arrays import Array
 from ...runtime.calls.methods import ByName
+from ...runtime.models.constraint_projection import columns_of
 from ...runtime.models.loaded_model import LoadedModel
 from ..simulation.driving import RunSetup
-from .nodal_start import NodalStart
+from .start_by_differences import StartByDifferences
 from .steps import StepsAgain
 from .unknowns import Unknowns
 
@@ -31,7 +32,8 @@ class Level:
         rows: Along what they determine (m, nu).
         by_q: Along coordinates (m, nu), of those of speeds; None of those of positions.
         by_r, by_p: By inputs (m, nr) and parameters (m, np).
-        free: Changes (nu, k) that hold what was named, normal to each other.
+        free: Changes (nu, k) that hold what was named, normal to each other where lengths count in
+            sizes of the mechanism, as starts are closed.
     """
 
     rows: Array
@@ -39,6 +41,12 @@ class Level:
     by_r: Array
     by_p: Array
     free: Array
+
+    @property
+    def unique(self) -> bool:
+        """True where constraints leave nothing free."""
+        size = self.free.shape[1]
+        return not size or bool(np.linalg.matrix_rank(self.rows @ self.free, rtol=RANK) == size)
 
     @property
     def inverse(self) -> Array:
@@ -79,6 +87,7 @@ class NamedStart:
         at: ByName = {"t": setup.over.start, "r": steps.inputs_at(setup.over.start)[0]}
         N = model.derivative("qdot", wrt="u")(q, u, **at) if model.nu else np.zeros((model.nq, 0))
         closing, levels = steps.runner.closing, dict[str, Level]()
+        units = columns_of(model, closing.size)
         blocks = ["r"] * (model.nr > 0) + ["p"] * (wide and len(model.parameters) > 0)
         empty = {"r": model.nr, "p": len(model.parameters) if wide else 0}
         functions = {"u": "constraint_rates" if closing.rates else ""}
@@ -98,7 +107,8 @@ class NamedStart:
             )
             by_q = columns["q"] if speeds else None
             fixed = (np.eye(model.nu) if speeds else N)[_named(model, letter, state[letter])]
-            levels[letter] = Level(rows, by_q, by_r, by_p, null_space(fixed, rcond=RANK))
+            free = units[:, None] * null_space(fixed * units, rcond=RANK)
+            levels[letter] = Level(rows, by_q, by_r, by_p, free)
         return cls(model, N, levels.get("q"), levels.get("u"))
 
     def backward(self, lam: Array) -> tuple[Array, Array, Array]:
@@ -143,11 +153,19 @@ def named_start(
     s: Array,
     unknowns: Unknowns,
     wide: bool,
-) -> NamedStart | NodalStart:
+) -> NamedStart | StartByDifferences:
     """The derivatives at the start of a run, see :meth:`NamedStart.of`."""
     if setup.model.manifest.absolute:
-        return NodalStart.of(setup, steps, state, s, unknowns)
-    return NamedStart.of(setup, steps, state, s, wide)
+        return StartByDifferences.of(setup, steps, state, s, unknowns)
+    begin = NamedStart.of(setup, steps, state, s, wide)
+    levels = [level for level in (begin.positions, begin.speeds) if level is not None]
+    by_names = state["x0"] is None and all(
+        state[letter] is None or isinstance(state[letter], Mapping) for letter in "qu"
+    )
+    if by_names and not all(level.unique for level in levels):
+        # which of many starts it is depends on more than constraints
+        return StartByDifferences.of(setup, steps, state, s, unknowns)
+    return begin
 
 
 def _named(model: LoadedModel, letter: str, values: object) -> list[int]:

@@ -222,7 +222,7 @@ static int push_projection(cardan_place *here, int speeds, real *out)
 }
 
 /* Everything that a direction changes: coordinates along the speeds and as they are stored. */
-static int spread_out(cardan_place *here, const real *v)
+static int direction_of(cardan_place *here, const real *v)
 {
     const cardan_mesh_product *product = here->product;
     const cardan_mesh *mesh = here->mesh;
@@ -251,7 +251,7 @@ int cardan_mesh_push(cardan_place *here, const real *v, real *out)
     const cardan_mesh *mesh = here->mesh;
     const ptrdiff_t function = here->product->function, nq = mesh->nq, nu = mesh->nu;
     const real *gaps = here->weights + nu, *rates = gaps + mesh->mp;
-    int status = spread_out(here, v);
+    int status = direction_of(here, v);
 
     if (status != 0)
         return status;

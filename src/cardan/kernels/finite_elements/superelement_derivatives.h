@@ -37,7 +37,7 @@ CARDAN_INLINE void cardan_weighted_rows(int N, const real *v, const real *A, rea
 
 /* Inputs and time, on which nothing depends; the rotation of the frame. Returns where derivatives by
  * its place (3) and gravity (3) follow. */
-CARDAN_INLINE real *cardan_superelement_unmoved(int nr, real *out)
+CARDAN_INLINE real *cardan_superelement_remaining(int nr, real *out)
 {
     for (int k = 0; k < nr + 1; ++k) *out++ = CARDAN_REAL(0.0);
     for (int k = 0; k < 9; ++k) *out++ = CARDAN_REAL((double)NAN);
@@ -75,7 +75,7 @@ CARDAN_INLINE int cardan_superelement_dynamics_gradient(int n, int on_node, int 
     const int N = n + 6 * on_node, nq = N + on_node;
     real *const K = work, *const M = K + 2 * N * N, *const along = K + 3 * N * N;
     real *const scratch = along + N, *const by_u = out + nq, *const by_udot = by_u + N;
-    real *const by_p = cardan_superelement_unmoved(nr, by_udot + N), *const by_g = by_p + 3;
+    real *const by_p = cardan_superelement_remaining(nr, by_udot + N), *const by_g = by_p + 3;
     cardan_frame_motion at;
     const int status = cardan_superelement_tangent(n, on_node, drifts, constants, in, K, scratch);
 
@@ -115,7 +115,7 @@ CARDAN_INLINE int cardan_superelement_energy_gradient(int n, int on_node, int dr
     const real kinetic = in->v[0], potential = in->v[1];
     real *const momenta = work, *const slope = work + N, *const force = work + 2 * N;
     real *const still = work + 3 * N, *const scratch = work + 4 * N, *const by_u = out + nq;
-    real *const by_p = cardan_superelement_unmoved(nr, by_u + 2 * N), *const by_g = by_p + 3;
+    real *const by_p = cardan_superelement_remaining(nr, by_u + 2 * N), *const by_g = by_p + 3;
     real v[3], across[3], s[3];
     cardan_in there = *in;
     cardan_frame_motion at;

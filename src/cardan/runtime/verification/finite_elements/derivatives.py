@@ -74,20 +74,20 @@ def _by_data(members: Members, form: str, way: Array) -> tuple[Array, Array]:
     return slope(moved, {"shift": still}, {"shift": unit}, np.ones(n))
 
 
-def _slopes(members: Members, form: str, known: Array) -> list[tuple[Array, Array, Array]]:
+def _slopes(members: Members, form: str, available: Array) -> list[tuple[Array, Array, Array]]:
     """Ways of everything that is read, data last, slopes along them, and how far they may be off.
 
     Args:
         members, form: Whose results.
-        known: Of every datum whether it counts.
+        available: Of every datum whether there is a derivative by it.
     """
     rates, way = _directions(members)
-    none = np.zeros((members.count, len(known)))
+    none = np.zeros((members.count, len(available)))
     along = members.slope(lambda blocks: _results(members, form, blocks), rates)
     listed = [(np.hstack([way, none]), *along)]
-    if known.any():
-        p = members.inputs["p"][:, : len(known)]
-        data = ways(members.count, len(known))[0] * np.where(p == 0, 1.0, p) * known
+    if available.any():
+        p = members.inputs["p"][:, : len(available)]
+        data = ways(members.count, len(available))[0] * np.where(p == 0, 1.0, p) * available
         listed.append((np.hstack([0.0 * way, data]), *_by_data(members, form, data)))
     return listed
 
@@ -96,10 +96,10 @@ def _gradient(form: str, members: Members) -> float | str:
     """A gradient of a weighted sum."""
     value, weights, worst = members.call(form), members.inputs["v"], np.nan
     states = _parts(members)["t"].stop
-    # NaN: not known
-    known: Array = np.asarray(np.isfinite(value[:, states:]).all(axis=0))
+    # NaN: there is none
+    available: Array = np.asarray(np.isfinite(value[:, states:]).all(axis=0))
     value = np.nan_to_num(value)
-    for way, change, off in _slopes(members, form, known):
+    for way, change, off in _slopes(members, form, available):
         terms = np.abs(change * weights)
         total, expected = (change * weights).sum(axis=-1), (value * way).sum(axis=-1)
         error = missing(total[:, None], off, expected, terms, np.abs(value * way))
@@ -112,11 +112,11 @@ def _change(form: str, members: Members) -> float | str:
     worst, states = np.nan, _parts(members)["t"].stop
     count = members.inputs["v"].shape[1] - states
     gradient = GRADIENT_OF[form]
-    known: Array = np.ones(count, dtype=bool)
+    available: Array = np.ones(count, dtype=bool)
     if gradient in members.codes:
         slopes = members.weighed(gradient).call(gradient)[:, states:]
-        known = np.asarray(np.isfinite(slopes).all(axis=0))
-    for way, change, off in _slopes(members, form, known):
+        available = np.asarray(np.isfinite(slopes).all(axis=0))
+    for way, change, off in _slopes(members, form, available):
         value = members.call(form, {"v": way})
         worst = worst_of(worst, missing(change, off, value))
     return worst

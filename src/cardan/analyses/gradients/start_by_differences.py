@@ -1,16 +1,17 @@
-"""How the start of a run in absolute coordinates follows from what was named.
+"""How the start of a run follows from what was named where formulas do not tell.
 
-Nodes and beams are placed where the joints carry them, and loops are closed by all of them. That is
-geometry without any motion, smooth and cheap: its derivatives are differences of eighth order, as
-exact as the start itself. A start that was given as a whole is closed by projections, whose
-derivatives are known.
+In absolute coordinates nodes and beams are placed where the joints carry them, and loops are closed
+by all of them. In joint coordinates loops that what was named leaves free to move begin next to the
+start of the scene. Both are geometry without any motion, smooth and cheap: derivatives are
+differences of eighth order, as exact as the start itself. A start in absolute coordinates that was
+given as a whole is closed by projections, whose derivatives are known.
 """
 
 from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
@@ -61,8 +62,8 @@ class Move(NamedTuple):
 
 
 @dataclass(frozen=True)
-class NodalStart:
-    """Derivatives of the start of a run in absolute coordinates.
+class StartByDifferences:
+    """Derivatives of the start of a run, by differences of starts.
 
     Attributes:
         setup: The run.
@@ -88,7 +89,7 @@ class NodalStart:
         state: Mapping[str, object],
         s: Array,
         unknowns: Unknowns,
-    ) -> NodalStart:
+    ) -> StartByDifferences:
         """The derivatives at the start of a run.
 
         Args:
@@ -238,20 +239,25 @@ class NodalStart:
         u: Names | None = None,
         r: Array | None = None,
         model: LoadedModel | None = None,
+        along: Array | None = None,
     ) -> Array:
-        """The start by other names."""
+        """The start by other names, or moved along (2 nu) before loops are closed."""
         model = model or self.model
         names = {**self.state, **{k: v for k, v in (("q", q), ("u", u)) if v is not None}}
         begin = start(model, None, names["q"], names["u"], names["z"])
         inputs = self.r if r is None else r
+        if along is not None:
+            place, speeds, internal = model.parts_of(begin.x)
+            place, speeds = model.integrate(place, along[: model.nu]), speeds + along[model.nu :]
+            begin = replace(begin, x=np.concatenate([place, speeds, internal]))
         return closed_start(model, begin, names["q"], names["u"], self.setup.over.start, inputs).x
 
     def _along(self) -> Iterator[Move]:
         """Starts along the coordinates and speeds of joints, and of what was named."""
         model = self.model
-        nu = model.nu
+        nu, absolute = model.nu, model.manifest.absolute
         q, u, _ = model.parts_of(self.setup.begin.x)
-        leads = leading(model)
+        leads = leading(model) if absolute else np.zeros(nu, dtype=bool)
         for joint in model.manifest.joints:
             named = {
                 letter: any(self._of(name, letter, joint) for name in self._names(letter))
@@ -272,6 +278,15 @@ class NodalStart:
                         return self._start(u=self._renamed("u", joint, block))
 
                     yield Move(("x", nu + k), faster, linear=True)
+                # what nobody named begins next to the start of the scene
+                for n, letter in enumerate("qu" if not absolute else ""):
+                    if not named[letter]:
+                        unit = np.eye(2 * nu)[n * nu + k]
+
+                        def started(h: float, unit: Array = unit) -> Array:
+                            return self._start(along=h * unit)
+
+                        yield Move(("x", n * nu + k), started, linear=n == 1)
 
     def _names(self, letter: str) -> Names:
         """What was named of coordinates or speeds."""
@@ -280,7 +295,9 @@ class NodalStart:
     def _of(self, name: str, letter: str, joint: JointRow) -> bool:
         """True when a name is that of entries of a joint."""
         place = _part(joint, letter)
-        return bool(place.start <= self.model.manifest.slots(letter)[name].start < place.stop)
+        slot = self.model.manifest.slots(letter).get(name)
+        # coordinates that follow by formulas have none
+        return slot is not None and bool(place.start <= slot.start < place.stop)
 
     def _renamed(self, letter: str, joint: JointRow, block: Array) -> Names:
         """What was named, with a joint as a whole."""
@@ -311,6 +328,8 @@ class NodalStart:
     def _read(self, block: str) -> set[int]:
         """Entries of a block that the places of nodes and constraints depend on."""
         model = self.model
+        if not model.manifest.absolute:
+            return {*range(len(model.parameters) if block == "p" else model.nr)}
         read = set(entries_read(model, SAVED, block))
         for group in (group for group in tables_of(model).groups if group.kind.m):
             if block == "p":
