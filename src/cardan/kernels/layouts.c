@@ -250,14 +250,14 @@ const size_t cardan_mesh_layout[33] = {
     frictions), offsetof(cardan_mesh, outputs), offsetof(cardan_mesh, solved)
 };
 
-extern const size_t cardan_state_layout[17];
-const size_t cardan_state_layout[17] = {
+extern const size_t cardan_state_layout[16];
+const size_t cardan_state_layout[16] = {
     sizeof(cardan_state), offsetof(cardan_state, t), offsetof(cardan_state, q),
     offsetof(cardan_state, u), offsetof(cardan_state, udot), offsetof(cardan_state, lam),
     offsetof(cardan_state, z), offsetof(cardan_state, s), offsetof(cardan_state, r),
     offsetof(cardan_state, du), offsetof(cardan_state, inner), offsetof(cardan_state, behind),
     offsetof(cardan_state, e), offsetof(cardan_state, responses), offsetof(cardan_state, certainty),
-    offsetof(cardan_state, weighed), offsetof(cardan_state, v)
+    offsetof(cardan_state, gift)
 };
 
 extern const size_t cardan_data_slopes_layout[6];

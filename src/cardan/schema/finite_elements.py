@@ -26,8 +26,11 @@ GRADIENTS = {
     "power_gradient": ("power",),
     "outputs_gradient": ("outputs",),
 }
-# that of the rates of coordinates of a place, by q and u
-RATES_GRADIENT = "qdot_gradient"
+# changes of these results along a direction
+CHANGES = {name.replace("gradient", "change"): sums for name, sums in GRADIENTS.items()}
+DERIVATIVES = GRADIENTS | CHANGES
+# those of the rates of coordinates of a place, by q and u
+RATES_GRADIENT, RATES_CHANGE = RATES = ("qdot_gradient", "qdot_change")
 # a formula in the names of the model with outputs in v, and its derivatives
 EXPRESSION, EXPRESSION_GRADIENT = "expression", "expression_gradient"
 
@@ -70,10 +73,10 @@ class PlaceKind(Record):
     plane: Plane | None = field(Plane, "of nodes of a plane how they stand in space", default=None)
 
     @property
-    def gradients(self) -> Mapping[str, str]:
-        """Gradients that may be asked for -> C names."""
+    def derivatives(self) -> Mapping[str, str]:
+        """Derivatives that may be asked for -> C names."""
         moves = "qdot" in self.functions
-        return {RATES_GRADIENT: requested_name(RATES_GRADIENT, self.name)} if moves else {}
+        return {form: requested_name(form, self.name) for form in RATES if moves}
 
     @property
     def node(self) -> bool:
@@ -111,11 +114,11 @@ class ElementKind(Record):
     )
 
     @property
-    def gradients(self) -> Mapping[str, str]:
-        """Gradients that may be asked for -> C names."""
+    def derivatives(self) -> Mapping[str, str]:
+        """Derivatives that may be asked for -> C names."""
         return {
             form: requested_name(form, self.name)
-            for form, sums in GRADIENTS.items()
+            for form, sums in DERIVATIVES.items()
             if not self.functions.keys().isdisjoint(sums)
         }
 

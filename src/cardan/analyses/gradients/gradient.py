@@ -158,7 +158,7 @@ def _swept(
         jumps.pull(at, final_rate if last else None)
     sweep.over(rows[:end])
     # what was not named at the start followed from what was
-    begin = named_start(setup, sweep, state, log.s[0], names.parameters)
+    begin = named_start(setup, sweep, state, log.s[0], names, names.parameters)
     start, by_r, by_p = begin.backward(sweep.lam)
     if by_r.size:
         sweep.add_inputs(setup.over.start, by_r)

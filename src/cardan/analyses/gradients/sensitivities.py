@@ -173,7 +173,7 @@ class SensitiveRuns:
         self.setup = setup = replace(setup, how=chosen(setup.how, None), case=None)
         listed = unknowns(setup.model, names, {str(k): v for k, v in (inputs or {}).items()})
         refuse(setup, listed)
-        self.names = listed.names
+        self.names, self._unknowns = listed.names, listed
         self._runner = runner_of(setup.model, setup.how, setup.input_signals, setup.event_table)
         directions, self._parts = _directions(setup, listed)
         self._tangents = Tangents(self._runner, directions)
@@ -214,7 +214,8 @@ class SensitiveRuns:
         model, log, tangents = setup.model, motion.event_log, self._tangents
         directions = tangents.directions
         tangents.by_s[:] = 0.0
-        begin = named_start(setup, tangents, state, log.s[0], bool(directions.moved))
+        wide = bool(directions.moved)
+        begin = named_start(setup, tangents, state, log.s[0], self._unknowns, wide)
         by_r = tangents.input_changes(setup.over.start)
         by_p = directions.p if directions.moved else np.zeros((len(by_r), 0))
         first = np.array(

@@ -19,6 +19,7 @@ from ...runtime.models.loaded_model import LoadedModel
 from ..simulation.driving import RunSetup
 from .start_by_differences import StartByDifferences
 from .steps import StepsAgain
+from .unknowns import Unknowns
 
 RANK = 1e-9  # of the largest singular value: rows that say nothing new
 
@@ -146,11 +147,16 @@ class NamedStart:
 
 
 def named_start(
-    setup: RunSetup, steps: StepsAgain, state: Mapping[str, object], s: Array, wide: bool
+    setup: RunSetup,
+    steps: StepsAgain,
+    state: Mapping[str, object],
+    s: Array,
+    unknowns: Unknowns,
+    wide: bool,
 ) -> NamedStart | StartByDifferences:
     """The derivatives at the start of a run, see :meth:`NamedStart.of`."""
     if setup.model.manifest.absolute:
-        return StartByDifferences.of(setup, steps, state, s, wide)
+        return StartByDifferences.of(setup, steps, state, s, unknowns)
     begin = NamedStart.of(setup, steps, state, s, wide)
     levels = [level for level in (begin.positions, begin.speeds) if level is not None]
     by_names = state["x0"] is None and all(
@@ -158,7 +164,7 @@ def named_start(
     )
     if by_names and not all(level.unique for level in levels):
         # which of many starts it is depends on more than constraints
-        return StartByDifferences.of(setup, steps, state, s, wide)
+        return StartByDifferences.of(setup, steps, state, s, unknowns)
     return begin
 
 

@@ -30,6 +30,7 @@ from ..simulation.driving import RunSetup
 from ..simulation.settings import start
 from ..simulation.starts.start import closed_start, named_of
 from .steps import CLOSING, StepsAgain
+from .unknowns import Unknowns, start_blocks, start_places
 
 # of an angle, of the size of a coordinate or of a parameter
 STEP = 1e-2
@@ -69,7 +70,7 @@ class StartByDifferences:
         state: q, u and z by names, as they were given; None of what was given as a whole.
         r: Inputs at the start (nr,).
         s: Modes (ns,).
-        wide: Whether derivatives by parameters are asked for.
+        unknowns: What the motion is differentiated by.
         closing: Projections that close a start which was given as a whole.
     """
 
@@ -77,14 +78,24 @@ class StartByDifferences:
     state: Mapping[str, Names | None]
     r: Array
     s: Array
-    wide: bool
+    unknowns: Unknowns
     closing: tuple[str, ...]
 
     @classmethod
     def of(
-        cls, setup: RunSetup, steps: StepsAgain, state: Mapping[str, object], s: Array, wide: bool
+        cls,
+        setup: RunSetup,
+        steps: StepsAgain,
+        state: Mapping[str, object],
+        s: Array,
+        unknowns: Unknowns,
     ) -> StartByDifferences:
-        """The derivatives at the start of a run; arguments are those of ``NamedStart.of``."""
+        """The derivatives at the start of a run.
+
+        Args:
+            setup, steps, state, s: As ``NamedStart.of`` takes them.
+            unknowns: What the motion is differentiated by: other derivatives are left out.
+        """
         as_a_block = state["x0"] is not None
         names = {
             letter: None if as_a_block else named_of(letter, setup.model, state[letter])
@@ -93,12 +104,17 @@ class StartByDifferences:
         closing = tuple(name for name in CLOSING if name in steps.runner.closing.functions)
         z = state["z"] if isinstance(state["z"], Mapping) else {}
         r = steps.inputs_at(setup.over.start)[0]
-        return cls(setup, {**names, "z": z}, r, s, wide and bool(setup.model.parameters), closing)
+        return cls(setup, {**names, "z": z}, r, s, unknowns, closing)
 
     @property
     def model(self) -> LoadedModel:
         """The model of the run."""
         return self.setup.model
+
+    @property
+    def wide(self) -> bool:
+        """True where a parameter is among the unknowns."""
+        return self.unknowns.parameters and len(self.model.parameters) > 0
 
     # gradients
 
@@ -196,6 +212,8 @@ class StartByDifferences:
             # those of the start itself were given
             warnings.simplefilter("ignore")
             for move in (*self._along(), *self._by_inputs(), *self._by_parameters()):
+                if not self._counts(*move.key):
+                    continue
                 try:
                     column = move.slope()
                 except ModelError:
@@ -204,6 +222,16 @@ class StartByDifferences:
                 if np.any(column):
                     columns[move.key] = column
         return columns
+
+    def _counts(self, block: str, k: int) -> bool:
+        """True where an unknown is this entry, or has it."""
+        model, names = self.model, self.unknowns.names
+        if block == "x":
+            places = {**start_blocks(model), **start_places(model)}
+            slices = [places[name] for name in names if name in places]
+            return any(place.start <= k < place.stop for place in slices)
+        entries = list(model.parameters if block == "p" else model.inputs)
+        return (block == "p" and "p" in names) or entries[k] in names
 
     def _start(
         self,

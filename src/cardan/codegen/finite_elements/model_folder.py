@@ -11,18 +11,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...equations.finite_elements.derivatives import derivative_of, rates_derivative_of
 from ...equations.finite_elements.expressions import expression_of
-from ...equations.finite_elements.gradients import gradient_of, rates_gradient_of
 from ...equations.finite_elements.record import BlockKind, FiniteElementRecord, Group, Kind
 from ...equations.reading.typesetting import text_of
 from ...errors import DerivationError
 from ...ir.function import Function
 from ...schema.entries import MultiplierRow, OutputRow
 from ...schema.finite_elements import (
+    DERIVATIVES,
     EXPRESSION,
     EXPRESSION_GRADIENT,
-    GRADIENTS,
-    RATES_GRADIENT,
+    RATES,
     ElementKind,
     FiniteElements,
     GroupRow,
@@ -178,17 +178,17 @@ def add_requested(
     Args:
         folder: Of the model.
         absolute: The equations.
-        keys: Gradients with the names of kinds of elements or places, and formulas.
+        keys: Derivatives with the names of kinds of elements or places, and formulas.
 
     Returns:
         Their C names.
 
     Raises:
-        DerivationError: something else is asked for, a kind has no gradient, or a formula cannot
-            be read.
+        DerivationError: something else is asked for, a kind has no such derivative, or a formula
+            cannot be read.
     """
     for form, _ in keys:
-        if form not in (*GRADIENTS, RATES_GRADIENT, EXPRESSION, EXPRESSION_GRADIENT):
+        if form not in (*DERIVATIVES, *RATES, EXPRESSION, EXPRESSION_GRADIENT):
             raise DerivationError(f"'{form}' is not written for elements in tables")
     symbols = [requested_name(form, of or "") for form, of in keys]
     missing = {*layout.missing(folder, symbols)}
@@ -205,10 +205,10 @@ def add_requested(
 def _requested(absolute: FiniteElementRecord, form: str, of: str, symbol: str) -> Function:
     if form in (EXPRESSION, EXPRESSION_GRADIENT):
         return expression_of(absolute, form, of, symbol)
-    if form == RATES_GRADIENT:
-        return rates_gradient_of(next(k for k in absolute.places.kinds if k.name == of))
+    if form in RATES:
+        return rates_derivative_of(next(k for k in absolute.places.kinds if k.name == of), form)
     group = next(group for group in absolute.groups if group.kind.name == of)
-    return gradient_of(group.kind, form, group, len(absolute.inputs))
+    return derivative_of(group.kind, form, group, len(absolute.inputs))
 
 
 def _notes(kind: Kind, function: str) -> tuple[str, ...]:

@@ -26,13 +26,13 @@ MORE_HEADERS = {
     "tangent": ("superelement_terms.h", "superelement_drift.h", "superelement_tangent.h"),
     "generalized_momenta": ("superelement_momenta.h",),
 }
-MORE_HEADERS["gradient"] = (
+MORE_HEADERS["derivatives"] = (
     *MORE_HEADERS["generalized_momenta"],
     *MORE_HEADERS["tangent"],
-    "superelement_gradient.h",
+    "superelement_derivatives.h",
 )
-# what gradients read besides weights
-GRADIENT_READS = {"dynamics_gradient": ("q", "u", "udot", "p"), "energy_gradient": ("q", "u", "p")}
+# what derivatives read besides weights or directions
+DERIVATIVE_READS = {"dynamics": ("q", "u", "udot", "p"), "energy": ("q", "u", "p")}
 # pairs of axes in the order of the header
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1))
 NAMES = ("xx", "yy", "zz", "yz", "zx", "xy")
@@ -328,8 +328,8 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
     )
 
 
-def superelement_gradient(kind: Kind, form: str, inputs: int) -> Routine:
-    """A gradient of a kind of superelement; results as those of other kinds.
+def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
+    """A gradient or a change of a kind of superelement, like those of other kinds.
 
     Args:
         kind: The kind.
@@ -339,29 +339,32 @@ def superelement_gradient(kind: Kind, form: str, inputs: int) -> Routine:
     Raises:
         DerivationError: there is none of that form.
     """
-    if form not in GRADIENT_READS:
+    quantity, _, mode = form.rpartition("_")
+    if quantity not in DERIVATIVE_READS:
         raise DerivationError(
-            f"superelements have derivatives of forces and energies, none of "
-            f"{form.removesuffix('_gradient')}. Take differences of that"
+            f"superelements have derivatives of forces and energies, none of {quantity}. Take "
+            "differences of that"
         )
     tangent = kind.functions["balance_tangent"]
     assert isinstance(tangent, Routine)
     n, on_node, drifting = tangent.sizes
     N, graph = n + 6 * on_node, tangent.graph
-    blocks = {block.name: block for block in tangent.inputs}
-    weights = N if form == "dynamics_gradient" else 2
-    v = Block("v", tuple(f"weight{k + 1}" for k in range(weights)), ("",) * weights)
+    weights = N if quantity == "dynamics" else 2
     sizes = {"q": N + on_node, "u": N, "udot": N, "r": inputs, "t": 1, "p": len(DATA)}
+    count, slopes = weights, {f"d_{letter}": k for letter, k in sizes.items() if k}
+    if mode == "change":
+        count, slopes = sum(sizes.values()), {"change": weights}
+    v = Block("v", tuple(f"{mode}{k + 1}" for k in range(count)), ("",) * count)
     return replace(
         tangent,
         name=kind.c_name(form),
-        inputs=(*(blocks[letter] for letter in GRADIENT_READS[form]), v),
-        outputs=tuple(result(graph, f"d_{x}", (k,)) for x, k in sizes.items() if k),
-        about="gradient of a weighted sum of results",
+        inputs=(*(one for one in tangent.inputs if one.name in DERIVATIVE_READS[quantity]), v),
+        outputs=tuple(result(graph, name, (k,)) for name, k in slopes.items()),
+        about="derivative of forces or energies",
         call=f"cardan_superelement_{form}",
-        headers=(*HEADERS, *MORE_HEADERS["gradient"]),
+        headers=(*HEADERS, *MORE_HEADERS["derivatives"]),
         sizes=(n, on_node, drifting, inputs),
-        work=3 * N * N + 4 * N + TANGENT_ROOM * n,
+        work=3 * N * N + 8 * N + inputs + len(DATA) + TANGENT_ROOM * n + 2,
     )
 
 

@@ -31,7 +31,7 @@ static real *zeros(ptrdiff_t n, real *to)
 }
 
 /* Numbers of elements that are picked from a block of the scene. */
-static real *pick(const real *from, const ptrdiff_t *which, ptrdiff_t n, const ptrdiff_t *element,
+real *cardan_mesh_pick(const real *from, const ptrdiff_t *which, ptrdiff_t n, const ptrdiff_t *element,
                   ptrdiff_t lanes, real *to)
 {
     for (ptrdiff_t i = 0; i < n; i++)
@@ -53,7 +53,7 @@ static real *copy_places(const cardan_group *g, ptrdiff_t element, const ptrdiff
 }
 
 /* Numbers of every place of the elements, zeros where there are none. */
-static real *fetch_places(const cardan_group *g, const ptrdiff_t *element,
+real *cardan_mesh_fetch_places(const cardan_group *g, const ptrdiff_t *element,
                           ptrdiff_t lanes, const ptrdiff_t *starts, const real *from, real *to)
 {
     const real *rows[CARDAN_ELEMENT_LANES];
@@ -90,13 +90,13 @@ static real *gather_events(const cardan_mesh *mesh, const cardan_group *g, const
         frictions += other->count * other->frictions;
         responses += other->count * other->responses;
     }
-    local = pick(at->e, g->events, g->ne, element, lanes, local);
+    local = cardan_mesh_pick(at->e, g->events, g->ne, element, lanes, local);
     local = follow(at->certainty, frictions, g->frictions, element, lanes, local);
     return follow(at->responses, responses, g->responses, element, lanes, local);
 }
 
 /* Numbers of the rows of elements: the first `count` of m of a kind, those of positions first. */
-static real *pick_rows(const cardan_group *g, ptrdiff_t count, const ptrdiff_t *element,
+real *cardan_mesh_pick_rows(const cardan_group *g, ptrdiff_t count, const ptrdiff_t *element,
                        ptrdiff_t lanes, const real *from, real *to)
 {
     for (ptrdiff_t k = 0; k < count; k++)
@@ -107,48 +107,21 @@ static real *pick_rows(const cardan_group *g, ptrdiff_t count, const ptrdiff_t *
     return to;
 }
 
-/* Weights of the results of elements. */
-static real *gather_weights(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
-                            ptrdiff_t lanes, const cardan_state *at, real *local)
-{
-    const real *v = at->v, *rates = v + mesh->nu + mesh->mp;
-    const ptrdiff_t size = at->weighed == CARDAN_ENERGY ? 2 : 6;
-
-    if (at->weighed == CARDAN_POWER)
-        return pick(v, g->powers, g->forms[CARDAN_POWER].size, element, lanes, local);
-    if (at->weighed == CARDAN_OUTPUTS)
-        return pick(v, g->outputs, g->forms[CARDAN_OUTPUTS].size, element, lanes, local);
-    if (at->weighed != CARDAN_BALANCE) {
-        for (ptrdiff_t i = 0; i < size; i++)
-            for (ptrdiff_t lane = 0; lane < lanes; lane++)
-                *local++ = v[i];
-        return local;
-    }
-    local = fetch_places(g, element, lanes, mesh->u, v, local);
-    local = pick_rows(g, g->mp, element, lanes, v + mesh->nu, local);
-    local = pick_rows(g, g->m, element, lanes, rates, local);
-    local = pick_rows(g, g->m, element, lanes, rates + mesh->m, local);
-    for (ptrdiff_t i = 0; i < g->z_states; i++)
-        for (ptrdiff_t lane = 0; lane < lanes; lane++)
-            *local++ = rates[2 * mesh->m + g->z[element[lane] * g->nz + i]];
-    return local;
-}
-
 /* What the elements read, side by side into `local`. Returns where the next block begins. */
 static real *gather(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
                     ptrdiff_t lanes, const cardan_state *at, real *local)
 {
-    local = fetch_places(g, element, lanes, mesh->q, at->q, local);
-    local = fetch_places(g, element, lanes, mesh->u, at->u, local);
-    local = fetch_places(g, element, lanes, mesh->u, at->udot, local);
-    local = pick_rows(g, g->m, element, lanes, at->lam, local);
-    local = pick(at->z, g->z, g->nz, element, lanes, local);
-    local = pick(at->s, g->s, g->ns, element, lanes, local);
-    if (at->v)
-        return gather_weights(mesh, g, element, lanes, at, local);
+    local = cardan_mesh_fetch_places(g, element, lanes, mesh->q, at->q, local);
+    local = cardan_mesh_fetch_places(g, element, lanes, mesh->u, at->u, local);
+    local = cardan_mesh_fetch_places(g, element, lanes, mesh->u, at->udot, local);
+    local = cardan_mesh_pick_rows(g, g->m, element, lanes, at->lam, local);
+    local = cardan_mesh_pick(at->z, g->z, g->nz, element, lanes, local);
+    local = cardan_mesh_pick(at->s, g->s, g->ns, element, lanes, local);
+    if (at->gift)
+        return at->gift->give(mesh, g, element, lanes, at->gift, local);
     if (!at->inner && !at->behind && !at->certainty)
         return local;
-    local = fetch_places(g, element, lanes, mesh->u, at->behind ? at->behind : at->du, local);
+    local = cardan_mesh_fetch_places(g, element, lanes, mesh->u, at->behind ? at->behind : at->du, local);
     if (at->behind || at->certainty)
         return gather_events(mesh, g, element, lanes, at, local);
     for (ptrdiff_t i = 0; i < g->inner; i++)
@@ -174,7 +147,7 @@ static cardan_in blocks(const cardan_group *g, const real *t, const real *r, con
     in.du = in.s + g->ns * stride;
     in.e = in.du + g->nu * stride;
     in.tau = in.e + g->ne * stride;
-    /* functions of weights read nothing else behind the states */
+    /* derivatives read nothing else behind the states */
     in.v = in.du;
     /* kinds with unknowns of their own have no internal states */
     if (g->inner > 0)
@@ -313,6 +286,38 @@ int cardan_mesh_zdot(const cardan_mesh *mesh, const cardan_state *at, real *zdot
 {
     (void)zeros(mesh->nz, zdot);
     return cardan_mesh_each(mesh, at, CARDAN_ZDOT, take_zdot, zdot, room);
+}
+
+const real *cardan_mesh_add_picked(const cardan_element_lanes *some, const ptrdiff_t *which, ptrdiff_t n,
+                              const real *out, real *to)
+{
+    for (ptrdiff_t i = 0; i < n; i++, out += some->lanes)
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+            to[which[some->element[lane] * n + i]] += out[lane];
+    return out;
+}
+
+const real *cardan_mesh_add_places(const cardan_group *g, const cardan_element_lanes *some,
+                              const ptrdiff_t *starts, const real *out, real *to)
+{
+    for (ptrdiff_t k = 0; k < g->places; k++) {
+        const ptrdiff_t *entries = starts + g->place[some->element[0] * g->places + k];
+        for (ptrdiff_t i = 0, n = entries[1] - entries[0]; i < n; i++, out += some->lanes)
+            for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+                to[starts[g->place[some->element[lane] * g->places + k]] + i] += out[lane];
+    }
+    return out;
+}
+
+const real *cardan_mesh_add_rows(const cardan_group *g, ptrdiff_t count,
+                                 const cardan_element_lanes *some, const real *out, real *to)
+{
+    for (ptrdiff_t k = 0; k < count; k++, out += some->lanes)
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
+            const ptrdiff_t *rows = g->rows + 2 * some->element[lane];
+            to[k < g->mp ? rows[0] + k : rows[1] + k - g->mp] += out[lane];
+        }
+    return out;
 }
 
 typedef struct sum {

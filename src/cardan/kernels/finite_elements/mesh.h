@@ -118,11 +118,28 @@ typedef struct cardan_state {
     /* of events: speeds behind them (nu), which happen (ne), responses of all elements; NULL else */
     const real *behind, *e, *responses;
     const real *certainty; /* of friction that follows from reactions (frictions); NULL: not known */
-    /* of gradients: the function whose results they weigh, and the weights of these; CARDAN_BALANCE:
-     * those of the balance (nu), g (mp), the rates (m), of what accelerations miss (m), of zdot (nz) */
-    ptrdiff_t weighed;
-    const real *v;
+    /* of derivatives: gives their weights or directions, behind the states; NULL else */
+    const struct cardan_gift *gift;
 } cardan_state;
+
+/* Weights of the results of elements, or directions of what they read. */
+typedef struct cardan_gift {
+    /* writes those of elements side by side to `to`; returns where these end */
+    real *(*give)(const struct cardan_mesh *mesh, const cardan_group *group, const ptrdiff_t *element,
+                  ptrdiff_t lanes, const struct cardan_gift *gift, real *to);
+    int form;         /* whose results */
+    const real *v;    /* of the whole mesh, see mesh_pull.h */
+    const void *more; /* what else `give` needs */
+} cardan_gift;
+
+/* Numbers of elements side by side, 0 where `from` is NULL: those of their places, those that they pick
+ * from a block, and the first `count` of their rows. Return where what follows begins. */
+real *cardan_mesh_fetch_places(const cardan_group *g, const ptrdiff_t *element, ptrdiff_t lanes,
+                               const ptrdiff_t *starts, const real *from, real *to);
+real *cardan_mesh_pick(const real *from, const ptrdiff_t *which, ptrdiff_t n,
+                       const ptrdiff_t *element, ptrdiff_t lanes, real *to);
+real *cardan_mesh_pick_rows(const cardan_group *g, ptrdiff_t count, const ptrdiff_t *element,
+                            ptrdiff_t lanes, const real *from, real *to);
 
 /* Elements side by side. */
 typedef struct cardan_element_lanes {
@@ -134,6 +151,15 @@ typedef struct cardan_element_lanes {
  * them. */
 typedef void cardan_taker(const cardan_mesh *mesh, const cardan_group *group,
                           const cardan_element_lanes *some, real *out, void *to);
+
+/* Add entries of elements to those that they pick, to those of their places, and to the first `count` of
+ * their rows. Return what follows. */
+const real *cardan_mesh_add_picked(const cardan_element_lanes *some, const ptrdiff_t *which,
+                                   ptrdiff_t n, const real *out, real *to);
+const real *cardan_mesh_add_places(const cardan_group *g, const cardan_element_lanes *some,
+                                   const ptrdiff_t *starts, const real *out, real *to);
+const real *cardan_mesh_add_rows(const cardan_group *g, ptrdiff_t count,
+                                 const cardan_element_lanes *some, const real *out, real *to);
 
 /* numbers of memory that a loop over elements needs */
 ptrdiff_t cardan_mesh_room(const cardan_mesh *mesh);

@@ -108,15 +108,9 @@ int cardan_mesh_call_vjp(const cardan_in *in, real *out, real *work)
 int cardan_mesh_call_jvp(const cardan_in *in, real *out, real *work)
 {
     cardan_place here;
-    int status = enter(in, work, &here);
+    const int status = enter(in, work, &here);
 
-    for (ptrdiff_t k = 0; k < here.product->results && status == 0; k++) {
-        status = row(&here, k);
-        out[k] = 0;
-        for (ptrdiff_t i = 0; i < here.product->columns; i++)
-            out[k] += here.by.t[here.product->column[i]] * in->v[i];
-    }
-    return status;
+    return status != 0 ? status : cardan_mesh_push(&here, in->v, out);
 }
 
 int cardan_mesh_call_derivative(const cardan_in *in, real *out, real *work)
@@ -132,6 +126,26 @@ int cardan_mesh_call_derivative(const cardan_in *in, real *out, real *work)
             real *to = out + product->results * first + k * size;
             for (ptrdiff_t i = 0; i < size; i++)
                 to[i] = here.by.t[product->column[first + i]];
+        }
+    }
+    return status;
+}
+
+int cardan_mesh_call_columns(const cardan_in *in, real *out, real *work)
+{
+    cardan_place here;
+    int status = enter(in, work, &here);
+    const cardan_mesh_product *product = here.product;
+    real *direction = here.column, *change = direction + product->columns;
+
+    for (ptrdiff_t n = 0; n < product->parts; n++) {
+        const ptrdiff_t first = product->part[n], size = product->part[n + 1] - first;
+        for (ptrdiff_t i = 0; i < size && status == 0; i++) {
+            for (ptrdiff_t k = 0; k < product->columns; k++)
+                direction[k] = k == first + i;
+            status = cardan_mesh_push(&here, direction, change);
+            for (ptrdiff_t k = 0; k < product->results; k++)
+                out[product->results * first + k * size + i] = change[k];
         }
     }
     return status;

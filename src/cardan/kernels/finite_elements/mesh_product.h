@@ -70,9 +70,10 @@ void cardan_mesh_product_starts(const cardan_mesh_product *product, ptrdiff_t *s
 int cardan_mesh_call_expression(const cardan_in *in, real *out, real *work);
 /* (columns): weights v times the derivative */
 int cardan_mesh_call_vjp(const cardan_in *in, real *out, real *work);
-/* (results): change along a direction v (columns) */
+/* (results): change along a direction v (columns); forms of the product are changes, not gradients */
 int cardan_mesh_call_jvp(const cardan_in *in, real *out, real *work);
-/* (results, columns of the part), part after part */
+/* (results, columns of the part), part after part: row by row, or column by column, by changes */
 int cardan_mesh_call_derivative(const cardan_in *in, real *out, real *work);
+int cardan_mesh_call_columns(const cardan_in *in, real *out, real *work);
 
 #endif

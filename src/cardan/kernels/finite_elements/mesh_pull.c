@@ -34,32 +34,11 @@ ptrdiff_t cardan_mesh_lay_place(const cardan_mesh_product *product, real *block,
     here->weights = cardan_reserve(block, &used, mesh->nu + mesh->mp + 2 * mesh->m + mesh->nz);
     here->direct = cardan_reserve(block, &used, mesh->outputs + 2);
     here->unit = cardan_reserve(block, &used, product->results + mesh->outputs);
+    here->column = cardan_reserve(block, &used, product->columns + product->results);
     used += lay_slopes(product, block ? block + used : NULL, &here->by);
+    used += lay_slopes(product, block ? block + used : NULL, &here->way);
     here->room = cardan_reserve(block, &used, cardan_mesh_room(mesh));
     return used;
-}
-
-/* Add entries of elements to those of a block that they pick. Returns what follows. */
-static const real *add_picked(const cardan_element_lanes *some, const ptrdiff_t *which, ptrdiff_t n,
-                              const real *out, real *to)
-{
-    for (ptrdiff_t i = 0; i < n; i++, out += some->lanes)
-        for (ptrdiff_t lane = 0; lane < some->filled; lane++)
-            to[which[some->element[lane] * n + i]] += out[lane];
-    return out;
-}
-
-/* The same of the numbers of their places. */
-static const real *add_places(const cardan_group *g, const cardan_element_lanes *some,
-                              const ptrdiff_t *starts, const real *out, real *to)
-{
-    for (ptrdiff_t k = 0; k < g->places; k++) {
-        const ptrdiff_t *entries = starts + g->place[some->element[0] * g->places + k];
-        for (ptrdiff_t i = 0, n = entries[1] - entries[0]; i < n; i++, out += some->lanes)
-            for (ptrdiff_t lane = 0; lane < some->filled; lane++)
-                to[starts[g->place[some->element[lane] * g->places + k]] + i] += out[lane];
-    }
-    return out;
 }
 
 /* Derivatives by data become those by parameters. */
@@ -80,18 +59,14 @@ static void take_gradient(const cardan_mesh *mesh, const cardan_group *g,
 {
     const cardan_place *here = to;
     const cardan_slopes *by = &here->by;
-    const real *next = add_places(g, some, mesh->q, out, by->q);
+    const real *next = cardan_mesh_add_places(g, some, mesh->q, out, by->q);
 
-    next = add_places(g, some, mesh->u, next, by->u);
-    next = add_places(g, some, mesh->u, next, by->udot);
-    for (ptrdiff_t k = 0; k < g->m; k++, next += some->lanes)
-        for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
-            const ptrdiff_t *rows = g->rows + 2 * some->element[lane];
-            by->lam[k < g->mp ? rows[0] + k : rows[1] + k - g->mp] += next[lane];
-        }
+    next = cardan_mesh_add_places(g, some, mesh->u, next, by->u);
+    next = cardan_mesh_add_places(g, some, mesh->u, next, by->udot);
+    next = cardan_mesh_add_rows(g, g->m, some, next, by->lam);
     /* internal states and modes, of which each belongs to one element */
-    next = add_picked(some, g->z, g->nz, next, by->z);
-    next = add_picked(some, g->s, g->ns, next, by->s);
+    next = cardan_mesh_add_picked(some, g->z, g->nz, next, by->z);
+    next = cardan_mesh_add_picked(some, g->s, g->ns, next, by->s);
     /* what all elements share: inputs, time and parameters */
     for (ptrdiff_t i = 0; i < mesh->nr; i++, next += some->lanes)
         for (ptrdiff_t lane = 0; lane < some->filled; lane++)
@@ -102,14 +77,43 @@ static void take_gradient(const cardan_mesh *mesh, const cardan_group *g,
         add_data(here->product->data + (g - mesh->groups), some, next + some->lanes, by->p);
 }
 
-/* Add the gradient of a sum of results of elements at the state. */
-static int sweep(cardan_place *here, const cardan_form *forms, ptrdiff_t weighed, const real *weights)
+/* Weights of the results of elements: of a balance with what belongs to it those of the balance (nu), g
+ * (mp), the rates (m), of what accelerations miss (m) and of zdot. */
+static real *give_weights(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
+                          ptrdiff_t lanes, const cardan_gift *gift, real *to)
 {
+    const real *v = gift->v, *rates = v + mesh->nu + mesh->mp;
+    const ptrdiff_t size = gift->form == CARDAN_ENERGY ? 2 : 6;
+
+    if (gift->form == CARDAN_POWER)
+        return cardan_mesh_pick(v, g->powers, g->forms[CARDAN_POWER].size, element, lanes, to);
+    if (gift->form == CARDAN_OUTPUTS)
+        return cardan_mesh_pick(v, g->outputs, g->forms[CARDAN_OUTPUTS].size, element, lanes, to);
+    if (gift->form != CARDAN_BALANCE) {
+        for (ptrdiff_t i = 0; i < size; i++)
+            for (ptrdiff_t lane = 0; lane < lanes; lane++)
+                *to++ = v[i];
+        return to;
+    }
+    to = cardan_mesh_fetch_places(g, element, lanes, mesh->u, v, to);
+    to = cardan_mesh_pick_rows(g, g->mp, element, lanes, v + mesh->nu, to);
+    to = cardan_mesh_pick_rows(g, g->m, element, lanes, rates, to);
+    to = cardan_mesh_pick_rows(g, g->m, element, lanes, rates + mesh->m, to);
+    /* an element has rates of its own states, the first of those that it reads */
+    for (ptrdiff_t i = 0; i < g->z_states; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            *to++ = rates[2 * mesh->m + g->z[element[lane] * g->nz + i]];
+    return to;
+}
+
+/* Add the gradient of a sum of results of elements at the state. */
+static int sweep(cardan_place *here, const cardan_form *forms, int form, const real *weights)
+{
+    const cardan_gift gift = {give_weights, form, weights, NULL};
     cardan_state at = here->at;
     int status = 0;
 
-    at.weighed = weighed;
-    at.v = weights;
+    at.gift = &gift;
     for (ptrdiff_t k = 0; k < here->mesh->group_count && status == 0; k++)
         status = cardan_mesh_group(here->mesh, here->mesh->groups + k, forms + k, &at, take_gradient,
                                    here, here->room);
@@ -193,10 +197,10 @@ static int pull_solution(cardan_place *here, const real *by_udot, const real *by
 }
 
 /* Derivatives through what was solved for, of powers and outputs, by which they have some. */
-static int pull_direct(cardan_place *here, ptrdiff_t weighed, const real *weights, int solved)
+static int pull_direct(cardan_place *here, int form, const real *weights, int solved)
 {
     cardan_slopes *by = &here->by;
-    int status = sweep(here, here->product->direct, weighed, weights);
+    int status = sweep(here, here->product->direct, form, weights);
 
     if (status == 0 && solved)
         status = pull_solution(here, by->udot, by->lam);

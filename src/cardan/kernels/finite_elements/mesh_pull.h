@@ -19,10 +19,11 @@ typedef struct cardan_place {
     const cardan_mesh *mesh;
     cardan_state at;
     cardan_mesh_system system;
-    cardan_slopes by;
+    cardan_slopes by, way; /* derivatives, or the direction of a change */
     real *weights; /* of the balance (nu), g (mp), rates (m), what accelerations miss (m), zdot (nz) */
     real *direct;  /* energies' weights (2), or the outputs that a formula reads */
     real *unit;    /* (results), or weights of outputs */
+    real *column;  /* (columns), then a result */
     real *room;    /* of loops over elements */
 } cardan_place;
 
@@ -39,5 +40,7 @@ static inline cardan_in cardan_formula_in(const cardan_place *here, const cardan
 ptrdiff_t cardan_mesh_lay_place(const cardan_mesh_product *product, real *block, cardan_place *here);
 /* Derivatives `by` of the results with weights v. */
 int cardan_mesh_pull(cardan_place *here, const real *v);
+/* mesh_push.c: change of the results along a direction v (columns). */
+int cardan_mesh_push(cardan_place *here, const real *v, real *out);
 
 #endif

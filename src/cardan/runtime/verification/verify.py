@@ -214,18 +214,18 @@ def _of_elements(
 
     kinds = {group.kind.name: group.kind for group in elements.tables.groups}
     symbols = [s for kind in kinds.values() for s in kind.functions.values()]
-    # what was asked for: gradients are written then
-    gradients = [s for kind in kinds.values() for s in kind.gradients.values()]
+    # derivatives are written when they are asked for
+    requested = [s for kind in kinds.values() for s in kind.derivatives.values()]
     loaded = model._objects._loaded
     if fresh is not None:
         new = set(fresh)
         kinds = {
             n: k
             for n, k in kinds.items()
-            if new.intersection(k.functions.values()) or new.intersection(k.gradients.values())
+            if new.intersection(k.functions.values()) or new.intersection(k.derivatives.values())
         }
         symbols = [s for s in symbols if s in loaded]
-    symbols += [s for s in gradients if s in loaded]
+    symbols += [s for s in requested if s in loaded]
     codes = dict(zip(symbols, model._objects.load(symbols), strict=True))
     checks = []
     for members in members_of(model, elements, codes, seed, states):

@@ -15,12 +15,7 @@ from ....arrays import Array, Integers
 from ....errors import ModelError, SolveError
 from ....schema.blocks import COORDINATES, DIRECTIONS, ORDER
 from ....schema.c_functions import FunctionRow, ResultRow
-from ....schema.finite_elements import (
-    EXPRESSION,
-    EXPRESSION_GRADIENT,
-    RATES_GRADIENT,
-    requested_name,
-)
+from ....schema.finite_elements import EXPRESSION, EXPRESSION_GRADIENT, requested_name
 from ....schema.product_records import DataSlopes, ProductRecord
 from ....schema.records import Form, MeshRecord, constants
 from ....schema.request import Request
@@ -38,7 +33,7 @@ if TYPE_CHECKING:
     from .evaluation import Inputs, Results
 
 ROWS = ("derivative", "vjp", "jvp")
-# functions with derivatives, and the gradients that they need besides that of the dynamics
+# functions with derivatives, and what these need besides those of the dynamics
 DIRECT = {
     **dict.fromkeys(
         (
@@ -48,8 +43,8 @@ DIRECT = {
         "",
     ),
     "qdot": "",
-    **{name: f"{name}_gradient" for name in ("energy", "momentum", "power", "outputs")},
-    "expression": "outputs_gradient",
+    **{name: name for name in ("energy", "momentum", "power", "outputs")},
+    "expression": "outputs",
 }
 # data of a superelement that say how it is turned, the first ones
 ROTATION = 9
@@ -113,34 +108,39 @@ class Products:
         name = request.function
         self._check(row, name)
         mesh, constant = self.mesh, constants("mesh_product.h")
+        shape = () if name == EXPRESSION else self.results.shape(name)[0]
+        by_parameters = not {"p", *self._parameters}.isdisjoint(request.wrt)
+        # whatever is less: rows by gradients, or columns by changes
+        count = sum(prod(width) for width in self._widths(request).values())
+        forward = row == "jvp" or (row == "derivative" and count < prod(shape))
+        mode = "change" if forward else "gradient"
         mesh.connect("balance", *BASE.get(name, ()))
-        forms: dict[str, ctypes.Array[Form] | ctypes.Array[DataSlopes]] = {"rates": self._rates()}
-        if name != "qdot" and DIRECT[name] not in ("energy_gradient", "momentum_gradient"):
+        forms: dict[str, ctypes.Array[Form] | ctypes.Array[DataSlopes]] = {
+            "rates": self._rates(f"qdot_{mode}")
+        }
+        if name != "qdot" and DIRECT[name] not in ("energy", "momentum"):
             mesh.connect("balance_tangent", "gamma", "zdot")
-            forms["dynamics"] = self._gradients("dynamics_gradient")
+            forms["dynamics"] = self._derivatives(f"dynamics_{mode}")
         if DIRECT[name]:
-            forms["direct"] = self._gradients(DIRECT[name])
+            forms["direct"] = self._derivatives(f"{DIRECT[name]}_{mode}")
         if name == EXPRESSION:
             forms["formula"] = self._formula(request.of or "")
-        columns, parts = self._columns(request)
+        # changes of data are always read
+        columns, parts = self._columns(request, by_parameters or forward)
         record_of_mesh = MeshRecord.from_buffer_copy(mesh.record)
-        record_of_mesh.local, record_of_mesh.work = (
-            record_of_mesh.local + self._local,
-            max(record_of_mesh.work, self._work),
-        )
+        record_of_mesh.local += self._local
+        record_of_mesh.work = max(record_of_mesh.work, self._work)
         record_of_mesh.lanes = max(record_of_mesh.lanes, self._lanes)
-        shape = () if name == EXPRESSION else self.results.shape(name)[0]
-        by_parameters = "p" in request.wrt or any(p in self._parameters for p in request.wrt)
         quaternions = np.array(self.model.manifest.quaternions, dtype=np.intp)
         tables = {"column": columns, "part": parts, "quaternion": quaternions}
-        if by_parameters:
+        if by_parameters or forward:
             forms["data"] = self._data_slopes.records
             self._check_rotations(request)
         record = ProductRecord(
             mesh=ctypes.addressof(record_of_mesh),
             function=constant[f"CARDAN_OF_{name.upper()}"],
             results=prod(shape),
-            np=len(self._parameters) if by_parameters else 0,
+            np=len(self._parameters) if by_parameters or forward else 0,
             quaternions=len(quaternions),
             columns=len(columns),
             parts=len(parts) - 1,
@@ -151,7 +151,8 @@ class Products:
             setattr(record, field, ctypes.addressof(records))
         library = mesh.library
         library.cardan_mesh_product_work.restype = ctypes.c_ssize_t
-        function = getattr(library, f"cardan_mesh_call_{row}")
+        called = "columns" if forward and row == "derivative" else row
+        function = getattr(library, f"cardan_mesh_call_{called}")
         work = int(library.cardan_mesh_product_work(ctypes.byref(record)))
         address = ctypes.cast(function, ctypes.c_void_p).value or 0
         entry = self._entry(row, request, shape, work)
@@ -208,16 +209,16 @@ class Products:
     def _parameters(self) -> dict[str, int]:
         return {row.name: k for k, row in enumerate(self.model.manifest.parameters)}
 
-    def _gradients(self, form: str) -> ctypes.Array[Form]:
-        """Gradients of every group, made once."""
+    def _derivatives(self, form: str) -> ctypes.Array[Form]:
+        """Derivatives of every group, made once."""
         if form not in self._forms:
             tables, forms = self.tables, (Form * max(1, len(self.tables.groups)))()
-            having = [k for k, g in enumerate(tables.groups) if form in g.kind.gradients]
-            names = {tables.groups[k].kind.gradients[form]: tables.groups[k].kind for k in having}
+            having = [k for k, g in enumerate(tables.groups) if form in g.kind.derivatives]
+            names = {tables.groups[k].kind.derivatives[form]: tables.groups[k].kind for k in having}
             codes = self._loaded([(form, kind.name) for kind in names.values()], list(names))
             for k in having:
                 group, data = tables.groups[k], self.mesh.data[k]
-                code = codes[group.kind.gradients[form]]
+                code = codes[group.kind.derivatives[form]]
                 self.mesh.form(forms[k], code, data)
                 self._local = max(self._local, int(code.entry.output_size) + len(code.entry.vector))
             self._forms[form] = forms
@@ -233,20 +234,21 @@ class Products:
             self._local = max(self._local, int(codes[symbol].entry.output_size))
         return forms
 
-    def _rates(self) -> ctypes.Array[Form]:
-        """Gradients of the rates of places that move by functions of their record_of_mesh."""
-        if RATES_GRADIENT not in self._forms:
+    def _rates(self, form: str) -> ctypes.Array[Form]:
+        """Derivatives of the rates of places that move by functions of their own."""
+        if form not in self._forms:
             kinds = [kind for kind in self.tables.kinds if kind.name != "node"]
             forms = (Form * max(1, len(kinds)))()
-            having = {k: kind for k, kind in enumerate(kinds) if kind.gradients}
-            keys = [(RATES_GRADIENT, kind.name) for kind in having.values()]
-            symbols = [kind.gradients[RATES_GRADIENT] for kind in having.values()]
+            having = {k: kind for k, kind in enumerate(kinds) if kind.derivatives}
+            keys = [(form, kind.name) for kind in having.values()]
+            symbols = [kind.derivatives[form] for kind in having.values()]
             codes = self._loaded(keys, symbols)
             for (k, _), symbol in zip(having.items(), symbols, strict=True):
                 self.mesh.form(forms[k], codes[symbol], np.zeros((1, 0)))
-                self._local = max(self._local, int(codes[symbol].entry.output_size))
-            self._forms[RATES_GRADIENT] = forms
-        return self._forms[RATES_GRADIENT]
+                entry = codes[symbol].entry
+                self._local = max(self._local, int(entry.output_size) + len(entry.vector))
+            self._forms[form] = forms
+        return self._forms[form]
 
     def _loaded(self, keys: Sequence[tuple[str, str]], symbols: Sequence[str]) -> dict[str, Code]:
         """Functions that are written when they are asked for, checked."""
@@ -275,20 +277,19 @@ class Products:
         objects, lanes = self.model._objects, width()
         many = [group.kind for group in self.tables.groups if len(group) >= LANE_THRESHOLD]
         for kind in many if lanes > 1 else ():
-            for symbol in {*kind.gradients.values()}.intersection(symbols):
+            for symbol in {*kind.derivatives.values()}.intersection(symbols):
                 if lanes in objects.manifest.functions[symbol].lanes:
                     objects.lanes[symbol] = lanes
 
     # columns
 
-    def _columns(self, request: Request) -> tuple[Integers, Integers]:
+    def _columns(self, request: Request, by_parameters: bool) -> tuple[Integers, Integers]:
         """Which derivative every column is, and where the columns of every part begin."""
         record = ProductRecord(mesh=ctypes.addressof(self.mesh.record), np=len(self._parameters))
         starts = np.zeros(10, dtype=np.intp)
         self.mesh.library.cardan_mesh_product_starts(ctypes.byref(record), _pointer(starts))
         names = ("t", "q", COORDINATES, "u", "z", "s", "r", "p", "udot", "tau")
         first = dict(zip(names, starts.tolist(), strict=True))
-        by_parameters = any(x == "p" or x in self._parameters for x in request.wrt)
         if not by_parameters:
             # nothing stands for them
             first |= {n: first[n] - len(self._parameters) for n in ("udot", "tau")}
@@ -304,6 +305,12 @@ class Products:
             parts.append(len(columns))
         return np.array(columns, dtype=np.intp), np.array(parts, dtype=np.intp)
 
+    def _widths(self, request: Request) -> dict[str, tuple[int, ...]]:
+        """Axis of columns by every block or name; none of single ones."""
+        return {
+            n: () if n == "t" or n not in DIRECTIONS else (self._count(n),) for n in request.wrt
+        }
+
     def _count(self, name: str) -> int:
         if name == "t":
             return 1
@@ -313,9 +320,7 @@ class Products:
 
     def _entry(self, row: str, request: Request, shape: tuple[int, ...], work: int) -> FunctionRow:
         """What is said of it as of other functions."""
-        widths = {
-            n: () if n == "t" or n not in DIRECTIONS else (self._count(n),) for n in request.wrt
-        }
+        widths = self._widths(request)
         if row == EXPRESSION:
             outputs = {"expression": shape}
         elif row == "jvp":

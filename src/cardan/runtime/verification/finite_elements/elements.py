@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from ..differences import BLURRED, BOUND, MARGIN, worst_of
-from . import balances, element_ends, element_events, gradients, wrenches
+from . import balances, derivatives, element_ends, element_events, wrenches
 from .balances import NO_LAW
 from .members import Members, NotThere
 
@@ -64,5 +64,5 @@ LAWS: dict[str, Callable[[Members], float | str]] = {
     **element_ends.LAWS,
     **wrenches.LAWS,
     **element_events.LAWS,
-    **gradients.LAWS,
+    **derivatives.LAWS,
 }

@@ -232,7 +232,7 @@ def members_of(
         parts = [_read(elements, number, at, rows) for at in states]
         inputs = {k: np.concatenate([part[k] for part in parts]) for k in parts[0]}
         kind = group.kind
-        symbols = {**kind.functions, **kind.gradients}
+        symbols = {**kind.functions, **kind.derivatives}
         compiled = {f: codes[symbol] for f, symbol in symbols.items() if symbol in codes}
         places = (
             tuple(tables.kinds[tables.kind[p]] for p in group.place[0]) if group.place.size else ()

@@ -1,11 +1,12 @@
 /*
- * superelement_gradient.h: gradients of weighted forces and energies of a superelement.
+ * superelement_derivatives.h: gradients of weighted forces and energies of a superelement, and changes.
  *
  * Weights are in->v; results are derivatives by q as it is stored, u, udot, then nr inputs, the time and
- * the data. Those by how the frame is turned on its node are not known: NaN.
+ * the data. Those by how the frame is turned on its node are not known: NaN. Of a change in->v is a
+ * direction of all this.
  */
-#ifndef CARDAN_SUPERELEMENT_GRADIENT_H
-#define CARDAN_SUPERELEMENT_GRADIENT_H
+#ifndef CARDAN_SUPERELEMENT_DERIVATIVES_H
+#define CARDAN_SUPERELEMENT_DERIVATIVES_H
 
 #include "superelement_momenta.h"
 #include "superelement_tangent.h"
@@ -78,6 +79,7 @@ CARDAN_INLINE int cardan_superelement_dynamics_gradient(int n, int on_node, int 
     cardan_frame_motion at;
     const int status = cardan_superelement_tangent(n, on_node, drifts, constants, in, K, scratch);
 
+    /* rows of the tangent, with the weights of the forces */
     cardan_weighted_rows(N, in->v, K, along);
     cardan_by_coordinates(n, on_node, in->q, along, out);
     cardan_weighted_rows(N, in->v, K + N * N, by_u);
@@ -94,6 +96,7 @@ CARDAN_INLINE int cardan_superelement_dynamics_gradient(int n, int on_node, int 
     } else {
         real flow[3];
 
+        /* of what is fixed to the ground only coordinates feel gravity */
         cardan_dots_constants(3, n, c.momentum, in->v, flow);
         cardan_3_times(at.R0, 0, flow, 1, by_g);
         for (int k = 0; k < 3; ++k) by_g[k] = -by_g[k];
@@ -126,6 +129,7 @@ CARDAN_INLINE int cardan_superelement_energy_gradient(int n, int on_node, int dr
     there.u = there.udot = still;
     (void)cardan_superelement_balance(n, on_node, drifts, constants, &there, force, scratch);
     cardan_frame_motion_of(in, on_node, 1, &at);
+    /* both energies along the speeds, and the kinetic one by them; nothing depends on accelerations */
     for (int i = 0; i < N; ++i) {
         slope[i] = slope[i] * kinetic + force[i] * potential;
         by_u[i] = momenta[i] * kinetic;
@@ -153,6 +157,95 @@ CARDAN_INLINE int cardan_superelement_energy_gradient(int n, int on_node, int dr
     for (int k = 0; k < 3; ++k) s[k] += c.first[k];
     cardan_3_times(at.R0, 0, s, 1, v);
     for (int k = 0; k < 3; ++k) by_g[k] = (v[k] + c.mass[0] * at.x0[k]) * potential * -1.0;
+    return CARDAN_OK;
+}
+
+/* out (N) += A d for a matrix A (N, N). */
+CARDAN_INLINE void cardan_add_matrix(int N, const real *A, const real *d, real *out)
+{
+    for (int i = 0; i < N; ++i)
+        for (int j = 0; j < N; ++j) out[i] += A[i * N + j] * d[j];
+}
+
+/* Of forces (N) along a direction. */
+CARDAN_INLINE int cardan_superelement_dynamics_change(int n, int on_node, int drifts, int nr,
+                                                      const double *constants, const cardan_in *in,
+                                                      real *CARDAN_RESTRICT out,
+                                                      real *CARDAN_RESTRICT work)
+{
+    const cardan_superelement c = cardan_superelement_of(n, drifts, constants);
+    const int first = 6 * on_node, N = n + first, nq = N + on_node;
+    real *const K = work, *const C = K + N * N, *const M = C + N * N, *const along = M + N * N;
+    real *const rate = along + N, *const second = rate + N, *const force = second + N;
+    real *const scratch = force + N;
+    const real *const d = in->v, *const d_u = d + nq, *const d_udot = d_u + N;
+    const real *const d_p = d_udot + N + nr + 1 + 9, *const d_g = d_p + 3, *const q = in->q;
+    const int status = cardan_superelement_tangent(n, on_node, drifts, constants, in, K, scratch);
+    cardan_frame_motion at;
+    real turned[3], spun[3];
+
+    for (int i = 0; i < N; ++i) {
+        out[i] = CARDAN_REAL(0.0);
+        along[i] = d[on_node + i];
+        rate[i] = d_u[i];
+        second[i] = d_udot[i];
+    }
+    cardan_frame_motion_of(in, on_node, 1, &at);
+    if (on_node) {
+        /* a change of a quaternion as a rotation of the node */
+        along[0] = (q[0] * d[1] - q[1] * d[0] + q[3] * d[2] - q[2] * d[3]) * 2.0;
+        along[1] = (q[0] * d[2] - q[2] * d[0] + q[1] * d[3] - q[3] * d[1]) * 2.0;
+        along[2] = (q[0] * d[3] - q[3] * d[0] + q[2] * d[1] - q[1] * d[2]) * 2.0;
+        /* a place further out has the velocity w x e, the acceleration w' x e + w x (w x e) */
+        cardan_3_cross(in->u, d_p, spun);
+        cardan_3_times(at.node, 0, spun, 1, turned);
+        for (int k = 0; k < 3; ++k) rate[3 + k] += turned[k];
+        cardan_3_cross(in->u, spun, turned);
+        cardan_3_add_cross(in->udot, d_p, turned);
+        cardan_3_times(at.node, 0, turned, 1, spun);
+        for (int k = 0; k < 3; ++k) second[3 + k] += spun[k];
+        /* and a longer lever */
+        (void)cardan_superelement_balance(n, on_node, drifts, constants, in, force, scratch);
+        cardan_3_times(at.node, 1, force + 3, 1, turned);
+        cardan_3_add_cross(d_p, turned, out);
+    }
+    cardan_add_matrix(N, K, along, out);
+    cardan_add_matrix(N, C, rate, out);
+    cardan_add_matrix(N, M, second, out);
+    for (int i = 0; i < N; ++i) second[i] = CARDAN_REAL(0.0);
+    if (on_node) {
+        /* gravity pulls as an acceleration of the node pushes, but for what its velocity does */
+        if (drifts) (void)cardan_superelement_tangent(n, 1, 0, constants, in, K, scratch);
+        for (int k = 0; k < 3; ++k) second[3 + k] = -d_g[k];
+        cardan_add_matrix(N, M, second, out);
+    } else {
+        cardan_3_times(at.R0, 1, d_g, 1, turned);
+        for (int k = 0; k < 3; ++k) turned[k] = -turned[k];
+        cardan_add_product(3, n, c.momentum, turned, out);
+    }
+    return status;
+}
+
+/* Of the kinetic and the potential energy along a direction. */
+CARDAN_INLINE int cardan_superelement_energy_change(int n, int on_node, int drifts, int nr,
+                                                    const double *constants, const cardan_in *in,
+                                                    real *CARDAN_RESTRICT out,
+                                                    real *CARDAN_RESTRICT work)
+{
+    const int states = n + 7 * on_node + 2 * (n + 6 * on_node) + nr + 1, count = states + 15;
+    real weights[2];
+    cardan_in there = *in;
+
+    there.v = weights;
+    for (int k = 0; k < 2; ++k) {
+        weights[k] = CARDAN_REAL(1.0);
+        weights[1 - k] = CARDAN_REAL(0.0);
+        (void)cardan_superelement_energy_gradient(n, on_node, drifts, nr, constants, &there, work,
+                                                  work + count);
+        out[k] = CARDAN_REAL(0.0);
+        for (int i = 0; i < count; ++i)
+            if (i < states || i >= states + 9) out[k] += work[i] * in->v[i];
+    }
     return CARDAN_OK;
 }
 

@@ -1,9 +1,9 @@
-"""Gradients of weighted sums of what elements give, by everything that they read.
+"""Derivatives of what elements give by everything that they read, in reverse and forward.
 
-One sweep in reverse through a kind of element serves every product with a derivative: of forces, of
-constraints on all levels, of internal states, or of energies, momenta, powers and outputs.
+Of forces, of constraints on all levels and of internal states together, of energies, momenta,
+powers and outputs: gradients of weighted sums, and changes along a direction.
 
-Source: Griewank and Walther, Evaluating Derivatives (2008), section 3.2.
+Source: Griewank and Walther, Evaluating Derivatives (2008), sections 3.1 and 3.2.
 """
 
 from __future__ import annotations
@@ -12,43 +12,44 @@ from collections.abc import Mapping, Sequence
 from itertools import islice
 
 from ...arrays import Integers
-from ...ir.derivative import gradient
+from ...ir.derivative import forward, gradient
 from ...ir.function import Block, Function, Output
 from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix, inner
 from ...ir.rewrite import rebuild
 from ...ir.routine import Routine
 from ...schema.blocks import ORDER
-from ...schema.finite_elements import GRADIENTS, RATES_GRADIENT
+from ...schema.finite_elements import DERIVATIVES, requested_name
 from .record import BlockKind, Group, Kind
-from .superelements import superelement_gradient
+from .superelements import superelement_derivative
 
-ABOUT = "gradient of a weighted sum of results"
+ABOUT = {"gradient": "gradient of a weighted sum of results", "change": "change along a direction"}
 
 
-def gradient_of(kind: Kind, form: str, group: Group, inputs: int) -> Function:
-    """A gradient of a kind of element.
+def derivative_of(kind: Kind, form: str, group: Group, inputs: int) -> Function:
+    """A gradient or a change of a kind of element.
 
     Args:
         kind: The kind.
-        form: One of ``GRADIENTS``.
+        form: One of ``DERIVATIVES``.
         group: Elements of that kind.
         inputs: How many the scene has.
 
     Returns:
-        Its weights are the block v: of ``dynamics_gradient`` those of the balance (nu), of g (mp),
-        of the rates (m), of G udot - H lam - gamma (m) and of its own internal states, else those
-        of the results of the function. The results are derivatives by q as it is stored, u, udot,
-        lam, z, s, r, t and the data that parameters change.
+        What is multiplied by the derivative is the block v. Of a gradient it has weights: of
+        ``dynamics_gradient`` those of the balance (nu), of g (mp), of the rates (m), of
+        G udot - H lam - gamma (m) and of its own internal states, else those of the results of the
+        function. The results are derivatives by q as it is stored, u, udot, lam, z, s, r, t and the
+        data that parameters change. Of a change v and the results are the other way round.
 
     Raises:
         DerivationError: it is one of superelements, which have others.
     """
     graph = Graph()
-    read = {name: kind.functions[name] for name in GRADIENTS[form] if name in kind.functions}
+    read = {name: kind.functions[name] for name in DERIVATIVES[form] if name in kind.functions}
     if any(isinstance(function, Routine) for function in read.values()):
-        return superelement_gradient(kind, form, inputs)
-    roots = _dynamics(graph, kind, read) if len(GRADIENTS[form]) > 1 else _all(graph, read)
+        return superelement_derivative(kind, form, inputs)
+    roots = _dynamics(graph, kind, read) if len(DERIVATIVES[form]) > 1 else _all(graph, read)
     fixed = 0 if group.attributes is None else group.attributes.shape[1]
     sizes = {
         **{"q": kind.nq, "u": kind.nu, "udot": kind.nu, "lam": kind.m},
@@ -57,20 +58,20 @@ def gradient_of(kind: Kind, form: str, group: Group, inputs: int) -> Function:
     }
     blocks = {block.name: block for f in read.values() for block in f.inputs}
     owners = next((f.owners for f in read.values()), ())
-    return _gradient(kind.c_name(form), graph, roots, blocks, sizes, owners)
+    return _derivative(kind.c_name(form), graph, roots, blocks, sizes, owners)
 
 
-def rates_gradient_of(kind: BlockKind) -> Function:
-    """Gradient of weighted rates of the coordinates of a place: by its q and u, weights in v."""
+def rates_derivative_of(kind: BlockKind, form: str) -> Function:
+    """Gradient or change of the rates of the coordinates of a place: by its q and u."""
     rates, graph = kind.functions["qdot"], Graph()
     blocks = {block.name: block for block in rates.inputs}
     roots = _all(graph, {"qdot": rates})
     sizes = {"q": kind.nq, "u": kind.nu}
-    name = f"{kind.name}__{RATES_GRADIENT}"
-    return _gradient(name, graph, roots, blocks, sizes, rates.owners)
+    name = requested_name(form, kind.name)
+    return _derivative(name, graph, roots, blocks, sizes, rates.owners)
 
 
-def _gradient(
+def _derivative(
     name: str,
     graph: Graph,
     roots: Sequence[int],
@@ -78,17 +79,25 @@ def _gradient(
     sizes: Mapping[str, int],
     owners: tuple[str, ...],
 ) -> Function:
-    """Derivatives of a weighted sum of the roots by blocks of known sizes."""
-    weights = [graph.var("v", k) for k in range(len(roots))]
-    v = Block("v", tuple(f"weight{k + 1}" for k in range(len(roots))), ("",) * len(roots))
+    """Derivatives of a weighted sum of the roots by blocks of known sizes, or their changes."""
+    mode = name.rpartition("_")[2]
     leaves = [graph.var(letter, k) for letter, n in sizes.items() for k in range(n)]
-    slopes = iter(gradient(graph, inner(graph, weights, roots), leaves))
-    outputs = tuple(
-        Output(f"d_{letter}", (n,), tuple(islice(slopes, n))) for letter, n in sizes.items() if n
-    )
+    count, word = (len(roots), "weight") if mode == "gradient" else (len(leaves), "direction")
+    weights = [graph.var("v", k) for k in range(count)]
+    if mode == "gradient":
+        slopes = iter(gradient(graph, inner(graph, weights, roots), leaves))
+        outputs = tuple(
+            Output(f"d_{letter}", (n,), tuple(islice(slopes, n)))
+            for letter, n in sizes.items()
+            if n
+        )
+    else:
+        changes = forward(graph, roots, dict(zip(leaves, weights, strict=True)))
+        outputs = (Output("change", (len(roots),), tuple(changes)),)
+    v = Block("v", tuple(f"{word}{k + 1}" for k in range(count)), ("",) * count)
     read = {**blocks, "v": v}
     inputs = tuple(read[letter] for letter in ORDER if letter in read)
-    return Function(name, graph, inputs, outputs, owners, ABOUT)
+    return Function(name, graph, inputs, outputs, owners, ABOUT[mode])
 
 
 def _width(table: Integers | None) -> int:
@@ -113,7 +122,7 @@ def _all(graph: Graph, read: Mapping[str, Function]) -> list[int]:
 def _dynamics(graph: Graph, kind: Kind, read: Mapping[str, Function]) -> list[int]:
     """The balance, g, the rates, what accelerations miss of constraints, and rates of z."""
     nu, m, levels = kind.nu, kind.m, kind.nu + kind.mp + kind.m
-    results = {name: _copied(graph, read.get(name)) for name in GRADIENTS["dynamics_gradient"]}
+    results = {name: _copied(graph, read.get(name)) for name in DERIVATIVES["dynamics_gradient"]}
     balance, gamma, zdot = (
         [node for some in results[name].values() for node in some]
         for name in ("balance", "gamma", "zdot")

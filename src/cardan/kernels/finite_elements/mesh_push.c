@@ -1,0 +1,301 @@
+/* Changes of the functions of a mesh along a direction: see mesh_pull.h.
+ *
+ * Part of cardan. Caller owns all memory.
+ */
+#include "mesh_pull.h"
+#include <string.h>
+
+/* Directions of what elements read, their data included. */
+static real *give_direction(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
+                            ptrdiff_t lanes, const cardan_gift *gift, real *to)
+{
+    const cardan_place *here = gift->more;
+    const cardan_slopes *way = &here->way;
+    const cardan_data_slopes *data = here->product->data + (g - mesh->groups);
+
+    to = cardan_mesh_fetch_places(g, element, lanes, mesh->q, way->q, to);
+    to = cardan_mesh_fetch_places(g, element, lanes, mesh->u, way->u, to);
+    to = cardan_mesh_fetch_places(g, element, lanes, mesh->u, way->udot, to);
+    to = cardan_mesh_pick_rows(g, g->m, element, lanes, way->lam, to);
+    to = cardan_mesh_pick(way->z, g->z, g->nz, element, lanes, to);
+    to = cardan_mesh_pick(way->s, g->s, g->ns, element, lanes, to);
+    /* what all elements share: inputs and time */
+    for (ptrdiff_t i = 0; i < mesh->nr; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            *to++ = way->r[i];
+    for (ptrdiff_t lane = 0; lane < lanes; lane++)
+        *to++ = *way->t;
+    /* changes of parameters become those of data */
+    for (ptrdiff_t i = 0; i < data->count; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++) {
+            const ptrdiff_t row = (data->shared ? 0 : element[lane] * data->count) + i;
+            real change = 0;
+            for (ptrdiff_t k = data->start[row]; k < data->start[row + 1]; k++)
+                change += data->slope[k] * way->p[data->parameter[k]];
+            *to++ = change;
+        }
+    return to;
+}
+
+/* what takes changes of a form */
+typedef struct taken {
+    int form;
+    real *to;
+} taken;
+
+/* Add the changes of elements: of a balance with what belongs to it, as give_weights has them. */
+static void take_change(const cardan_mesh *mesh, const cardan_group *g,
+                        const cardan_element_lanes *some, real *out, void *into)
+{
+    const taken *change = into;
+    const ptrdiff_t *which = change->form == CARDAN_POWER ? g->powers : g->outputs;
+    const int picked = change->form == CARDAN_POWER || change->form == CARDAN_OUTPUTS;
+    const ptrdiff_t size = change->form == CARDAN_ENERGY ? 2 : 6;
+    real *to = change->to, *rates = to + mesh->nu + mesh->mp;
+
+    if (picked) {
+        (void)cardan_mesh_add_picked(some, which, g->forms[change->form].size, out, to);
+    } else if (change->form != CARDAN_BALANCE) {
+        for (ptrdiff_t i = 0; i < size; i++)
+            for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+                to[i] += out[i * some->lanes + lane];
+    } else {
+        const real *next = cardan_mesh_add_places(g, some, mesh->u, out, to);
+        next = cardan_mesh_add_rows(g, g->mp, some, next, to + mesh->nu);
+        next = cardan_mesh_add_rows(g, g->m, some, next, rates);
+        next = cardan_mesh_add_rows(g, g->m, some, next, rates + mesh->m);
+        for (ptrdiff_t i = 0; i < g->z_states; i++)
+            for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+                rates[2 * mesh->m + g->z[some->element[lane] * g->nz + i]] +=
+                    next[i * some->lanes + lane];
+    }
+}
+
+/* Changes of what elements give, summed up in `to`. */
+static int sweep(cardan_place *here, const cardan_form *forms, int form, ptrdiff_t size, real *to)
+{
+    const cardan_gift gift = {give_direction, form, NULL, here};
+    taken change = {form, to};
+    cardan_state at = here->at;
+    int status = 0;
+
+    memset(to, 0, (size_t)size * sizeof(real));
+    at.gift = &gift;
+    for (ptrdiff_t k = 0; k < here->mesh->group_count && status == 0; k++)
+        status = cardan_mesh_group(here->mesh, here->mesh->groups + k, forms + k, &at, take_change,
+                                   &change, here->room);
+    return status;
+}
+
+/* Changes of a balance and of all that belongs to it. */
+static int sweep_dynamics(cardan_place *here)
+{
+    const cardan_mesh *mesh = here->mesh;
+
+    return sweep(here, here->product->dynamics, CARDAN_BALANCE,
+                 mesh->nu + mesh->mp + 2 * mesh->m + mesh->nz, here->weights);
+}
+
+/* Changes of accelerations and multipliers, which become parts of the direction. */
+static int push_solution(cardan_place *here)
+{
+    const cardan_mesh *mesh = here->mesh;
+    const real *missed = here->weights + mesh->nu + mesh->mp + mesh->m;
+    cardan_mesh_system *system = &here->system;
+    int status = sweep_dynamics(here);
+
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        system->right[i] = here->way.tau[i] - here->weights[i];
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        system->right[mesh->unknown[k]] = -missed[k];
+    if (status == 0)
+        status = cardan_mesh_solve(mesh, system);
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        here->way.udot[i] = system->solution[i];
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        here->way.lam[k] = -system->solution[mesh->unknown[k]];
+    return status;
+}
+
+/* Change of the rates of a unit quaternion that turns with w while it changes by d. */
+static void push_quaternion(const real *d, const real *w, real *rate)
+{
+    rate[0] -= 0.5 * (d[1] * w[0] + d[2] * w[1] + d[3] * w[2]);
+    rate[1] += 0.5 * (d[0] * w[0] + d[2] * w[2] - d[3] * w[1]);
+    rate[2] += 0.5 * (d[0] * w[1] + d[3] * w[0] - d[1] * w[2]);
+    rate[3] += 0.5 * (d[0] * w[2] + d[1] * w[1] - d[2] * w[0]);
+}
+
+/* Changes of qdot. */
+static int push_rates(cardan_place *here, real *out)
+{
+    const cardan_mesh *mesh = here->mesh;
+    const cardan_slopes *way = &here->way;
+    int status = cardan_mesh_rates(mesh, here->at.q, way->u, out, here->room);
+
+    for (ptrdiff_t k = 0; k < mesh->nodes; k++) {
+        const ptrdiff_t q = mesh->q[mesh->node[k]];
+        push_quaternion(way->q + q, here->at.u + mesh->u[mesh->node[k]], out + q);
+    }
+    /* the other kinds of places by functions of their own, where speeds are not rates */
+    for (ptrdiff_t n = 0; n < mesh->mover_count; n++) {
+        const cardan_movers *movers = mesh->movers + n;
+        const cardan_form *form = here->product->rates + n;
+        for (ptrdiff_t k = 0; form->call && k < movers->count && status == 0; k++) {
+            const ptrdiff_t q = mesh->q[movers->place[k]], u = mesh->u[movers->place[k]];
+            real *direction = here->room, *change = direction + movers->nq + movers->nu;
+            const cardan_in in = {.q = here->at.q + q, .u = here->at.u + u, .v = direction,
+                                  .w = form->w};
+            memcpy(direction, way->q + q, (size_t)movers->nq * sizeof(real));
+            memcpy(direction + movers->nq, way->u + u, (size_t)movers->nu * sizeof(real));
+            status = form->call(&in, change, change + movers->nq);
+            memcpy(out + q, change, (size_t)movers->nq * sizeof(real));
+        }
+    }
+    return status;
+}
+
+/* Change of outputs or powers. */
+static int push_direct(cardan_place *here, int form, ptrdiff_t size, int solved, real *to)
+{
+    const int status = solved ? push_solution(here) : 0;
+
+    return status != 0 ? status : sweep(here, here->product->direct, form, size, to);
+}
+
+/* Change of a formula. */
+static int push_expression(cardan_place *here, real *out)
+{
+    const cardan_mesh *mesh = here->mesh;
+    const cardan_form *form = here->product->formula + 1;
+    const cardan_in in = cardan_formula_in(here, form);
+    const cardan_slopes *way = &here->way;
+    const ptrdiff_t sizes[] = {1, mesh->nq, mesh->nu, mesh->nz, mesh->nr, here->product->np,
+                               mesh->outputs};
+    const real *directions[] = {way->t, way->q, way->u, way->z, way->r, way->p, here->unit};
+    const real *slope = here->room;
+    int status = 0;
+
+    if (mesh->outputs > 0)
+        status = push_direct(here, CARDAN_OUTPUTS, mesh->outputs, mesh->solved != 0, here->unit);
+    if (status == 0)
+        status = form->call(&in, here->room, here->room + form->size);
+    out[0] = 0;
+    for (int k = 0; k < 7; slope += sizes[k++])
+        out[0] += cardan_dot(slope, directions[k], sizes[k]);
+    return status;
+}
+
+/* Change of what a projection moves (nu), for that of gaps in the first rows. */
+static int push_closing(cardan_place *here, const real *gaps, ptrdiff_t rows)
+{
+    const cardan_mesh *mesh = here->mesh;
+    cardan_mesh_system *system = &here->system;
+
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        system->right[i] = 0;
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        system->right[mesh->unknown[k]] = k < rows ? -gaps[k] : 0;
+    return cardan_mesh_solve(mesh, system);
+}
+
+/* Changes of projected positions or speeds, and of the gaps before. */
+static int push_projection(cardan_place *here, int speeds, real *out)
+{
+    const cardan_mesh *mesh = here->mesh;
+    const real *gaps = here->weights + mesh->nu + (speeds ? mesh->mp : 0);
+    const ptrdiff_t rows = speeds ? mesh->m : mesh->mp, count = speeds ? mesh->nu : mesh->nq;
+    const real *before = speeds ? here->way.u : here->way.q, *moved = here->system.solution;
+    int status = sweep_dynamics(here);
+
+    if (status == 0)
+        status = push_closing(here, gaps, rows);
+    /* an increment moves coordinates along the speeds */
+    if (status == 0 && !speeds) {
+        status = cardan_mesh_rates(mesh, here->at.q, moved, here->by.q, here->room);
+        moved = here->by.q;
+    }
+    for (ptrdiff_t i = 0; i < count; i++)
+        out[i] = before[i] + moved[i];
+    memcpy(out + count, gaps, (size_t)rows * sizeof(real));
+    return status;
+}
+
+/* Everything that a direction changes: coordinates along the speeds and as they are stored. */
+static int direction_of(cardan_place *here, const real *v)
+{
+    const cardan_mesh_product *product = here->product;
+    const cardan_mesh *mesh = here->mesh;
+    cardan_slopes *way = &here->way;
+    int status;
+
+    memset(way->t, 0, (size_t)way->count * sizeof(real));
+    for (ptrdiff_t i = 0; i < product->columns; i++)
+        way->t[product->column[i]] += v[i];
+    status = cardan_mesh_rates(mesh, here->at.q, way->along, here->by.q, here->room);
+    for (ptrdiff_t i = 0; i < mesh->nq; i++)
+        way->q[i] += here->by.q[i];
+    /* a quaternion counts by its direction */
+    for (ptrdiff_t k = 0; k < product->quaternions; k++) {
+        const real *q = here->at.q + product->quaternion[k];
+        real *change = way->q + product->quaternion[k];
+        const real along = cardan_dot(q, change, 4) / cardan_dot(q, q, 4);
+        for (int i = 0; i < 4; i++)
+            change[i] -= along * q[i];
+    }
+    return status;
+}
+
+int cardan_mesh_push(cardan_place *here, const real *v, real *out)
+{
+    const cardan_mesh *mesh = here->mesh;
+    const ptrdiff_t function = here->product->function, nq = mesh->nq, nu = mesh->nu;
+    const real *gaps = here->weights + nu, *rates = gaps + mesh->mp;
+    int status = direction_of(here, v);
+
+    if (status != 0)
+        return status;
+    switch (function) {
+    /* what elements give as they are */
+    case CARDAN_OF_INVERSE_DYNAMICS:
+    case CARDAN_OF_CONSTRAINTS:
+    case CARDAN_OF_CONSTRAINT_RATES:
+        status = sweep_dynamics(here);
+        memcpy(out,
+               function == CARDAN_OF_INVERSE_DYNAMICS ? here->weights
+               : function == CARDAN_OF_CONSTRAINTS    ? gaps
+                                                      : rates,
+               (size_t)here->product->results * sizeof(real));
+        return status;
+    case CARDAN_OF_ENERGY:
+        status = sweep(here, here->product->direct, CARDAN_ENERGY, 2, out);
+        out[2] = out[0] + out[1];
+        return status;
+    case CARDAN_OF_MOMENTUM:
+        return sweep(here, here->product->direct, CARDAN_MOMENTUM, 6, out);
+    case CARDAN_OF_POWER:
+        return push_direct(here, CARDAN_POWER, mesh->powers, mesh->driven != 0, out);
+    case CARDAN_OF_OUTPUTS:
+        return push_direct(here, CARDAN_OUTPUTS, mesh->outputs, mesh->solved != 0, out);
+    case CARDAN_OF_EXPRESSION:
+        return push_expression(here, out);
+    case CARDAN_OF_QDOT:
+        return push_rates(here, out);
+    /* what is solved for */
+    case CARDAN_OF_RHS:
+        status = push_rates(here, out);
+        if (status == 0)
+            status = push_solution(here);
+        memcpy(out + nq, here->way.udot, (size_t)nu * sizeof(real));
+        memcpy(out + nq + nu, rates + 2 * mesh->m, (size_t)mesh->nz * sizeof(real));
+        return status;
+    case CARDAN_OF_FORWARD_DYNAMICS:
+    case CARDAN_OF_MULTIPLIERS:
+        status = push_solution(here);
+        memcpy(out, function == CARDAN_OF_MULTIPLIERS ? here->way.lam : here->way.udot,
+               (size_t)here->product->results * sizeof(real));
+        return status;
+    default:
+        return push_projection(here, function == CARDAN_OF_CLOSE_VELOCITY, out);
+    }
+}

@@ -1,0 +1,129 @@
+"""Gradients and changes of results of elements, judged by differences of these results."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from itertools import accumulate
+
+import numpy as np
+
+from ....schema.finite_elements import CHANGES, DERIVATIVES, GRADIENTS
+from ..differences import Blocks, missing, slope, ways, worst_of
+from ..joint_motion import Array, times
+from .members import Members
+
+
+def _results(members: Members, form: str, blocks: Blocks | None = None) -> Array:
+    """What a derivative is of (n, k), in the order of its weights."""
+    call, kind = members.call, members.table.kind
+    read = [name for name in DERIVATIVES[form] if name in kind.functions]
+    if len(DERIVATIVES[form]) == 1:
+        return call(read[0], blocks)
+    at = {**members.inputs, **(blocks or {})}
+    n, nu, m = len(at["q"]), kind.nu, kind.m
+    balance = call("balance", blocks) if "balance" in read else np.zeros((n, 0))
+    missed = np.zeros((n, m))
+    flat = call("balance_tangent", blocks) if m and "balance_tangent" in read else np.zeros((n, 0))
+    for name, columns, block in (("G", nu, "udot"), ("H", m, "lam")):
+        if m and name in kind.parts:
+            first = kind.parts[name]
+            matrix = flat[:, first : first + m * columns].reshape(n, m, columns)
+            product = times(matrix, np.broadcast_to(at[block], (n, columns)))
+            missed = missed + (product if name == "G" else -product)
+    if "gamma" in read:
+        missed = missed - call("gamma", blocks)
+    levels = np.zeros((n, nu + kind.mp + m))
+    levels[:, : balance.shape[1]] = balance
+    zdot = call("zdot", blocks) if "zdot" in read else np.zeros((n, 0))
+    return np.concatenate([levels, missed, zdot], axis=1)
+
+
+def _parts(members: Members) -> dict[str, slice]:
+    """Where derivatives by every block are in a gradient, or changes of it in a direction."""
+    kind = members.table.kind
+    sizes = {"q": kind.nq, "u": kind.nu, "udot": kind.nu, "lam": kind.m, "z": kind.nz}
+    sizes |= {"s": kind.ns, "r": members.inputs["r"].shape[-1], "t": 1}
+    ends = accumulate(sizes.values())
+    return {name: slice(end - sizes[name], end) for name, end in zip(sizes, ends, strict=True)}
+
+
+def _directions(members: Members) -> tuple[dict[str, Array], Array]:
+    """Rates of blocks along a random way of all that is read but data; the way (n, k)."""
+    parts, n = _parts(members), members.count
+    way = ways(n, parts["t"].stop)[0]
+    # quaternions keep their lengths, and modes are whole numbers
+    way[:, parts["q"]] = members.along(ways(n, members.table.kind.nu)[0])
+    way[:, parts["s"]] = 0.0
+    return {name: way[:, part] for name, part in parts.items() if part.start < part.stop}, way
+
+
+def _by_data(members: Members, form: str, way: Array) -> tuple[Array, Array]:
+    """Slopes of the results along a way of the first data, and how far they may be off."""
+    n, inputs, along = members.count, members.inputs, np.zeros_like(members.inputs["p"])
+    along[:, : way.shape[1]] = way
+
+    def moved(blocks: Blocks) -> Array:
+        shift = blocks["shift"]
+        count = len(shift) // n
+        here = {name: np.tile(x, (count, 1)) for name, x in inputs.items()}
+        here["p"] = here["p"] + shift * np.tile(along, (count, 1))
+        return _results(members, form, here)
+
+    still, unit = np.zeros((n, 1)), np.ones((n, 1))
+    return slope(moved, {"shift": still}, {"shift": unit}, np.ones(n))
+
+
+def _slopes(members: Members, form: str, available: Array) -> list[tuple[Array, Array, Array]]:
+    """Ways of everything that is read, data last, slopes along them, and how far they may be off.
+
+    Args:
+        members, form: Whose results.
+        available: Of every datum whether there is a derivative by it.
+    """
+    rates, way = _directions(members)
+    none = np.zeros((members.count, len(available)))
+    along = members.slope(lambda blocks: _results(members, form, blocks), rates)
+    listed = [(np.hstack([way, none]), *along)]
+    if available.any():
+        p = members.inputs["p"][:, : len(available)]
+        data = ways(members.count, len(available))[0] * np.where(p == 0, 1.0, p) * available
+        listed.append((np.hstack([0.0 * way, data]), *_by_data(members, form, data)))
+    return listed
+
+
+def _gradient(form: str, members: Members) -> float | str:
+    """A gradient of a weighted sum."""
+    value, weights, worst = members.call(form), members.inputs["v"], np.nan
+    states = _parts(members)["t"].stop
+    # NaN: there is none
+    available: Array = np.asarray(np.isfinite(value[:, states:]).all(axis=0))
+    value = np.nan_to_num(value)
+    for way, change, off in _slopes(members, form, available):
+        terms = np.abs(change * weights)
+        total, expected = (change * weights).sum(axis=-1), (value * way).sum(axis=-1)
+        error = missing(total[:, None], off, expected, terms, np.abs(value * way))
+        worst = worst_of(worst, error)
+    return worst
+
+
+def _change(form: str, members: Members) -> float | str:
+    """A change along a direction."""
+    worst, states = np.nan, _parts(members)["t"].stop
+    count = members.inputs["v"].shape[1] - states
+    gradient = GRADIENT_OF[form]
+    available: Array = np.ones(count, dtype=bool)
+    if gradient in members.codes:
+        slopes = members.weighed(gradient).call(gradient)[:, states:]
+        available = np.asarray(np.isfinite(slopes).all(axis=0))
+    for way, change, off in _slopes(members, form, available):
+        value = members.call(form, {"v": way})
+        worst = worst_of(worst, missing(change, off, value))
+    return worst
+
+
+GRADIENT_OF: Mapping[str, str] = dict(zip(CHANGES, GRADIENTS, strict=True))
+LAWS: dict[str, Callable[[Members], float | str]] = {
+    **{form: partial(_gradient, form) for form in GRADIENTS},
+    **{form: partial(_change, form) for form in CHANGES},
+}
