@@ -127,9 +127,8 @@ def _stacked(gradients: Sequence[Gradient]) -> Gradient:
     """Gradients of several runs as one."""
     names = gradients[0].slope if gradients else ()
     slopes = {name: np.array([one.slope[name] for one in gradients]) for name in names}
-    return Gradient(
-        np.array([one.value for one in gradients]), slopes, tuple(x.motion for x in gradients)
-    )
+    motions = tuple(x.motion for x in gradients if not isinstance(x.motion, tuple))
+    return Gradient(np.array([one.value for one in gradients]), slopes, motions)
 
 
 def _swept(
