@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
+import numpy as np
 from numpy.typing import ArrayLike
 
-from ...arguments import Inputs, checked
+from ...arguments import Count, Inputs, Seed, checked
+from ...arrays import Array
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT
 from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ..ensembles.sampling import Plan
 from ..simulation.alpha_methods import Alpha, GeneralizedAlpha
 from ..simulation.driving import RunSetup, chosen, driven, reported, run_setup, runner_of
 from ..simulation.run import Runner
@@ -19,6 +23,7 @@ from .adjoint import Sweep
 from .cost import Cost
 from .differentiable import check_complete, refuse, row_behind, rows_of
 from .jumps import Jumps, event_instants
+from .over_runs import OneRun, Variation, over_runs
 from .start import named_start
 from .unknowns import InputSlopes, Slope, Unknowns, unknowns
 
@@ -28,15 +33,15 @@ class Gradient:
     """A cost of a motion and its gradient; ``value, slope = gradient`` takes both.
 
     Attributes:
-        value: The cost.
+        value: The cost; of several runs (runs,).
         slope: Gradient by name: a number, or an array of the size of what it is by. Of ``"q0"`` and
-            ``"x0"`` along the speeds: (nu,) and (2 nu + nz,).
-        motion: The motion.
+            ``"x0"`` along the speeds: (nu,) and (2 nu + nz,). Of several runs (runs, ...).
+        motion: The motion; of several runs a tuple of them.
     """
 
-    value: float
+    value: float | Array
     slope: Mapping[str, Slope]
-    motion: TrajectoryRecord = field(repr=False)
+    motion: Any = field(repr=False)
 
     def __iter__(self) -> Iterator[object]:
         return iter((self.value, self.slope))
@@ -61,6 +66,9 @@ def gradient(
     max_step: float | None = None,
     inputs: Inputs | None = None,
     parameters: Values | None = None,
+    vary: Plan | Mapping[str, object] | None = None,
+    runs: Count | None = None,
+    seed: Seed = 0,
     progress: bool | Callable[[float], None] | None = None,
 ) -> Gradient:
     """The gradient of a cost of a motion, through its events, by whatever many unknowns.
@@ -76,6 +84,8 @@ def gradient(
             input ``(times, values)`` the gradient is by the values.
         x0, q, u, z, events, rtol, atol, step, max_step, inputs, parameters, progress: As
             :meth:`simulate` takes them.
+        vary, runs, seed: What differs between several runs, as :meth:`ensemble` takes it; then x0,
+            q, u, z, parameters and inputs may have values per run too.
         method: As :meth:`simulate` takes it, but Rosenbrock; ``"auto"`` takes DOP853, of
             elements Radau.
 
@@ -91,6 +101,16 @@ def gradient(
     """
     named_inputs = dict(inputs or {})
     state = {"x0": x0, "q": q, "u": u, "z": z}
+    if vary is not None or runs is not None:
+
+        def single(run: OneRun) -> Gradient:
+            return gradient(
+                run.model, t, cost, wrt=wrt, **run.state, events=events, method=method, rtol=rtol,
+                atol=atol, step=step, max_step=max_step, inputs=run.inputs, progress=False,
+            )  # fmt: skip
+
+        variation = Variation(vary, runs, seed)
+        return _together(over_runs(model, variation, t, state, named_inputs, parameters, single))
     if method == "auto":
         method = "Radau" if model.manifest.absolute else "DOP853"
     options = (method, rtol, atol, step, max_step)
@@ -101,6 +121,13 @@ def gradient(
     motion = driven(runner, setup.over, setup.begin, progress, dense=False)
     check_complete(motion, runner)
     return _swept(setup, runner, reported(motion, False), cost, names, state)
+
+
+def _together(found: Sequence[Gradient]) -> Gradient:
+    """Gradients of several runs as one."""
+    names = found[0].slope if found else ()
+    slopes = {name: np.array([one.slope[name] for one in found]) for name in names}
+    return Gradient(np.array([one.value for one in found]), slopes, tuple(x.motion for x in found))
 
 
 def _swept(

@@ -1,0 +1,85 @@
+"""Gradients of many runs that differ by starts, parameters or inputs, as those of ensembles do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...errors import CardanError
+from ...runtime.calls.parameters import Parameters
+from ...runtime.models.loaded_model import LoadedModel
+from ..ensembles.sampling import Plan
+from ..ensembles.variations import Varied, varied
+
+
+class Variation(NamedTuple):
+    """How many runs there are and what they differ by, as :func:`.ensemble` takes it.
+
+    Attributes:
+        vary: Plan, or name -> values (runs,) or a distribution.
+        runs: Number of runs.
+        seed: Of distributions.
+    """
+
+    vary: Plan | Mapping[str, object] | None
+    runs: int | None
+    seed: int
+
+
+class OneRun(NamedTuple):
+    """What a single run is made of.
+
+    Attributes:
+        model: With the parameters of the run.
+        state: x0, q, u and z.
+        inputs: By name.
+    """
+
+    model: LoadedModel
+    state: dict[str, Any]
+    inputs: dict[str, Any]
+
+
+def over_runs(
+    model: LoadedModel,
+    variation: Variation,
+    t: object,
+    state: Mapping[str, Any],
+    inputs: Mapping[str, Any],
+    parameters: Mapping[str, object] | None,
+    single: Callable[[OneRun], Any],
+) -> list[Any]:
+    """What a function gives for every run.
+
+    Raises:
+        ModelError, ArgumentError: as of ensembles. CardanError: of a run, which it names.
+    """
+    span = np.atleast_1d(np.asarray(t, dtype=float))
+    over = (float(span[0]), float(span[-1])) if len(span) > 1 else (0.0, float(span[0]))
+    variations, _ = varied(
+        model, **{name: state[name] for name in ("x0", "q", "u", "z")}, parameters=parameters,
+        inputs=inputs, sample_time=None, vary=variation.vary, runs=variation.runs,
+        seed=variation.seed, over=over,
+    )  # fmt: skip
+    results = []
+    for k, run in enumerate(_each(model, variations, inputs)):
+        try:
+            results.append(single(run))
+        except CardanError as error:
+            # which of them it was, in words of the same kind
+            raise type(error)(f"run {k}: {error}") from error
+    return results
+
+
+def _each(model: LoadedModel, variations: Varied, inputs: Mapping[str, Any]) -> Iterator[OneRun]:
+    """All runs."""
+    varying = [c for c in variations.columns if c.block == "r"]
+    for k in range(variations.runs):
+        part, own = variations.part(k, k + 1), model
+        if variations.varies_parameters:
+            own = model._with(Parameters(model.manifest, part.block("p")[0]))
+        state = {letter: part.named(letter, 0) for letter in "quz"}
+        numbers = {c.name: float(c.values[k % len(c.values), 0]) for c in varying}
+        yield OneRun(own, {"x0": None, **state}, {**inputs, **numbers})
