@@ -17,7 +17,7 @@ from ...schema.request import Request
 from ..simulation.run import Runner
 from .steps import CLOSING, MOST_STAGES, StepsAgain, check_growth, powers_at, segment_at
 
-# entries of a state for one change along a direction, from which on that costs less than a derivative
+# entries of a state per change along a direction, from which on that costs less than a derivative
 FEW = 8
 
 
