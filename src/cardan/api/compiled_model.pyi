@@ -876,6 +876,9 @@ class CompiledModel(LoadedModel):
         max_step: float | None = None,
         inputs: Inputs | None = None,
         parameters: Values | None = None,
+        vary: Plan | Mapping[str, object] | None = None,
+        runs: Count | None = None,
+        seed: Seed = 0,
         progress: bool | Callable[[float], None] | None = None,
     ) -> Gradient:
         """The gradient of a cost of a motion, through its events, by whatever many unknowns.
@@ -890,6 +893,8 @@ class CompiledModel(LoadedModel):
                 input ``(times, values)`` the gradient is by the values.
             x0, q, u, z, events, rtol, atol, step, max_step, inputs, parameters, progress: As
                 :meth:`simulate` takes them.
+            vary, runs, seed: What differs between several runs, as :meth:`ensemble` takes it; then x0,
+                q, u, z, parameters and inputs may have values per run too.
             method: As :meth:`simulate` takes it, but Rosenbrock; ``"auto"`` takes DOP853, of
                 elements Radau.
 

@@ -24,7 +24,8 @@ def test_several_runs_have_the_gradients_of_each() -> None:
     masses, angles = np.array([0.8, 1.0, 1.3]), np.array([1.0, 0.5, -0.2])
     names = ("m1", "x0", "q0.a")
     found = model.gradient(1.0, cost, wrt=names, vary={"m1": masses, "a": angles}, q={"b": 0.3})
-    assert isinstance(found.value, np.ndarray) and found.slope["x0"].shape == (3, 4)
+    assert found.value.shape == (3,)
+    assert found.slope["x0"].shape == (3, 4)
     assert len(found.motion) == 3
     for k in range(3):
         alone = model.gradient(

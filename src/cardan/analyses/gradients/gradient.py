@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -41,7 +40,7 @@ class Gradient:
 
     value: float | Array
     slope: Mapping[str, Slope]
-    motion: Any = field(repr=False)
+    motion: TrajectoryRecord | tuple[TrajectoryRecord, ...] = field(repr=False)
 
     def __iter__(self) -> Iterator[object]:
         return iter((self.value, self.slope))
@@ -105,12 +104,13 @@ def gradient(
 
         def single(run: OneRun) -> Gradient:
             return gradient(
-                run.model, t, cost, wrt=wrt, **run.state, events=events, method=method, rtol=rtol,
-                atol=atol, step=step, max_step=max_step, inputs=run.inputs, progress=False,
+                run.model, t, cost, wrt=wrt, q=run.q, u=run.u, z=run.z, events=events,
+                method=method, rtol=rtol, atol=atol, step=step, max_step=max_step,
+                inputs=run.inputs, progress=False,
             )  # fmt: skip
 
         variation = Variation(vary, runs, seed)
-        return _together(over_runs(model, variation, t, state, named_inputs, parameters, single))
+        return _stacked(over_runs(model, variation, t, state, named_inputs, parameters, single))
     if method == "auto":
         method = "Radau" if model.manifest.absolute else "DOP853"
     options = (method, rtol, atol, step, max_step)
@@ -123,11 +123,13 @@ def gradient(
     return _swept(setup, runner, reported(motion, False), cost, names, state)
 
 
-def _together(found: Sequence[Gradient]) -> Gradient:
+def _stacked(gradients: Sequence[Gradient]) -> Gradient:
     """Gradients of several runs as one."""
-    names = found[0].slope if found else ()
-    slopes = {name: np.array([one.slope[name] for one in found]) for name in names}
-    return Gradient(np.array([one.value for one in found]), slopes, tuple(x.motion for x in found))
+    names = gradients[0].slope if gradients else ()
+    slopes = {name: np.array([one.slope[name] for one in gradients]) for name in names}
+    return Gradient(
+        np.array([one.value for one in gradients]), slopes, tuple(x.motion for x in gradients)
+    )
 
 
 def _swept(

@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from ...arguments import Inputs
 from ...errors import CardanError
 from ...runtime.calls.parameters import Parameters
 from ...runtime.models.loaded_model import LoadedModel
 from ..ensembles.sampling import Plan
 from ..ensembles.variations import Varied, varied
+
+Block = Mapping[str, ArrayLike] | ArrayLike | None
+R = TypeVar("R")
 
 
 class Variation(NamedTuple):
@@ -33,24 +38,26 @@ class OneRun(NamedTuple):
 
     Attributes:
         model: With the parameters of the run.
-        state: x0, q, u and z.
+        q, u, z: Its start, as of ``simulate``.
         inputs: By name.
     """
 
     model: LoadedModel
-    state: dict[str, Any]
-    inputs: dict[str, Any]
+    q: Block
+    u: Block
+    z: Block
+    inputs: Inputs
 
 
 def over_runs(
     model: LoadedModel,
     variation: Variation,
     t: object,
-    state: Mapping[str, Any],
-    inputs: Mapping[str, Any],
+    state: Mapping[str, object],
+    inputs: Inputs,
     parameters: Mapping[str, object] | None,
-    single: Callable[[OneRun], Any],
-) -> list[Any]:
+    single: Callable[[OneRun], R],
+) -> list[R]:
     """What a function gives for every run.
 
     Raises:
@@ -73,13 +80,13 @@ def over_runs(
     return results
 
 
-def _each(model: LoadedModel, variations: Varied, inputs: Mapping[str, Any]) -> Iterator[OneRun]:
+def _each(model: LoadedModel, variations: Varied, inputs: Inputs) -> Iterator[OneRun]:
     """All runs."""
-    varying = [c for c in variations.columns if c.block == "r"]
+    columns = [c for c in variations.columns if c.block == "r"]
     for k in range(variations.runs):
-        part, own = variations.part(k, k + 1), model
+        part, model_of_run = variations.part(k, k + 1), model
         if variations.varies_parameters:
-            own = model._with(Parameters(model.manifest, part.block("p")[0]))
-        state = {letter: part.named(letter, 0) for letter in "quz"}
-        numbers = {c.name: float(c.values[k % len(c.values), 0]) for c in varying}
-        yield OneRun(own, {"x0": None, **state}, {**inputs, **numbers})
+            model_of_run = model._with(Parameters(model.manifest, part.block("p")[0]))
+        q, u, z = (part.named(letter, 0) for letter in "quz")
+        numbers = {c.name: float(c.values[k % len(c.values), 0]) for c in columns}
+        yield OneRun(model_of_run, q, u, z, {**inputs, **numbers})
