@@ -17,6 +17,9 @@ from ...schema.request import Request
 from ..simulation.run import Runner
 from .steps import CLOSING, MOST_STAGES, StepsAgain, check_growth, powers_at, segment_at
 
+# entries of a state per change along a direction, from which on that costs less than a derivative
+FEW = 8
+
 
 @dataclass(frozen=True)
 class Directions:
@@ -71,12 +74,11 @@ class Tangents(StepsAgain):
         by_named = directions.p[:, [names.index(name) for name in named]]
         # what runs project onto constraints by is differentiated like every step
         closing = runner.closing
-        keys = {"rates": ("derivative", self.request("rhs"))}
-        keys |= {
-            name: ("derivative", self.request(name))
-            for name in closing.functions
-            if name in CLOSING
-        }
+        # few changes of many elements are found one by one, others by all columns of a derivative
+        pushed = model.manifest.absolute and not self.steps.kind and FEW * k < model.nx
+        record.pushed, row = int(pushed), "jvp" if pushed else "derivative"
+        keys = {"rates": (row, self.request("rhs"))}
+        keys |= {name: (row, self.request(name)) for name in closing.functions if name in CLOSING}
         functions = dict(zip(keys, model._load(list(keys.values())), strict=True))
         self.call(record, functions)
         record.columns, record.named = k, len(named)
@@ -85,7 +87,7 @@ class Tangents(StepsAgain):
         rooms = {
             "by_named": by_named, "by_input": directions.r,
             "by_coefficients": directions.coefficients,
-            "by_s": self.by_s, "moved": np.zeros(model.nx + model.ns + model.nr + 1),
+            "by_s": self.by_s, "moved": np.zeros(model.nx + model.ns + model.nr + len(named) + 1),
             "rising": np.zeros(MOST_STAGES * k * model.nx), "out": np.zeros(longest),
             "coupled": np.zeros(max(self.steps.stages, k) * model.nx),
         }  # fmt: skip

@@ -47,11 +47,36 @@ static void multiply(const cardan_tangent *tangent, ptrdiff_t column, ptrdiff_t 
             change[i] += named[k] * by[i];
 }
 
-/* The derivative of a function at t, x. */
+/* The same at t, x, with a derivative or by a function that gives the change along the column. */
+static int change_along(const cardan_tangent *tangent, const cardan_call *call, real t, const real *x,
+                        ptrdiff_t column, ptrdiff_t rows, ptrdiff_t taken, real *change)
+{
+    const cardan_run *run = tangent->steps->run;
+    cardan_in in = cardan_step_in(tangent->steps, &t, x);
+    real *named = tangent->moved + run->nx + run->ns + run->nr;
+
+    if (!tangent->pushed) {
+        multiply(tangent, column, rows, taken, change);
+        return 0;
+    }
+    for (ptrdiff_t k = 0; k < tangent->named; k++)
+        named[k] = tangent->by_named[column * tangent->named + k];
+    in.v = tangent->moved;
+    in.w = call->w;
+    if (call->function(&in, tangent->out, tangent->steps->work) != 0)
+        return CARDAN_MODEL;
+    for (ptrdiff_t i = 0; i < taken; i++)
+        change[i] = tangent->out[i];
+    return 0;
+}
+
+/* The derivative of a function at t, x, where there is one for all columns. */
 static int derivative(const cardan_tangent *tangent, const cardan_call *call, real t, const real *x)
 {
     cardan_in in = cardan_step_in(tangent->steps, &t, x);
 
+    if (tangent->pushed)
+        return 0;
     in.w = call->w;
     return call->function(&in, tangent->out, tangent->steps->work) == 0 ? 0 : CARDAN_MODEL;
 }
@@ -138,7 +163,9 @@ static int step(const cardan_tangent *tangent, real t, real h, const real *old, 
             }
             cardan_stage_lengths(steps, s, tangent->moved);
             complete(tangent, k, time);
-            multiply(tangent, k, nx, nx, tangent->rising + s * size + k * nx);
+            if (change_along(tangent, &tangent->rates, time, steps->states + s * nx, k, nx, nx,
+                             tangent->rising + s * size + k * nx) != 0)
+                return CARDAN_MODEL;
         }
     }
     for (ptrdiff_t k = 0; k < tangent->columns && coupled && status == 0; k++)
@@ -159,7 +186,8 @@ static int project(const cardan_tangent *tangent, const cardan_call *call, real 
         for (ptrdiff_t i = 0; i < nx; i++)
             tangent->moved[i] = changes[k * nx + i];
         complete(tangent, k, t);
-        multiply(tangent, k, size + rows, size, changes + k * nx + first);
+        if (change_along(tangent, call, t, x, k, size + rows, size, changes + k * nx + first) != 0)
+            return CARDAN_MODEL;
     }
     return 0;
 }
@@ -210,7 +238,8 @@ static int pass_sweep(const cardan_tangent *tangent, real t, real h, const real 
             for (ptrdiff_t i = 0; i < nx; i++)
                 tangent->moved[i] = tangent->coupled[k * nx + i];
             complete(tangent, k, time);
-            multiply(tangent, k, nx, nx, steps->end);
+            if (change_along(tangent, &tangent->rates, time, x, k, nx, nx, steps->end) != 0)
+                return CARDAN_MODEL;
             for (ptrdiff_t i = 0; i < nx; i++) {
                 real *by = rising + k * nx + i;
                 *change = fmax(*change, fabs(h * (steps->end[i] - *by)));

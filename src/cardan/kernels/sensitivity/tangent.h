@@ -15,6 +15,7 @@
  * for each with a row for every result, then along `named` parameters, a vector for each. */
 typedef struct cardan_tangent {
     struct cardan_steps *steps;
+    ptrdiff_t pushed;           /* 1: the functions are changes along a direction, called for each */
     cardan_call rates;          /* derivative of rhs (nx) */
     cardan_call close_position; /* of close_position (nq + positions), NULL without constraints */
     cardan_call close_velocity; /* of close_velocity (nu + rates) */
