@@ -153,7 +153,7 @@ class Trial:
             return {"x0": x, "q": None, "u": None, "z": None}
         entries = dict(zip((*model.coordinates, *model.speeds), x.tolist(), strict=False))
         blocks = {b: {n: entries[n] for n in locked[b] if number == 0} for b in "qu"}
-        return {"x0": None, **blocks, "z": None}
+        return {"x0": None, **blocks, "z": None, "next_to": x}
 
     def run(self, number: int, x: Array) -> NodeRun:
         """The run over a segment from a state (nx,); its steps end at the samples.

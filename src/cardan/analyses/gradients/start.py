@@ -154,13 +154,19 @@ def named_start(
     unknowns: Unknowns,
     wide: bool,
 ) -> NamedStart | StartByDifferences:
-    """The derivatives at the start of a run, see :meth:`NamedStart.of`."""
+    """The derivatives at the start of a run, see :meth:`NamedStart.of`.
+
+    ``state["next_to"]``: a state (nx,) next to which loops are closed, not that of the scene.
+    """
     if setup.model.manifest.absolute:
         return StartByDifferences.of(setup, steps, state, s, unknowns)
     begin = NamedStart.of(setup, steps, state, s, wide)
     levels = [level for level in (begin.positions, begin.speeds) if level is not None]
-    by_names = state["x0"] is None and all(
-        state[letter] is None or isinstance(state[letter], Mapping) for letter in "qu"
+    # a start next to a state that nearly closes moves with that alone
+    by_names = (
+        state["x0"] is None
+        and "next_to" not in state
+        and all(state[letter] is None or isinstance(state[letter], Mapping) for letter in "qu")
     )
     if by_names and not all(level.unique for level in levels):
         # which of many starts it is depends on more than constraints
