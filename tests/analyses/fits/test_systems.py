@@ -7,7 +7,8 @@ import pytest
 from scipy.optimize import least_squares
 
 import cardan as cd
-from cardan.errors import ModelError
+from cardan.analyses.fits import shooting
+from cardan.errors import ModelError, SolveError
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-14, "method": "DOP853"}
 
@@ -111,3 +112,14 @@ def test_a_ball_joint_from_positions() -> None:
         assert 0 < found.standard_errors[f"q0 along {name}"] < 1e-3
     assert found.start[:4] @ found.start[:4] == pytest.approx(1.0, abs=1e-12)
     assert "nan" not in str(found)
+
+
+def test_parameters_without_sense_do_not_fill_the_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = cd.Scene("spring", gravity=(0, 0, 0))
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
+    scene.force("spring", cd.JointSpring("x", stiffness=scene.parameter("k", 5e9)))
+    t = np.linspace(0, 10, 51)
+    data = {"t": t, "x": np.cos(np.sqrt(5) * t)}
+    monkeypatch.setattr(shooting, "MOST_STEPS", 2000)
+    with pytest.raises(SolveError, match=r"more than 2,000 steps .*bounds="):
+        cd.compile(scene).fit(data, unknown="k", q={"x": 1.0}, u={"x": 0.0})

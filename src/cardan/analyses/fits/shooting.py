@@ -62,6 +62,9 @@ class NodeRun:
     moved: Array
 
 
+MOST_STEPS = 100_000  # of the run over a segment
+
+
 @dataclass(frozen=True)
 class Shooting:
     """Multiple shooting over measured samples.
@@ -166,7 +169,9 @@ class Trial:
         times = self.shooting.samples.t[first : last + 1]
         over = Span(float(times[0]), float(times[-1]), stops=tuple(times[1:-1].tolist()))
         begin = self.begin(number, x)
-        motion = self._runs.run(over, begin, self._named(number, x), dense=False)
+        motion = self._runs.run(
+            over, begin, self._named(number, x), progress=self._watch, dense=False
+        )
         # the sample at the next node belongs to the next segment
         rows = slice(None, None if number + 2 == len(nodes) else -1)
         assert isinstance(motion.sensitivity, Sensitivities)
@@ -176,6 +181,14 @@ class Trial:
         s = motion.event_log.s.reshape(len(motion.t), -1)[places]
         end, moved = states[-1], changes[-1]
         return NodeRun(first, begin.x, states[rows], r[rows], s[rows], changes[rows], end, moved)
+
+    def _watch(self, done: float) -> None:
+        """End a run that parameters without sense, such as a negative mass, let go astray."""
+        if self._runs.steps > MOST_STEPS:
+            raise SolveError(
+                f"fit: a run takes more than {MOST_STEPS:,} steps for {100 * done:.0f} % of a "
+                "segment. Give bounds= to the parameters, or more segments"
+            )
 
     def segments(self, runs: Sequence[NodeRun]) -> list[Segment]:
         """What runs over segments that follow each other say; channels of all at once.

@@ -178,6 +178,11 @@ class SensitiveRuns:
         directions, self._parts = _directions(setup, listed)
         self._tangents = Tangents(self._runner, directions)
 
+    @property
+    def steps(self) -> int:
+        """Steps of the last run, or so far of the one that is under way."""
+        return int(self._runner.record.steps)
+
     def run(
         self,
         over: Span,
