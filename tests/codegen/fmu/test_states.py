@@ -167,6 +167,8 @@ CONSTANT = frozenset(
         *("quaternion_count", "bounded_count", "sampled", "charted", "positions", "rates"),
         *("stages", "dense_rows", "rtol", "atol", "max_step", "on_grid", "budget", "stop"),
         *("time_count", "next_time", "capacity", "count", "log_capacity", "log_count"),
+        # nobody differentiates an FMU: steps over singular positions are not noted there
+        *("pass_capacity", "pass_count"),
     }
 )
 

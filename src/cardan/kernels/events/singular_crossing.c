@@ -314,7 +314,9 @@ static real nearer(real error)
 /* Note the step over a place that begins, for those who differentiate it. */
 static void note(cardan_run *run)
 {
-    if (run->passes && run->pass_count < run->pass_capacity) {
+    if (!run->passes)
+        return;
+    if (run->pass_count < run->pass_capacity) {
         real *row = run->passes + 3 * run->pass_count;
         row[0] = run->pass_start;
         row[1] = run->pass_length;

@@ -174,7 +174,7 @@ struct cardan_run {
     ptrdiff_t constraint_rank, ranks;    /* constraints that hold; how often their number has changed */
     ptrdiff_t pass_points, pass_part, pass_parts;
     real *passes; /* (pass_capacity, 3) of such steps: start, length, points; NULL: not noted */
-    ptrdiff_t pass_capacity, pass_count; /* count: of all, noted or not */
+    ptrdiff_t pass_capacity, pass_count; /* count: of all, beyond the capacity too */
 
     /* rows that come out: t, y, r, s, lam */
     real *rows;    /* (capacity, 1 + n + nr + ns + nlam) */
