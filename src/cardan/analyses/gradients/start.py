@@ -17,10 +17,12 @@ from ...runtime.calls.methods import ByName
 from ...runtime.models.constraint_projection import columns_of
 from ...runtime.models.loaded_model import LoadedModel
 from ..simulation.driving import RunSetup
+from ..simulation.settings import start
 from .start_by_differences import StartByDifferences
 from .steps import StepsAgain
 from .unknowns import Unknowns
 
+CLOSED = 1e-9  # changes that close loops up to which a start was closed as it was named
 RANK = 1e-9  # of the largest singular value: rows that say nothing new
 
 
@@ -161,15 +163,16 @@ def named_start(
     if setup.model.manifest.absolute:
         return StartByDifferences.of(setup, steps, state, s, unknowns)
     begin = NamedStart.of(setup, steps, state, s, wide)
-    levels = [level for level in (begin.positions, begin.speeds) if level is not None]
-    # a start next to a state that nearly closes moves with that alone
-    by_names = (
-        state["x0"] is None
-        and "next_to" not in state
-        and all(state[letter] is None or isinstance(state[letter], Mapping) for letter in "qu")
+    by_names = state["x0"] is None and all(
+        state[letter] is None or isinstance(state[letter], Mapping) for letter in "qu"
     )
-    if by_names and not all(level.unique for level in levels):
-        # which of many starts it is depends on more than constraints
+    if not by_names or "next_to" in state:
+        return begin
+    model, nq = setup.model, setup.model.nq
+    moved = np.abs(setup.begin.x - start(model, None, state["q"], state["u"], state["z"]).x)
+    parts = ((begin.positions, moved[:nq]), (begin.speeds, moved[nq : nq + model.nu]))
+    if any(level and not level.unique and part.max() > CLOSED for level, part in parts):
+        # which of many starts it is depends on distances, and these on more than constraints
         return StartByDifferences.of(setup, steps, state, s, unknowns)
     return begin
 

@@ -18,8 +18,9 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from ...arrays import Array
-from ...errors import ModelError
+from ...errors import ModelError, SolveError
 from ...runtime.calls.methods import ByName
+from ...runtime.models.constraint_projection import columns_of, size_of
 from ...runtime.models.finite_elements.joint_driven_nodes import SAVED, leading
 from ...runtime.models.finite_elements.table_loading import entries_read, tables_of
 from ...runtime.models.loaded_model import LoadedModel
@@ -32,8 +33,10 @@ from ..simulation.starts.start import closed_start, named_of
 from .steps import CLOSING, StepsAgain
 from .unknowns import Unknowns, start_blocks, start_places
 
-# of an angle, of the size of a coordinate or of a parameter
-STEP = 1e-2
+# first step of differences, of an angle, of the size of a coordinate or of a parameter; each is so
+# much of the one before, until two of them agree
+STEP, SHORTER, STEPS = 1e-2, 0.2, 6
+AGREED, POOR = 1e-9, 1e-5  # relative: enough, and what is refused
 Names: TypeAlias = Mapping[str, object]
 
 
@@ -52,13 +55,40 @@ class Move(NamedTuple):
     size: float = 1.0
     linear: bool = False
 
-    def slope(self) -> Array:
-        """Derivative of the start (nx,)."""
+    def slope(self) -> Array | None:
+        """Derivative of the start (nx,); None where no start can be found beside it.
+
+        Raises:
+            SolveError: differences by several steps do not agree.
+        """
         if self.linear:
             return 0.5 * (self.at(1.0) - self.at(-1.0))
-        steps = STEP * self.size * np.outer([1.0, -1.0], REACH)
+        found, best, error = None, None, np.inf
+        for k in range(STEPS):
+            try:
+                shorter = self._by(STEP * SHORTER**k * self.size)
+            except ModelError:
+                # beyond a limit of what can be assembled, perhaps
+                continue
+            if found is not None:
+                off = float(np.abs(shorter - found).max(initial=0.0))
+                off /= max(float(np.abs(shorter).max(initial=0.0)), 1e-300)
+                best, error = (shorter, off) if off < error else (best, error)
+            if error <= AGREED or not np.any(shorter):
+                return shorter
+            found = shorter
+        if best is not None and error > POOR:
+            raise SolveError(
+                "gradient: the start is next to a place where loops can hardly be closed, and how "
+                "it moves is not known. Name another coordinate at the start"
+            )
+        return found if best is None else best
+
+    def _by(self, step: float) -> Array:
+        """Derivative by differences of a step."""
+        steps = step * np.outer([1.0, -1.0], REACH)
         ahead, behind = ([self.at(float(x)) for x in row] for row in steps)
-        return central(np.array(ahead), np.array(behind)) / (STEP * self.size)
+        return central(np.array(ahead), np.array(behind)) / step
 
 
 @dataclass(frozen=True)
@@ -206,7 +236,11 @@ class StartByDifferences:
 
     @cached_property
     def _columns(self) -> dict[tuple[str, int], Array]:
-        """Derivatives (nx,) of the start by what may be named, by inputs and by parameters."""
+        """Derivatives (nx,) of the start by what may be named, by inputs and by parameters.
+
+        Raises:
+            SolveError: the start has none.
+        """
         columns = dict[tuple[str, int], Array]()
         with warnings.catch_warnings():
             # those of the start itself were given
@@ -214,12 +248,14 @@ class StartByDifferences:
             for move in (*self._along(), *self._by_inputs(), *self._by_parameters()):
                 if not self._counts(*move.key):
                     continue
-                try:
-                    column = move.slope()
-                except ModelError:
-                    # loops decide where it is: it follows what was named
-                    continue
-                if np.any(column):
+                column = move.slope()
+                if column is None and self._is_named(*move.key):
+                    raise SolveError(
+                        "gradient: loops cannot be closed beside the start as it was named, by "
+                        f"{self._word(*move.key)}. Name fewer coordinates"
+                    )
+                # where loops decide what it is, it follows what was named
+                if column is not None and np.any(column):
                     columns[move.key] = column
         return columns
 
@@ -258,35 +294,52 @@ class StartByDifferences:
         nu, absolute = model.nu, model.manifest.absolute
         q, u, _ = model.parts_of(self.setup.begin.x)
         leads = leading(model) if absolute else np.zeros(nu, dtype=bool)
+        units = columns_of(model, size_of(model))
         for joint in model.manifest.joints:
-            named = {
-                letter: any(self._of(name, letter, joint) for name in self._names(letter))
-                for letter in "qu"
-            }
             for k in range(nu)[_part(joint, "u")]:
-                if leads[k] or named["q"]:
+                if leads[k] or self._is_named("x", k):
 
                     def moved(h: float, k: int = k, joint: JointRow = joint) -> Array:
-                        block = model.integrate(q, h * np.eye(nu)[k])[_part(joint, "q")]
-                        return self._start(q=self._renamed("q", joint, block))
+                        place = model.integrate(q, h * np.eye(nu)[k])
+                        return self._start(q=self._renamed("q", joint, place))
 
-                    yield Move(("x", k), moved)
-                if leads[k] or named["u"]:
+                    yield Move(("x", k), moved, float(units[k]))
+                if leads[k] or self._is_named("x", nu + k):
 
                     def faster(h: float, k: int = k, joint: JointRow = joint) -> Array:
-                        block = (u + h * np.eye(nu)[k])[_part(joint, "u")]
-                        return self._start(u=self._renamed("u", joint, block))
+                        return self._start(u=self._renamed("u", joint, u + h * np.eye(nu)[k]))
 
                     yield Move(("x", nu + k), faster, linear=True)
                 # what nobody named begins next to the start of the scene
-                for n, letter in enumerate("qu" if not absolute else ""):
-                    if not named[letter]:
+                for n in range(2 if not absolute else 0):
+                    if not self._is_named("x", n * nu + k):
                         unit = np.eye(2 * nu)[n * nu + k]
 
                         def started(h: float, unit: Array = unit) -> Array:
                             return self._start(along=h * unit)
 
-                        yield Move(("x", n * nu + k), started, linear=n == 1)
+                        yield Move(("x", n * nu + k), started, float(units[k]), linear=n == 1)
+
+    def _is_named(self, block: str, k: int) -> bool:
+        """True where a direction of the start (2 nu) moves an entry that was named."""
+        nu = self.model.nu
+        if block != "x" or k >= 2 * nu:
+            return False
+        letter, k = ("q", k) if k < nu else ("u", k - nu)
+        joint = next(x for x in self.model.manifest.joints if k in range(nu)[_part(x, "u")])
+        entries, speeds = _part(joint, letter), _part(joint, "u")
+        if entries.stop - entries.start == speeds.stop - speeds.start:
+            # each entry has a speed of its own
+            first = entries.start + k - speeds.start
+            entries = slice(first, first + 1)
+        slots = self.model.manifest.slots(letter)
+        named = (slots[name] for name in self._names(letter) if name in slots)
+        return any(x.start < entries.stop and entries.start < x.stop for x in named)
+
+    def _word(self, block: str, k: int) -> str:
+        """What a direction of the start is called."""
+        nu = self.model.nu
+        return f"speed '{self.model.speeds[k - nu]}'" if k >= nu else f"'{self.model.speeds[k]}'"
 
     def _names(self, letter: str) -> Names:
         """What was named of coordinates or speeds."""
@@ -300,10 +353,13 @@ class StartByDifferences:
         return slot is not None and bool(place.start <= slot.start < place.stop)
 
     def _renamed(self, letter: str, joint: JointRow, block: Array) -> Names:
-        """What was named, with a joint as a whole."""
-        names = self._names(letter).items()
-        remaining = {n: value for n, value in names if not self._of(n, letter, joint)}
-        return {**remaining, joint.name: block if len(block) > 1 else float(block[0])}
+        """What was named, with the entries of a joint as in a block: all of them if it was not."""
+        names, slots = dict(self._names(letter)), self.model.manifest.slots(letter)
+        own = [name for name in names if self._of(name, letter, joint)]
+        for name in own or [joint.name]:
+            values = block[slots[name]]
+            names[name] = values if len(values) > 1 else float(values[0])
+        return names
 
     def _by_inputs(self) -> Iterator[Move]:
         """Starts at other inputs, of those that geometry reads."""
@@ -323,7 +379,8 @@ class StartByDifferences:
             def at(h: float, name: str = name, value: float = value) -> Array:
                 return self._start(model=model.with_parameters({name: value + h}))
 
-            yield Move(("p", k), at, abs(value) or 1.0)
+            # one that is 0 may be a length
+            yield Move(("p", k), at, abs(value) or min(1.0, size_of(model)))
 
     def _read(self, block: str) -> set[int]:
         """Entries of a block that the places of nodes and constraints depend on."""
