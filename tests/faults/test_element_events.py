@@ -56,7 +56,7 @@ def test_accelerations_are_solved_for_only_where_a_value_reads_them() -> None:
     mesh = model._source.results(model).mesh
     marks = []
     for mode in (0.0, LYING):
-        at = model._source.results(model)._at({"q": q, "u": u, "s": np.array([mode])})
+        at = model._source.results(model).state({"q": q, "u": u, "s": np.array([mode])})
         (values,) = mesh.results("signs", at)
         marks.append(values[0, -1])
     assert marks == [0.0, 1.0]

@@ -27,12 +27,12 @@ SIZES = ("n", "nx", "nq", "nr", "ns", "signal_count", "tick_count", "stages", "d
 FROM_MODEL = (
     *("nq", "nu", "nz", "nx", "n", "nr", "ns", "nlam", "signal_count", "quaternion_count"),
     *("bounded_count", "sampled", "charted", "positions", "rates", "ne", "watched", "tick_count"),
-    *("stages", "dense_rows", "jumps", "rtol", "atol", "max_step", "on_grid"),
+    *("stages", "dense_rows", "jumps", "rtol", "atol", "max_step", "on_grid", "pass_capacity"),
 )
 # what belongs to a process, or to the room that rows have there
 OF_PROCESS = (
     *("capacity", "count", "log_capacity", "log_count", "stop_count", "next_stop"),
-    *("time_count", "next_time", "budget", "stop"),
+    *("time_count", "next_time", "budget", "stop", "pass_count"),
 )
 
 

@@ -209,6 +209,7 @@ def test_a_fault_in_a_law_of_elements_is_no_missing_function(
 
     table = SimpleNamespace(kind=SimpleNamespace(parts={}))
     here = SimpleNamespace(codes={"energy": None}, table=table, in_all_modes=None)
+    here.weighed = lambda form: here
     monkeypatch.setattr(elements, "_text", lambda members, form: 0.0)
     monkeypatch.setitem(elements.LAWS, "energy", needing)
     assert list(elements.check_kinds(here)) == [("energy", 0.0, "needs 'momentum'")]  # type: ignore[arg-type]
