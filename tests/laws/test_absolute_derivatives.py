@@ -109,7 +109,7 @@ def slice_of(first: int) -> slice:
 @each("name", SCENES)
 def test_derivatives(name: str) -> None:
     """Columns are slopes; products with weights and along directions are those of columns."""
-    model, state = model_of(name), state_of(name)
+    model, state, compared = model_of(name), state_of(name), set()
     for function in FUNCTIONS_OF:
         result = value(name, function, state) if available(model, function) else np.zeros(0)
         if not result.size:
@@ -125,12 +125,15 @@ def test_derivatives(name: str) -> None:
             expected, off = along(name, function, block, way)
             error = missing(expected, off, (D @ way)[None], np.abs(D * way).max(initial=0))
             assert np.isnan(error) or error <= BOUND, (function, block)
+            # differences that rounding blurs say nothing
+            compared |= set() if np.isnan(error) else {(function, block)}
             size = np.abs(weights[:, None] * D).max(initial=1e-30)
             assert np.abs(weights @ D - product).max() <= ROUNDING * size, (function, block)
             direction = way if block != "t" else float(way[0])
             change = np.ravel(model.jvp(function, wrt=block)(**at, direction=direction))
             size = np.abs(D * way).max(initial=1e-30) + 1e-5 * np.abs(result).max()
             assert np.abs(change - D @ way).max() <= ROUNDING * size, (function, block)
+    assert compared >= {("forward_dynamics", "q"), ("rhs", "u"), ("energy", "q")}
 
 
 def available(model: cd.CompiledModel, function: str) -> bool:

@@ -844,7 +844,7 @@ class CompiledModel(LoadedModel):
             seeds: ``"identify"``: unknown masses, inertias and coefficients of forces begin with what
                 :meth:`identify` says of the measured coordinates and the inputs, however far off their
                 values are; or an identification, such as ``model.identify(data, cutoff=10)``.
-            q, u, z: Start at the first sample, where the search begins; what is no unknown stays.
+            q, u, z: Start at the first sample, where the search begins; what is not unknown stays.
             inputs: As :meth:`simulate` takes them; else columns of data with their names.
             parameters, method, rtol, progress: As :meth:`simulate` takes them.
             most: Iterations.

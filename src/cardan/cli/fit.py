@@ -76,9 +76,9 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                      default=[], help="value of a parameter, or first one")  # fmt: skip
     run.add_argument("--input", metavar="NAME=COLUMN", type=pair, action="append", default=[],
                      help="input by a column, or a number")  # fmt: skip
-    run.add_argument("--method", metavar="NAME", default="DOP853",
+    run.add_argument("--method", metavar="NAME",
                      help="integrator (default DOP853)")  # fmt: skip
-    run.add_argument("--rtol", type=run_options.positive, default=1e-9,
+    run.add_argument("--rtol", type=run_options.positive,
                      help="relative tolerance per step (default 1e-9)")  # fmt: skip
     results = parser.add_argument_group("results")
     results.add_argument("-o", "--output", metavar="RUN.nc", type=run_options.motion,
@@ -114,8 +114,8 @@ def run(options: argparse.Namespace) -> int:
             z=z,
             inputs=_inputs(options),
             parameters=dict(options.set) or None,
-            method=options.method,
-            rtol=options.rtol,
+            method=options.method or scene.settings.get("method", "DOP853"),
+            rtol=options.rtol or scene.settings.get("rtol", 1e-9),
             most=options.most,
             progress=lambda part: show("fitting", part),
         )
@@ -187,6 +187,7 @@ def numbers(fit: Fit) -> dict[str, object]:
             for name in fit.names
         },
         "undetermined": list(fit.undetermined),
+        "at_bounds": list(fit.at_bounds),
         "correlation": [[finite(x) for x in row] for row in fit.correlation],
         "start": dict(zip(_entries(fit), fit.start.tolist(), strict=True)),
         "sigma": fit.sigma,

@@ -220,7 +220,7 @@ def test_wrong_samples_and_bounds() -> None:
 def test_what_makes_no_sense_is_refused() -> None:
     model = pendulum()
     data = measured(model, 1e-3, 5)
-    with pytest.raises(ModelError, match=r"'w' is no parameter and no start"):
+    with pytest.raises(ModelError, match=r"'w' is neither a parameter nor a start"):
         model.fit(data, unknown="w")
     with pytest.raises(ArgumentError, match="no column 't'"):
         model.fit({"y": data["y"]}, unknown="w2")

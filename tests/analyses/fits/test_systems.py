@@ -8,7 +8,7 @@ from scipy.optimize import least_squares
 
 import cardan as cd
 from cardan.analyses.fits import shooting
-from cardan.errors import ModelError, SolveError
+from cardan.errors import ArgumentError, ModelError, SolveError
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-14, "method": "DOP853"}
 
@@ -123,3 +123,35 @@ def test_parameters_without_sense_do_not_fill_the_memory(monkeypatch: pytest.Mon
     monkeypatch.setattr(shooting, "MOST_STEPS", 2000)
     with pytest.raises(SolveError, match=r"more than 2,000 steps .*bounds="):
         cd.compile(scene).fit(data, unknown="k", q={"x": 1.0}, u={"x": 0.0})
+
+
+def pendulum_data() -> tuple[cd.CompiledModel, np.ndarray, np.ndarray]:
+    scene = cd.Scene("pendulum", gravity=(0, 0, -9.81))
+    length = scene.parameter("L", 1.2)
+    bar = scene.body("bar", mass=1.0, com=(0, 0, -length / 2), inertia=(0.1, 0.1, 0.01))
+    scene.joint("h", cd.Revolute("y"), scene.ground, bar)
+    model, t = cd.compile(scene), np.linspace(0, 2, 41)
+    return model, t, model.simulate(t, q={"h": 1.0}, parameters={"L": 1.0})["h"]
+
+
+def test_what_a_bound_holds_is_not_known_exactly() -> None:
+    model, t, h = pendulum_data()
+    found = model.fit({"t": t, "h": h}, unknown=("L", "q0.h"), bounds={"L": (1.1, 2.0)})
+    assert found.at_bounds == ("L",)
+    assert found.values["L"] == 1.1
+    assert found.standard_errors["L"] == np.inf
+    assert "L is held by its bound" in repr(found)
+
+
+def test_samples_are_more_than_unknowns_and_in_units_of_the_model() -> None:
+    model, t, h = pendulum_data()
+    with pytest.raises(ArgumentError, match="2 samples do not tell 3 unknowns"):
+        model.fit({"t": t[:2], "h": h[:2]}, unknown=("L", "q0.h", "u0.h"))
+    with pytest.raises(ArgumentError, match=r"'t \[ms\]': 't' is in s"):
+        model.fit({"t [ms]": 1e3 * t, "h": h}, unknown="L")
+    with pytest.raises(ArgumentError, match=r"'angle \[deg\]': 'angle' is in rad"):
+        model.fit({"t": t, "angle [deg]": h}, unknown="L", measured={"h": "angle"})
+    found = model.fit({"t [s]": t, "h [rad]": h}, unknown="L", q={"h": 1.0})
+    assert found.values["L"] == pytest.approx(1.0, rel=1e-6)
+    with pytest.raises(ModelError, match="'elbow'"):
+        model.fit({"t": t, "h": h}, unknown="L", q={"elbow": 1.0})

@@ -77,11 +77,13 @@ class Solved:
         covariance: Of them, for residuals of variance 1 (free, free); infinite where the data do
             not tell.
         untold: Combinations that the data do not tell (k, free), of length 1 in their units.
+        fixed: True for unknowns that bounds hold (free,): nothing is known of their errors.
     """
 
     step: Array
     covariance: Array
     untold: Array
+    fixed: NDArray[np.bool_]
 
 
 def solved(problem: Condensed, units: Array, fixed: NDArray[np.bool_], weights: Array) -> Solved:
@@ -114,4 +116,5 @@ def solved(problem: Condensed, units: Array, fixed: NDArray[np.bool_], weights: 
         directions = np.linalg.svd(missing)[0][:, : round(float(np.trace(missing)))].T
         untold = np.zeros((len(directions), len(units)))
         untold[:, moving] = directions
-    return Solved(step, covariance, untold)
+    covariance[fixed, fixed] = np.inf
+    return Solved(step, covariance, untold, fixed)

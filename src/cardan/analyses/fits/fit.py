@@ -15,7 +15,7 @@ from ...runtime.models.loaded_model import LoadedModel
 from ..gradients.unknowns import start_blocks, start_places
 from ..identification.base_parameters import circuits
 from ..identification.result import IdentificationRecord
-from ..simulation.settings import Values
+from ..simulation.settings import Values, start
 from .division import divided
 from .nodes import Begin, first_states, locked_names, nodes_of
 from .record import FitRecord
@@ -69,7 +69,7 @@ def fit(
         seeds: ``"identify"``: unknown masses, inertias and coefficients of forces begin with what
             :meth:`identify` says of the measured coordinates and the inputs, however far off their
             values are; or an identification, such as ``model.identify(data, cutoff=10)``.
-        q, u, z: Start at the first sample, where the search begins; what is no unknown stays.
+        q, u, z: Start at the first sample, where the search begins; what is not unknown stays.
         inputs: As :meth:`simulate` takes them; else columns of data with their names.
         parameters, method, rtol, progress: As :meth:`simulate` takes them.
         most: Iterations.
@@ -97,6 +97,8 @@ def fit(
     limits = _bounds(chosen, bounds)
     nodes = nodes_of(samples, segments)
     begin = (q, u, z)
+    # names that there are not are told here
+    start(model, None, *begin)
     locked = locked_names(model, begin, free)
     shooting = Shooting(model, samples, nodes, chosen, inputs, method, rtol, locked)
     if seeds is not None:
@@ -147,7 +149,8 @@ def _unknowns(model: LoadedModel, unknown: str | Sequence[str]) -> tuple[tuple[s
         else:
             candidates = [*model.parameters, *places]
             raise ModelError(
-                f"fit: unknown: '{name}' is no parameter and no start.{near(name, candidates)}"
+                f"fit: unknown: '{name}' is neither a parameter nor a start."
+                f"{near(name, candidates)}"
             )
     if not names:
         raise ArgumentError("fit: unknown is empty; name parameters or starts, such as 'q0'")
@@ -159,7 +162,7 @@ def _bounds(chosen: tuple[str, ...], bounds: Mapping[str, Sequence[float]] | Non
     for name, pair in (bounds or {}).items():
         if name not in chosen:
             raise ArgumentError(
-                f"fit: bounds: '{name}' is no unknown parameter.{near(name, chosen)}"
+                f"fit: bounds: '{name}' is not an unknown parameter.{near(name, chosen)}"
             )
         ends = np.asarray(pair, dtype=float)
         if ends.shape != (2,) or not ends[0] < ends[1]:

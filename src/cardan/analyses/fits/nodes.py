@@ -45,7 +45,7 @@ def first_states(shooting: Shooting, begin: Begin, free: NDArray[np.intp]) -> Ar
     """States (segments, nx) that the search begins with.
 
     Measured coordinates and their slopes, the rest along the run from the first state. In that
-    one, what is no unknown stays.
+    one, what is not unknown stays.
 
     Args:
         shooting: The samples and the nodes.
@@ -88,7 +88,9 @@ def locked_names(model: LoadedModel, begin: Begin, free: NDArray[np.intp]) -> Lo
         slots = model.manifest.slots(block)
         everything = {} if stated is None else dict.fromkeys(names[block])
         keys = stated if isinstance(stated, Mapping) else everything
-        named = {k for key in keys for k in range(*slots[key].indices(len(names[block])))}
+        # coordinates that follow by formulas have no place
+        own = [slots[key] for key in keys if key in slots]
+        named = {k for place in own for k in range(*place.indices(len(names[block])))}
         unknown = {k for k in range(len(names[block])) if places[first + k] in free}
         locked[block] = tuple(names[block][k] for k in sorted(named | unknown))
     return locked

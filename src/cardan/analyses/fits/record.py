@@ -38,6 +38,8 @@ class FitRecord:
             standard errors are too small.
         undetermined: Combinations of unknowns that the data do not tell: name -> change, of
             parameters as a part of their value.
+        at_bounds: Parameters that their bounds hold. Their standard errors are infinite, those of
+            the others are for these held.
         motion: The motion from the start, in one run.
         segments: Runs that the motion was divided into.
         cost: Half the sum of the squares of all residuals over the noise.
@@ -61,6 +63,7 @@ class FitRecord:
     freedom: int
     durbin_watson: dict[str, float]
     undetermined: tuple[dict[str, float], ...]
+    at_bounds: tuple[str, ...]
     motion: TrajectoryRecord
     segments: int
     cost: float
@@ -88,7 +91,7 @@ class FitRecord:
             ArgumentError: no unknown of that name, or no level.
         """
         if name not in self.names:
-            raise ArgumentError(f"interval: '{name}' was no unknown.{near(name, self.names)}")
+            raise ArgumentError(f"interval: '{name}' was not an unknown.{near(name, self.names)}")
         if not 0 < level < 1:
             raise ArgumentError(f"interval: level={level:g}: give a number between 0 and 1")
         from scipy.special import stdtrit
@@ -122,6 +125,7 @@ class FitRecord:
                 row = f"  {name:{width}}  {self.values[name]:13.8g} {error:9.2g}"
                 lines.append(f"{row}  {low:.6g} ... {high:.6g}")
         lines += [f"  the data do not tell {one}" for one in self.combinations]
+        lines += [f"  {name} is held by its bound" for name in self.at_bounds]
         tests = [f"{name} {number:.2f}" for name, number in self.durbin_watson.items()]
         lines.append(f"sigma {self.sigma:.4g}, Durbin-Watson {', '.join(tests)}")
         if self.serially_correlated:

@@ -16,7 +16,7 @@ from ...runtime.calls.loaded_function import LoadedFunction
 from ...runtime.models.derivatives import Derivative
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.blocks import COORDINATES
-from ..identification.data import HEADING, read
+from ..identification.data import HEADING, names_of, read
 
 TIME = "t"
 
@@ -54,13 +54,15 @@ def samples_of(
     Raises:
         ArgumentError: no times, columns that do not fit together, unknown names.
     """
+    _check_units(model, table, measured)
     t = numbers("fit: data: t", column(table, TIME))
     if t.ndim != 1 or len(t) < 2 or not np.isfinite(t).all() or not (np.diff(t) > 0).all():
         raise ArgumentError("fit: data: t: give two times or more, ascending and finite")
     channels: dict[str, object] = {}
     if measured is None:
         names = {*model.coordinates, *model.speeds, *model.internals, *_outputs(model)}
-        channels = {name: values for name, values in table.items() if name in names}
+        plain = names_of(list(table), {}, names)
+        channels = {plain[head]: x for head, x in table.items() if plain[head] in names}
         if not channels:
             raise ArgumentError(
                 "fit: no column of data is a coordinate, speed or output of the model; say what "
@@ -87,8 +89,10 @@ def inputs_of(
     """Inputs as ``simulate`` takes them: as they are given, else columns of their names."""
     stated = inputs or {}
     named = {n for key in stated for n in (key if isinstance(key, tuple) else (key,))}
-    columns = [name for name in model.inputs if name in table and name not in named]
-    return {name: (table[TIME], table[name]) for name in columns} | dict(stated) or None
+    present = set(names_of(list(table), {}, model.inputs).values())
+    columns = [name for name in model.inputs if name in present and name not in named]
+    t = column(table, TIME) if columns else None
+    return {name: (t, column(table, name)) for name in columns} | dict(stated) or None
 
 
 def column(table: Mapping[str, object], name: str) -> object:
@@ -97,24 +101,48 @@ def column(table: Mapping[str, object], name: str) -> object:
     Raises:
         ArgumentError: there is none.
     """
+    heads = [name, *(head for head, plain in names_of(list(table), {}).items() if plain == name)]
     match = HEADING.fullmatch(name)
-    key = name if name in table or match is None else match[1]
-    if key not in table:
-        what = ", the times [s]" if name == TIME else f".{near(key, table)}"
+    if match is not None:
+        heads.append(match[1])
+    key = next((head for head in heads if head in table), None)
+    if key is None:
+        what = ", the times [s]" if name == TIME else f".{near(name, table)}"
         raise ArgumentError(f"fit: data has no column '{name}'{what}")
     return table[key]
 
 
+def _check_units(
+    model: LoadedModel, table: Mapping[str, object], measured: Mapping[str, object] | None
+) -> None:
+    """Refuse headings with other units than those of the names.
+
+    Raises:
+        ArgumentError: there is one.
+    """
+    rows = model.manifest
+    units = {TIME: "s"} | {
+        str(row.name): str(row.unit)
+        for block in (*map(rows.block, "quzr"), rows.outputs)
+        for row in block
+    }
+    # a column under another name has the unit of what it measures
+    units |= {
+        source: units[formula]
+        for formula, source in (measured or {}).items()
+        if isinstance(source, str) and formula in units
+    }
+    names_of(list(table), units)
+
+
 def table_of(data: object) -> dict[str, object]:
-    """Columns by name, without units behind them.
+    """Columns by their headings.
 
     Raises:
         ArgumentError: neither columns nor a file of them.
     """
     if isinstance(data, str | Path):
-        columns = read(Path(data))
-        units = {name: HEADING.fullmatch(name) for name in columns}
-        return {(m[1] if (m := units[name]) else name): x for name, x in columns.items()}
+        return dict(read(Path(data)))
     if isinstance(data, Mapping):
         return {str(name): value for name, value in data.items()}
     raise ArgumentError(

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
-from ...errors import ModelError, SolveError, SolveWarning, warn
+from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, warn
 from ..simulation.progress import showing
 from ..simulation.simulate import simulate
 from .estimate import Condensed, Solved, condensed, solved
@@ -64,8 +64,18 @@ class Search:
         most: int,
         progress: bool | Callable[[float], None] | None,
     ) -> FitRecord:
-        """The fit from first nodes and parameters."""
+        """The fit from first nodes and parameters.
+
+        Raises:
+            ArgumentError: no more samples than unknowns.
+        """
         point = self._point(states, values)
+        count, unknowns = len(point.residuals), len(self._names())
+        if count <= unknowns:
+            raise ArgumentError(
+                f"fit: {count} samples do not tell {unknowns} unknowns. Name fewer, or give more "
+                "samples"
+            )
         converged, interrupted, iterations = False, False, 0
         message = f"not converged after {most} iterations"
         with showing(progress, self.shooting.model.name) as show:
@@ -159,7 +169,7 @@ class Search:
         # the last problem once more: its covariance is that at the answer
         _, last = self._step(point)
         residuals = point.residuals
-        freedom = max(1, len(residuals) - len(last.step))
+        freedom = len(residuals) - len(last.step)
         variance = float(residuals @ residuals) / freedom
         names = tuple(self._names())
         values = dict(zip(shooting.parameters, map(float, point.values), strict=True))
@@ -194,6 +204,7 @@ class Search:
             residuals=by_channel,
             sigma=float(np.sqrt(variance)),
             freedom=freedom,
+            at_bounds=tuple(n for n, x in zip(names, last.fixed, strict=True) if x),
             durbin_watson={name: _durbin_watson(x) for name, x in by_channel.items()},
             undetermined=untold,
             motion=motion,

@@ -22,6 +22,7 @@ BLOCKS = (COORDINATES, "u", "z", "s", "r")
 CLOSING = ("close_position", "close_velocity")
 MOST_STAGES = 16
 # of derivatives within a motion: no digit of such a motion is known
+LARGE = 1e40  # no derivative in any unit
 GROWTH = 1e12
 # kernels whose steps are a table of coefficients; between the rows of others steps of Radau lead
 TABLES = ("rk4", "rk45", "dop853", "radau")
@@ -149,8 +150,9 @@ def check_growth(before: Array, after: Array, span: Array) -> None:
     Raises:
         SolveError: with the cure.
     """
-    size = float(np.abs(before).max(initial=0.0)) or 1.0
-    growth = float(np.abs(after).max(initial=0.0)) / size
+    size, last = (float(np.abs(one).max(initial=0.0)) for one in (before, after))
+    # what begins with nothing has no size yet, and a unit of its own
+    growth = last / (size or LARGE)
     if not growth <= GROWTH:
         raise SolveError(
             f"gradient: derivatives grow by {growth:.0e} between t = {span.min():.6g} and "

@@ -127,7 +127,8 @@ class Tangents(StepsAgain):
         changes[0] = first
         self.record.changes = changes.ctypes.data
         self.swept(rows, self.runner.library.cardan_tangent_sweep, self.record)
-        check_growth(first, changes[-1], rows[:, 0])
+        # columns by parameters begin with nothing: from the end of the first step on
+        check_growth(changes[min(1, len(changes) - 1)], changes[-1], rows[:, 0])
         return changes
 
     def input_changes(self, t: float) -> Array:

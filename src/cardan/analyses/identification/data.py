@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
@@ -214,6 +214,22 @@ def _without_units(model: LoadedModel, heads: Sequence[str]) -> dict[str, str]:
         units[name] = f"{row.unit}^2" if row.unit.endswith("/s") else ""
         units[tau] = FORCES.get(row.unit, "")
     every = {"t", *BLOCKS, *(name for names in named.values() for name in names)}
+    return names_of(heads, units, every)
+
+
+def names_of(
+    heads: Sequence[str], units: Mapping[str, str], every: Collection[str] = ()
+) -> dict[str, str]:
+    """Headings of columns, with units behind them or not, and the names in them.
+
+    Args:
+        heads: As they are written.
+        units: Name -> unit that its column has.
+        every: Names that may look like headings with units.
+
+    Raises:
+        ArgumentError: another unit than that of the name.
+    """
     plain = {}
     for head in heads:
         match = None if head in every else HEADING.fullmatch(head)

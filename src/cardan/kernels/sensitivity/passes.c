@@ -12,8 +12,8 @@
 #include <math.h>
 
 enum { MOST = 100 };
-/* changes of the slopes that count as rounding; beside the place it is magnified */
 static const real SAME = 1e-9; /* of a step: how far its end may be from a stop */
+/* changes of the slopes that count as rounding; beside the place it is magnified */
 static const real ROUNDING = 4 * DBL_EPSILON, STUCK = 1e-6;
 
 /* The noted pass to which the step from row k belongs, -1 if it is none. */
