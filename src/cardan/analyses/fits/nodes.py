@@ -89,8 +89,8 @@ def locked_names(model: LoadedModel, begin: Begin, free: NDArray[np.intp]) -> Lo
         everything = {} if stated is None else dict.fromkeys(names[block])
         keys = stated if isinstance(stated, Mapping) else everything
         # coordinates that follow by formulas have no place
-        own = [slots[key] for key in keys if key in slots]
-        named = {k for place in own for k in range(*place.indices(len(names[block])))}
+        stated_places = [slots[key] for key in keys if key in slots]
+        named = {k for place in stated_places for k in range(*place.indices(len(names[block])))}
         unknown = {k for k in range(len(names[block])) if places[first + k] in free}
         locked[block] = tuple(names[block][k] for k in sorted(named | unknown))
     return locked

@@ -63,26 +63,26 @@ class Move(NamedTuple):
         """
         if self.linear:
             return 0.5 * (self.at(1.0) - self.at(-1.0))
-        found, best, error = None, None, np.inf
+        last, best, error = None, None, np.inf
         for k in range(STEPS):
             try:
                 shorter = self._by(STEP * SHORTER**k * self.size)
             except ModelError:
                 # beyond a limit of what can be assembled, perhaps
                 continue
-            if found is not None:
-                off = float(np.abs(shorter - found).max(initial=0.0))
+            if last is not None:
+                off = float(np.abs(shorter - last).max(initial=0.0))
                 off /= max(float(np.abs(shorter).max(initial=0.0)), 1e-300)
                 best, error = (shorter, off) if off < error else (best, error)
             if error <= AGREED or not np.any(shorter):
                 return shorter
-            found = shorter
+            last = shorter
         if best is not None and error > POOR:
             raise SolveError(
                 "gradient: the start is next to a place where loops can hardly be closed, and how "
                 "it moves is not known. Name another coordinate at the start"
             )
-        return found if best is None else best
+        return last if best is None else best
 
     def _by(self, step: float) -> Array:
         """Derivative by differences of a step."""
@@ -250,9 +250,10 @@ class StartByDifferences:
                     continue
                 column = move.slope()
                 if column is None and self._is_named(*move.key):
+                    speed = self.model.speeds[move.key[1] % self.model.nu]
                     raise SolveError(
-                        "gradient: loops cannot be closed beside the start as it was named, by "
-                        f"{self._word(*move.key)}. Name fewer coordinates"
+                        "gradient: loops cannot be closed beside the start as it was named, along "
+                        f"'{speed}'. Name fewer coordinates"
                     )
                 # where loops decide what it is, it follows what was named
                 if column is not None and np.any(column):
@@ -336,11 +337,6 @@ class StartByDifferences:
         named = (slots[name] for name in self._names(letter) if name in slots)
         return any(x.start < entries.stop and entries.start < x.stop for x in named)
 
-    def _word(self, block: str, k: int) -> str:
-        """What a direction of the start is called."""
-        nu = self.model.nu
-        return f"speed '{self.model.speeds[k - nu]}'" if k >= nu else f"'{self.model.speeds[k]}'"
-
     def _names(self, letter: str) -> Names:
         """What was named of coordinates or speeds."""
         return self.state[letter] or {}
@@ -355,8 +351,8 @@ class StartByDifferences:
     def _renamed(self, letter: str, joint: JointRow, block: Array) -> Names:
         """What was named, with the entries of a joint as in a block: all of them if it was not."""
         names, slots = dict(self._names(letter)), self.model.manifest.slots(letter)
-        own = [name for name in names if self._of(name, letter, joint)]
-        for name in own or [joint.name]:
+        entries = [name for name in names if self._of(name, letter, joint)]
+        for name in entries or [joint.name]:
             values = block[slots[name]]
             names[name] = values if len(values) > 1 else float(values[0])
         return names
