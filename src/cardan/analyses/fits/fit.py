@@ -15,7 +15,7 @@ from ...runtime.models.loaded_model import LoadedModel
 from ..gradients.unknowns import start_blocks, start_places
 from ..identification.base_parameters import circuits
 from ..identification.result import IdentificationRecord
-from ..simulation.settings import Values, start
+from ..simulation.settings import Values
 from .division import divided
 from .nodes import Begin, first_states, locked_names, nodes_of
 from .record import FitRecord
@@ -97,8 +97,6 @@ def fit(
     limits = _bounds(chosen, bounds)
     nodes = nodes_of(samples, segments)
     begin = (q, u, z)
-    # names that there are not are told here
-    start(model, None, *begin)
     locked = locked_names(model, begin, free)
     shooting = Shooting(model, samples, nodes, chosen, inputs, method, rtol, locked)
     if seeds is not None:

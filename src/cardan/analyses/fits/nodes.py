@@ -79,7 +79,11 @@ def locked_names(model: LoadedModel, begin: Begin, free: NDArray[np.intp]) -> Lo
         model: The model.
         begin: q, u and z of the start as they were named.
         free: Places of unknown starts along the speeds.
+
+    Raises:
+        ModelError: a name that the model does not have.
     """
+    start(model, None, *begin)
     if not circuits(model):
         return None
     names, places = {"q": model.coordinates, "u": model.speeds}, speed_places(model)

@@ -82,7 +82,7 @@ def gradient(
             joint, along its speeds; ``"p"``: all parameters; names of parameters and inputs. Of an
             input ``(times, values)`` the gradient is by the values.
         x0, q, u, z, events, rtol, atol, step, max_step, inputs, parameters, progress: As
-            :meth:`simulate` takes them.
+            :meth:`simulate` takes them; of several runs no progress is shown.
         vary, runs, seed: What differs between several runs, as :meth:`ensemble` takes it; then x0,
             q, u, z, parameters and inputs may have values per run too.
         method: As :meth:`simulate` takes it, but Rosenbrock; ``"auto"`` takes DOP853, of
