@@ -25,10 +25,23 @@ GRADIENTS = {
     "momentum_gradient": ("momentum",),
     "power_gradient": ("power",),
     "outputs_gradient": ("outputs",),
+    # of M udot - G^T lam and G udot - H lam, which impulses obey
+    "impulse_gradient": ("balance_tangent",),
+    "signs_gradient": ("signs",),
+    "jumps_gradient": ("jumps",),
+    # states behind events
+    "states_gradient": ("change",),
+    "friction_gradient": ("reaction_friction",),
 }
 # changes of these results along a direction
 CHANGES = {name.replace("gradient", "change"): sums for name, sums in GRADIENTS.items()}
 DERIVATIVES = GRADIENTS | CHANGES
+# derivatives that are also by what events read besides: speeds behind them, how certain friction is that
+# follows from reactions, and responses
+EVENT_DERIVATIVES = tuple(
+    f"{name}_{mode}" for name in ("signs", "jumps", "states") for mode in ("gradient", "change")
+)
+IMPULSE_DERIVATIVES = ("impulse_gradient", "impulse_change")
 # those of the rates of coordinates of a place, by q and u
 RATES_GRADIENT, RATES_CHANGE = RATES = ("qdot_gradient", "qdot_change")
 # a formula in the names of the model with outputs in v, and its derivatives
@@ -119,8 +132,12 @@ class ElementKind(Record):
         return {
             form: requested_name(form, self.name)
             for form, sums in DERIVATIVES.items()
-            if not self.functions.keys().isdisjoint(sums)
+            if not self.functions.keys().isdisjoint(sums) and self._has(form)
         }
+
+    def _has(self, form: str) -> bool:
+        """False of impulses where nothing has mass or is held."""
+        return form not in IMPULSE_DERIVATIVES or not {"M", "G"}.isdisjoint(self.parts)
 
     @property
     def released(self) -> int:

@@ -32,7 +32,10 @@ MORE_HEADERS["derivatives"] = (
     "superelement_derivatives.h",
 )
 # what derivatives read besides weights or directions
-DERIVATIVE_READS = {"dynamics": ("q", "u", "udot", "p"), "energy": ("q", "u", "p")}
+DERIVATIVE_READS = {
+    **dict.fromkeys(("dynamics", "impulse"), ("q", "u", "udot", "p")),
+    "energy": ("q", "u", "p"),
+}
 # pairs of axes in the order of the header
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1))
 NAMES = ("xx", "yy", "zz", "yz", "zx", "xy")
@@ -333,7 +336,7 @@ def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
 
     Args:
         kind: The kind.
-        form: Which; forces and energies have one.
+        form: Which; forces, energies and impulses have one.
         inputs: How many the scene has.
 
     Raises:
@@ -349,12 +352,14 @@ def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
     assert isinstance(tangent, Routine)
     n, on_node, drifting = tangent.sizes
     N, graph = n + 6 * on_node, tangent.graph
-    weights = N if quantity == "dynamics" else 2
+    weights = 2 if quantity == "energy" else N
     sizes = {"q": N + on_node, "u": N, "udot": N, "r": inputs, "t": 1, "p": len(DATA)}
     count, slopes = weights, {f"d_{letter}": k for letter, k in sizes.items() if k}
     if mode == "change":
         count, slopes = sum(sizes.values()), {"change": weights}
     v = Block("v", tuple(f"{mode}{k + 1}" for k in range(count)), ("",) * count)
+    # what an impulse is the difference of
+    more = 2 * N + sum(sizes.values()) if quantity == "impulse" else 0
     return replace(
         tangent,
         name=kind.c_name(form),
@@ -364,8 +369,16 @@ def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
         call=f"cardan_superelement_{form}",
         headers=(*HEADERS, *MORE_HEADERS["derivatives"]),
         sizes=(n, on_node, drifting, inputs),
-        work=3 * N * N + 8 * N + inputs + len(DATA) + TANGENT_ROOM * n + 2,
+        constants=_without_stiffness(tangent) if quantity == "impulse" else tangent.constants,
+        work=3 * N * N + 8 * N + inputs + len(DATA) + TANGENT_ROOM * n + 2 + more,
     )
+
+
+def _without_stiffness(tangent: Routine) -> tuple[float, ...]:
+    """Constants of a superelement that nothing but inertia makes."""
+    n, _, drifting = tangent.sizes
+    end = len(tangent.constants) - 9 * n * drifting - 12 * n * n
+    return (*tangent.constants[: end - 2 * n * n], *[0.0] * (2 * n * n), *tangent.constants[end:])
 
 
 def _geometric(member: _Member) -> Array:

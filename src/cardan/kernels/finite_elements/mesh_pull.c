@@ -21,6 +21,9 @@ static ptrdiff_t lay_slopes(const cardan_mesh_product *product, real *block, car
     by->udot = cardan_reserve(block, &used, mesh->nu);
     by->tau = cardan_reserve(block, &used, mesh->nu);
     by->lam = cardan_reserve(block, &used, mesh->m);
+    by->behind = cardan_reserve(block, &used, mesh->nu);
+    by->certainty = cardan_reserve(block, &used, mesh->frictions);
+    by->responses = cardan_reserve(block, &used, mesh->responses);
     by->count = used;
     return used;
 }
@@ -37,6 +40,7 @@ ptrdiff_t cardan_mesh_lay_place(const cardan_mesh_product *product, real *block,
     here->column = cardan_reserve(block, &used, product->columns + product->results);
     used += lay_slopes(product, block ? block + used : NULL, &here->by);
     used += lay_slopes(product, block ? block + used : NULL, &here->way);
+    used += cardan_mesh_lay_event(product, block ? block + used : NULL, &here->event);
     here->room = cardan_reserve(block, &used, cardan_mesh_room(mesh));
     return used;
 }
@@ -51,6 +55,32 @@ static void add_data(const cardan_data_slopes *data, const cardan_element_lanes 
             for (ptrdiff_t k = data->start[row]; k < data->start[row + 1]; k++)
                 by_p[data->parameter[k]] += data->slope[k] * out[lane];
         }
+}
+
+/* Add derivatives by numbers of elements that stand one behind the other, from the first of a group. */
+static const real *add_following(const cardan_element_lanes *some, ptrdiff_t n, const real *next,
+                                 real *by)
+{
+    for (ptrdiff_t i = 0; i < n; i++, next += some->lanes)
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+            by[some->element[lane] * n + i] += next[lane];
+    return next;
+}
+
+/* By what events read besides: speeds behind them, how certain friction is, responses. */
+static const real *add_events(const cardan_mesh *mesh, const cardan_group *g,
+                              const cardan_element_lanes *some, const real *next,
+                              const cardan_slopes *by)
+{
+    ptrdiff_t frictions = 0, responses = 0;
+
+    for (const cardan_group *other = mesh->groups; other != g; other++) {
+        frictions += other->count * other->frictions;
+        responses += other->count * other->responses;
+    }
+    next = cardan_mesh_add_places(g, some, mesh->u, next, by->behind);
+    next = add_following(some, g->frictions, next, by->certainty + frictions);
+    return add_following(some, g->responses, next, by->responses + responses);
 }
 
 /* Add the gradients of elements. */
@@ -73,8 +103,11 @@ static void take_gradient(const cardan_mesh *mesh, const cardan_group *g,
             by->r[i] += next[lane];
     for (ptrdiff_t lane = 0; lane < some->filled; lane++)
         *by->t += next[lane];
+    next += some->lanes;
+    if (here->at.behind)
+        next = add_events(mesh, g, some, next, by);
     if (here->product->data)
-        add_data(here->product->data + (g - mesh->groups), some, next + some->lanes, by->p);
+        add_data(here->product->data + (g - mesh->groups), some, next, by->p);
 }
 
 /* Weights of the results of elements: of a balance with what belongs to it those of the balance (nu), g
@@ -106,18 +139,24 @@ static real *give_weights(const cardan_mesh *mesh, const cardan_group *g, const 
     return to;
 }
 
-/* Add the gradient of a sum of results of elements at the state. */
-static int sweep(cardan_place *here, const cardan_form *forms, int form, const real *weights)
+int cardan_mesh_pull_with(cardan_place *here, const cardan_form *forms, const cardan_gift *gift)
 {
-    const cardan_gift gift = {give_weights, form, weights, NULL};
     cardan_state at = here->at;
     int status = 0;
 
-    at.gift = &gift;
+    at.gift = gift;
     for (ptrdiff_t k = 0; k < here->mesh->group_count && status == 0; k++)
         status = cardan_mesh_group(here->mesh, here->mesh->groups + k, forms + k, &at, take_gradient,
                                    here, here->room);
     return status;
+}
+
+/* Add the gradient of a sum of results of elements at the state. */
+static int sweep(cardan_place *here, const cardan_form *forms, int form, const real *weights)
+{
+    const cardan_gift gift = {give_weights, form, weights, NULL};
+
+    return cardan_mesh_pull_with(here, forms, &gift);
 }
 
 /* v . qdot of a pose by q (7) and u (6). */
@@ -174,19 +213,20 @@ static int pull_rates(const cardan_place *here, const real *u, const real *v, re
 }
 
 /* Weights of the dynamics by which what was solved for has derivatives `by_udot` and `by_lam`. */
-static int pull_solution(cardan_place *here, const real *by_udot, const real *by_lam)
+static int solve_weights(cardan_place *here, const real *by_udot, const real *by_lam)
 {
     const cardan_mesh *mesh = here->mesh;
     cardan_mesh_system *system = &here->system;
     real *missed = here->weights + mesh->nu + mesh->mp + mesh->m;
     int status;
 
-    /* without friction that follows from reactions the matrix is symmetric */
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         system->right[i] = by_udot ? by_udot[i] : 0;
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         system->right[mesh->unknown[k]] = by_lam ? -by_lam[k] : 0;
-    status = cardan_mesh_solve(mesh, system);
+    /* without friction that follows from reactions the matrix is symmetric */
+    status = mesh->frictions > 0 ? cardan_mesh_friction_solve(mesh, system, &here->friction, 1)
+                                 : cardan_mesh_solve(mesh, system);
     for (ptrdiff_t i = 0; i < mesh->nu; i++) {
         here->weights[i] -= system->solution[i];
         here->by.tau[i] += system->solution[i];
@@ -196,17 +236,21 @@ static int pull_solution(cardan_place *here, const real *by_udot, const real *by
     return status;
 }
 
+int cardan_mesh_pull_solution(cardan_place *here, const real *by_udot, const real *by_lam)
+{
+    const int status = solve_weights(here, by_udot, by_lam);
+
+    return status != 0 ? status
+                       : sweep(here, here->product->dynamics, CARDAN_BALANCE, here->weights);
+}
+
 /* Derivatives through what was solved for, of powers and outputs, by which they have some. */
 static int pull_direct(cardan_place *here, int form, const real *weights, int solved)
 {
     cardan_slopes *by = &here->by;
     int status = sweep(here, here->product->direct, form, weights);
 
-    if (status == 0 && solved)
-        status = pull_solution(here, by->udot, by->lam);
-    if (status == 0 && solved)
-        status = sweep(here, here->product->dynamics, CARDAN_BALANCE, here->weights);
-    return status;
+    return status == 0 && solved ? cardan_mesh_pull_solution(here, by->udot, by->lam) : status;
 }
 
 /* Add a factor times n slopes to derivatives. Returns the slopes that follow. */
@@ -291,13 +335,13 @@ static int pull_dynamics(cardan_place *here, const real *v)
         status = pull_rates(here, here->at.u, v, here->by.q, here->by.u);
         copy(mesh->nz, v + mesh->nq + nu, rates + 2 * mesh->m);
         if (status == 0)
-            status = pull_solution(here, v + mesh->nq, NULL);
+            status = solve_weights(here, v + mesh->nq, NULL);
         break;
     case CARDAN_OF_FORWARD_DYNAMICS:
-        status = pull_solution(here, v, NULL);
+        status = solve_weights(here, v, NULL);
         break;
     case CARDAN_OF_MULTIPLIERS:
-        status = pull_solution(here, NULL, v);
+        status = solve_weights(here, NULL, v);
         break;
     }
     return status != 0 ? status
@@ -331,6 +375,10 @@ static int pull(cardan_place *here, const real *v)
         return pull_direct(here, CARDAN_OUTPUTS, v, mesh->solved != 0);
     case CARDAN_OF_EXPRESSION:
         return pull_expression(here, v[0]);
+    case CARDAN_OF_EVENTS:
+        return cardan_mesh_pull_events(here, v);
+    case CARDAN_OF_TRANSITION:
+        return cardan_mesh_pull_transition(here, v);
     case CARDAN_OF_CLOSE_POSITION:
         copy(nq, v, by->q);
         copy(mesh->mp, v + nq, gaps);

@@ -5,6 +5,30 @@
 #include "mesh_pull.h"
 #include <string.h>
 
+/* Directions of numbers of elements that stand one behind the other, from the first of a group. */
+static real *follow(const real *from, ptrdiff_t n, const ptrdiff_t *element, ptrdiff_t lanes, real *to)
+{
+    for (ptrdiff_t i = 0; i < n; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            *to++ = from[element[lane] * n + i];
+    return to;
+}
+
+/* Of what events read besides: speeds behind them, how certain friction is, responses. */
+static real *give_events(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
+                         ptrdiff_t lanes, const cardan_slopes *way, real *to)
+{
+    ptrdiff_t frictions = 0, responses = 0;
+
+    for (const cardan_group *other = mesh->groups; other != g; other++) {
+        frictions += other->count * other->frictions;
+        responses += other->count * other->responses;
+    }
+    to = cardan_mesh_fetch_places(g, element, lanes, mesh->u, way->behind, to);
+    to = follow(way->certainty + frictions, g->frictions, element, lanes, to);
+    return follow(way->responses + responses, g->responses, element, lanes, to);
+}
+
 /* Directions of what elements read, their data included. */
 static real *give_direction(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
                             ptrdiff_t lanes, const cardan_gift *gift, real *to)
@@ -25,6 +49,8 @@ static real *give_direction(const cardan_mesh *mesh, const cardan_group *g, cons
             *to++ = way->r[i];
     for (ptrdiff_t lane = 0; lane < lanes; lane++)
         *to++ = *way->t;
+    if (here->at.behind)
+        to = give_events(mesh, g, element, lanes, way, to);
     /* changes of parameters become those of data */
     for (ptrdiff_t i = 0; i < data->count; i++)
         for (ptrdiff_t lane = 0; lane < lanes; lane++) {
@@ -71,20 +97,26 @@ static void take_change(const cardan_mesh *mesh, const cardan_group *g,
     }
 }
 
-/* Changes of what elements give, summed up in `to`. */
-static int sweep(cardan_place *here, const cardan_form *forms, int form, ptrdiff_t size, real *to)
+int cardan_mesh_push_with(cardan_place *here, const cardan_form *forms, cardan_taker *take, void *to)
 {
-    const cardan_gift gift = {give_direction, form, NULL, here};
-    taken change = {form, to};
+    const cardan_gift gift = {give_direction, 0, NULL, here};
     cardan_state at = here->at;
     int status = 0;
 
-    memset(to, 0, (size_t)size * sizeof(real));
     at.gift = &gift;
     for (ptrdiff_t k = 0; k < here->mesh->group_count && status == 0; k++)
-        status = cardan_mesh_group(here->mesh, here->mesh->groups + k, forms + k, &at, take_change,
-                                   &change, here->room);
+        status = cardan_mesh_group(here->mesh, here->mesh->groups + k, forms + k, &at, take, to,
+                                   here->room);
     return status;
+}
+
+/* Changes of what elements give, summed up in `to`. */
+static int sweep(cardan_place *here, const cardan_form *forms, int form, ptrdiff_t size, real *to)
+{
+    taken change = {form, to};
+
+    memset(to, 0, (size_t)size * sizeof(real));
+    return cardan_mesh_push_with(here, forms, take_change, &change);
 }
 
 /* Changes of a balance and of all that belongs to it. */
@@ -96,8 +128,7 @@ static int sweep_dynamics(cardan_place *here)
                  mesh->nu + mesh->mp + 2 * mesh->m + mesh->nz, here->weights);
 }
 
-/* Changes of accelerations and multipliers, which become parts of the direction. */
-static int push_solution(cardan_place *here)
+int cardan_mesh_push_solution(cardan_place *here)
 {
     const cardan_mesh *mesh = here->mesh;
     const real *missed = here->weights + mesh->nu + mesh->mp + mesh->m;
@@ -109,7 +140,8 @@ static int push_solution(cardan_place *here)
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         system->right[mesh->unknown[k]] = -missed[k];
     if (status == 0)
-        status = cardan_mesh_solve(mesh, system);
+        status = mesh->frictions > 0 ? cardan_mesh_friction_solve(mesh, system, &here->friction, 0)
+                                     : cardan_mesh_solve(mesh, system);
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         here->way.udot[i] = system->solution[i];
     for (ptrdiff_t k = 0; k < mesh->m; k++)
@@ -158,7 +190,7 @@ static int push_rates(cardan_place *here, real *out)
 /* Change of outputs or powers. */
 static int push_direct(cardan_place *here, int form, ptrdiff_t size, int solved, real *to)
 {
-    const int status = solved ? push_solution(here) : 0;
+    const int status = solved ? cardan_mesh_push_solution(here) : 0;
 
     return status != 0 ? status : sweep(here, here->product->direct, form, size, to);
 }
@@ -281,17 +313,21 @@ int cardan_mesh_push(cardan_place *here, const real *v, real *out)
         return push_expression(here, out);
     case CARDAN_OF_QDOT:
         return push_rates(here, out);
+    case CARDAN_OF_EVENTS:
+        return cardan_mesh_push_events(here, out);
+    case CARDAN_OF_TRANSITION:
+        return cardan_mesh_push_transition(here, out);
     /* what is solved for */
     case CARDAN_OF_RHS:
         status = push_rates(here, out);
         if (status == 0)
-            status = push_solution(here);
+            status = cardan_mesh_push_solution(here);
         memcpy(out + nq, here->way.udot, (size_t)nu * sizeof(real));
         memcpy(out + nq + nu, rates + 2 * mesh->m, (size_t)mesh->nz * sizeof(real));
         return status;
     case CARDAN_OF_FORWARD_DYNAMICS:
     case CARDAN_OF_MULTIPLIERS:
-        status = push_solution(here);
+        status = cardan_mesh_push_solution(here);
         memcpy(out, function == CARDAN_OF_MULTIPLIERS ? here->way.lam : here->way.udot,
                (size_t)here->product->results * sizeof(real));
         return status;
