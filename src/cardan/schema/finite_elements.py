@@ -28,11 +28,14 @@ GRADIENTS = {
 }
 # changes of these results along a direction
 CHANGES = {name.replace("gradient", "change"): sums for name, sums in GRADIENTS.items()}
-DERIVATIVES = GRADIENTS | CHANGES
+# changes of these gradients along a direction, at fixed weights
+CURVATURES = {name.replace("gradient", "curvature"): sums for name, sums in GRADIENTS.items()}
+DERIVATIVES = GRADIENTS | CHANGES | CURVATURES
 # those of the rates of coordinates of a place, by q and u
-RATES_GRADIENT, RATES_CHANGE = RATES = ("qdot_gradient", "qdot_change")
-# a formula in the names of the model with outputs in v, and its derivatives
-EXPRESSION, EXPRESSION_GRADIENT = "expression", "expression_gradient"
+RATES = ("qdot_gradient", "qdot_change", "qdot_curvature")
+# a formula in the names of the model with outputs in v, its gradient, and changes of that
+FORMULAS = ("expression", "expression_gradient", "expression_curvature")
+EXPRESSION, EXPRESSION_GRADIENT, EXPRESSION_CURVATURE = FORMULAS
 
 
 def requested_name(form: str, of: str) -> str:
@@ -42,7 +45,7 @@ def requested_name(form: str, of: str) -> str:
         form: Such as ``dynamics_gradient``.
         of: The kind of element or place, or the formula.
     """
-    if form in (EXPRESSION, EXPRESSION_GRADIENT):
+    if form in FORMULAS:
         return f"{form}__{hashlib.sha256(of.encode()).hexdigest()[:16]}"
     return f"{of}__{form}"
 

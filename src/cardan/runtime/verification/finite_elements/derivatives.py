@@ -1,4 +1,7 @@
-"""Gradients and changes of results of elements, judged by differences of these results."""
+"""Gradients, changes and curvatures of results of elements, judged by differences of these results.
+
+Curvatures are judged by differences of the gradients.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,7 @@ from itertools import accumulate
 
 import numpy as np
 
-from ....schema.finite_elements import CHANGES, DERIVATIVES, GRADIENTS
+from ....schema.finite_elements import CHANGES, CURVATURES, DERIVATIVES, GRADIENTS
 from ..differences import Blocks, missing, slope, ways, worst_of
 from ..joint_motion import Array, times
 from .members import Members
@@ -58,8 +61,10 @@ def _directions(members: Members) -> tuple[dict[str, Array], Array]:
     return {name: way[:, part] for name, part in parts.items() if part.start < part.stop}, way
 
 
-def _by_data(members: Members, form: str, way: Array) -> tuple[Array, Array]:
-    """Slopes of the results along a way of the first data, and how far they may be off."""
+def _by_data(
+    members: Members, results: Callable[[Blocks], Array], way: Array
+) -> tuple[Array, Array]:
+    """Slopes of results along a way of the first data, and how far they may be off."""
     n, inputs, along = members.count, members.inputs, np.zeros_like(members.inputs["p"])
     along[:, : way.shape[1]] = way
 
@@ -68,27 +73,30 @@ def _by_data(members: Members, form: str, way: Array) -> tuple[Array, Array]:
         count = len(shift) // n
         here = {name: np.tile(x, (count, 1)) for name, x in inputs.items()}
         here["p"] = here["p"] + shift * np.tile(along, (count, 1))
-        return _results(members, form, here)
+        return results(here)
 
     still, unit = np.zeros((n, 1)), np.ones((n, 1))
     return slope(moved, {"shift": still}, {"shift": unit}, np.ones(n))
 
 
-def _slopes(members: Members, form: str, available: Array) -> list[tuple[Array, Array, Array]]:
+def _slopes(
+    members: Members, results: Callable[[Blocks], Array], available: Array
+) -> list[tuple[Array, Array, Array]]:
     """Ways of everything that is read, data last, slopes along them, and how far they may be off.
 
     Args:
-        members, form: Whose results.
+        members: Whose results.
+        results: Of blocks.
         available: Of every datum whether there is a derivative by it.
     """
     rates, way = _directions(members)
     none = np.zeros((members.count, len(available)))
-    along = members.slope(lambda blocks: _results(members, form, blocks), rates)
+    along = members.slope(results, rates)
     listed = [(np.hstack([way, none]), *along)]
     if available.any():
         p = members.inputs["p"][:, : len(available)]
         data = ways(members.count, len(available))[0] * np.where(p == 0, 1.0, p) * available
-        listed.append((np.hstack([0.0 * way, data]), *_by_data(members, form, data)))
+        listed.append((np.hstack([0.0 * way, data]), *_by_data(members, results, data)))
     return listed
 
 
@@ -99,7 +107,7 @@ def _gradient(form: str, members: Members) -> float | str:
     # NaN: there is none
     available: Array = np.asarray(np.isfinite(value[:, states:]).all(axis=0))
     value = np.nan_to_num(value)
-    for way, change, off in _slopes(members, form, available):
+    for way, change, off in _slopes(members, partial(_results, members, form), available):
         terms = np.abs(change * weights)
         total, expected = (change * weights).sum(axis=-1), (value * way).sum(axis=-1)
         error = missing(total[:, None], off, expected, terms, np.abs(value * way))
@@ -116,14 +124,37 @@ def _change(form: str, members: Members) -> float | str:
     if gradient in members.codes:
         slopes = members.weighed(gradient).call(gradient)[:, states:]
         available = np.asarray(np.isfinite(slopes).all(axis=0))
-    for way, change, off in _slopes(members, form, available):
+    for way, change, off in _slopes(members, partial(_results, members, form), available):
         value = members.call(form, {"v": way})
         worst = worst_of(worst, missing(change, off, value))
     return worst
 
 
-GRADIENT_OF: Mapping[str, str] = dict(zip(CHANGES, GRADIENTS, strict=True))
+def _curvature(form: str, members: Members) -> float | str:
+    """A change of a gradient at fixed weights."""
+    gradient, worst, states = GRADIENT_OF[form], np.nan, _parts(members)["t"].stop
+    count = len(members.codes[gradient].entry.vector)
+    weights = members.inputs["v"][:, :count]
+
+    def slopes(blocks: Blocks) -> Array:
+        here = np.resize(weights, (len(blocks["q"]), count))
+        return np.nan_to_num(members.call(gradient, {**blocks, "v": here}))
+
+    # NaN: there is none
+    value = members.call(gradient, {"v": weights})
+    available: Array = np.asarray(np.isfinite(value[:, states:]).all(axis=0))
+    for way, change, off in _slopes(members, slopes, available):
+        value = np.nan_to_num(members.call(form, {"v": np.hstack([weights, way])}))
+        worst = worst_of(worst, missing(change, off, value))
+    return worst
+
+
+GRADIENT_OF: Mapping[str, str] = {
+    **dict(zip(CHANGES, GRADIENTS, strict=True)),
+    **dict(zip(CURVATURES, GRADIENTS, strict=True)),
+}
 LAWS: dict[str, Callable[[Members], float | str]] = {
     **{form: partial(_gradient, form) for form in GRADIENTS},
     **{form: partial(_change, form) for form in CHANGES},
+    **{form: partial(_curvature, form) for form in CURVATURES},
 }
