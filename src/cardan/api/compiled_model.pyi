@@ -230,6 +230,7 @@ class CompiledModel(LoadedModel):
         runs: Count | None = None,
         seed: Seed = 0,
         reduce: str | Sequence[str] | Mapping[str, object] | None = None,
+        sensitivity: str | Sequence[str] = (),
         method: str = "auto",
         rtol: float = 1e-06,
         atol: float | None = None,
@@ -262,6 +263,9 @@ class CompiledModel(LoadedModel):
                 several; or name -> words or a function of t (nt,) and states (runs, nt, nx) of some
                 runs. By default the states at output times, if ``t`` has some. Without output times
                 201 of them, evenly from start to end, are taken.
+            sensitivity: Starts, parameters and inputs by name, as :meth:`gradient` takes them:
+                ``runs.sensitivity["m"]``, (runs, nt, nx), is what states at output times change by.
+                Such runs are done one after the other in every thread.
             method, rtol, atol, step, max_step: As of ``simulate``; ``"auto"`` looks at the first run.
             threads: By default ``$CARDAN_THREADS``, else the cores of this process.
             lanes: 1: no lanes. By default as many as vectors have, once they pay.
@@ -892,7 +896,7 @@ class CompiledModel(LoadedModel):
                 joint, along its speeds; ``"p"``: all parameters; names of parameters and inputs. Of an
                 input ``(times, values)`` the gradient is by the values.
             x0, q, u, z, events, rtol, atol, step, max_step, inputs, parameters, progress: As
-                :meth:`simulate` takes them; of several runs no progress is shown.
+                :meth:`simulate` takes them.
             vary, runs, seed: What differs between several runs, as :meth:`ensemble` takes it; then x0,
                 q, u, z, parameters and inputs may have values per run too.
             method: As :meth:`simulate` takes it, but Rosenbrock; ``"auto"`` takes DOP853, of
@@ -901,7 +905,8 @@ class CompiledModel(LoadedModel):
         Returns:
             A :class:`cardan.Gradient`: ``value``, ``slope`` by name, ``motion``. Of Runge-Kutta methods
             it is exact for the steps that were taken; of others it is that of the exact motion beside
-            the computed one. Either way its error is that of the motion.
+            the computed one. Either way its error is that of the motion. After Ctrl-C several runs have
+            NaN where they were not done, and warn.
 
         Raises:
             ModelError, ArgumentError: as :meth:`simulate`, and a method or an input whose derivative is

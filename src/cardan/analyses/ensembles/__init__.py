@@ -32,11 +32,12 @@ from .collection import UNFINISHED, Gathered, PartResults
 from .energy_check import energy_checks, unaccounted
 from .executors import Client, Threads, interruptible
 from .job import BlockResult, Job, histories_of
-from .lane_runner import suits, width_of
-from .reductions import reductions
+from .lane_runner import width_of
+from .reductions import Reduction, reductions
 from .request_record import written
 from .result import EnsembleRecord, Request, reported
 from .sampling import Plan
+from .sensitivity import requested
 from .share import Block, part_of, share_of
 from .single_runs import motion
 from .variations import varied
@@ -70,6 +71,7 @@ def ensemble(
     runs: Count | None = None,
     seed: Seed = 0,
     reduce: str | Sequence[str] | Mapping[str, object] | None = None,
+    sensitivity: str | Sequence[str] = (),
     method: str = "auto",
     rtol: float = 1e-6,
     atol: float | None = None,
@@ -103,6 +105,9 @@ def ensemble(
             several; or name -> words or a function of t (nt,) and states (runs, nt, nx) of some
             runs. By default the states at output times, if ``t`` has some. Without output times
             201 of them, evenly from start to end, are taken.
+        sensitivity: Starts, parameters and inputs by name, as :meth:`gradient` takes them:
+            ``runs.sensitivity["m"]``, (runs, nt, nx), is what states at output times change by.
+            Such runs are done one after the other in every thread.
         method, rtol, atol, step, max_step: As of ``simulate``; ``"auto"`` looks at the first run.
         threads: By default ``$CARDAN_THREADS``, else the cores of this process.
         lanes: 1: no lanes. By default as many as vectors have, once they pay.
@@ -128,7 +133,7 @@ def ensemble(
     event_table.forward(over.start, over.end)
     how = settings(method, rtol, atol, step, max_step, over.length)
     reductions_by_name = reductions(reduce, histories_of(model), over.times is not None)
-    over = _observed(over, bool(reductions_by_name))
+    over = _observed(over, bool(reductions_by_name or sensitivity))
     variations, input_signals = varied(
         model, x0=x0, q=q, u=u, z=z, parameters=parameters, inputs=inputs, sample_time=sample,
         vary=vary, runs=runs, seed=seed, over=(over.start, over.end),
@@ -136,9 +141,27 @@ def ensemble(
     portion = part_of(part)
     executor, file = _executor(client, threads), _file(checkpoint)
     how = watched(how, input_signals, over.length, max_step)
+    request, histories = requested(sensitivity, model, how, input_signals, inputs)
+    reductions_by_name = _joined(reductions_by_name, histories)
     job = Job(model, how, input_signals, event_table, over, variations, reductions_by_name)
-    job = _settled(job, rtol) if method == "auto" else job
+    # as simulate does, runs with sensitivities take the method that they are exact for
+    job = _settled(job, rtol) if method == "auto" and not request else job
+    job = replace(job, sensitivity=request)
     return reported(*_computed(_sized(job, lanes), portion, executor, file, progress), check)
+
+
+def _joined(
+    reductions_by_name: dict[str, Reduction], histories: dict[str, Reduction]
+) -> dict[str, Reduction]:
+    """Reductions and sensitivities by name.
+
+    Raises:
+        ModelError: one name for both.
+    """
+    for name in histories:
+        if name in reductions_by_name:
+            raise ModelError(f"reduce: '{name}' is the name of a sensitivity: take another one")
+    return reductions_by_name | histories
 
 
 def _executor(client: Any, threads: Any) -> Threads | Client:
@@ -203,7 +226,7 @@ def _width(job: Job, lanes: int | None) -> int:
     """Lanes side by side; the first run tells whether they pay."""
     if lanes not in (None, 1):
         raise ModelError(f"lanes={lanes}: give 1 for none, or leave it out for those that pay")
-    if lanes == 1 or not suits(job.model, job.how, job.input_signals, job.event_table):
+    if lanes == 1 or not job.in_lanes:
         return 1
     runner, first = job.runner(), job.varied.part(0, 1)
     runner.run(first)
@@ -219,7 +242,7 @@ def blocks(job: Job) -> list[Block]:
     runs, times = job.varied.runs, 0 if job.over.times is None else len(job.over.times)
     row = 8 * (1 + job.model.nx + job.model.nr)
     most = min(LARGEST, ROOM / max(1, row * times), runs / SHARES)
-    if not suits(job.model, job.how, job.input_signals, job.event_table):
+    if not job.in_lanes:
         most = ALONE
     size = max(8, int(most) // 8 * 8)
     return [(first, min(first + size, runs)) for first in range(0, runs, size)]
