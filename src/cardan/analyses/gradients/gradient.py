@@ -19,6 +19,7 @@ from ..simulation.alpha_methods import Alpha, GeneralizedAlpha
 from ..simulation.driving import RunSetup, chosen, driven, reported, run_setup, runner_of
 from ..simulation.run import Runner
 from ..simulation.settings import Values
+from ..simulation.spare_runners import put_aside
 from .adjoint import Sweep
 from .cost import Cost
 from .differentiable import check_complete, refuse, row_behind, rows_of
@@ -126,7 +127,9 @@ def gradient(
     if motion.status == "interrupted":
         raise KeyboardInterrupt
     check_complete(motion, runner)
-    return _swept(setup, runner, reported(motion, False), cost, names, state)
+    result = _swept(setup, runner, reported(motion, False), cost, names, state)
+    put_aside(runner)
+    return result
 
 
 def _stacked(gradients: Sequence[Gradient], runs: int) -> Gradient:
@@ -155,7 +158,7 @@ def _swept(
 ) -> Gradient:
     """The gradient by a sweep over the steps of a motion."""
     model, log = setup.model, motion.event_log
-    sweep = Sweep(runner, cost, names.parameters)
+    sweep = Sweep.of(runner, cost, names.parameters)
     jumps = Jumps(sweep, cost, setup.event_table, setup.over.start)
     instants = event_instants(log.log, setup.event_table, model.nx, model.ns)
     value, final_rate = _final(sweep, motion, cost)
