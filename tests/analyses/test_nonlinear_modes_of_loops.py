@@ -142,7 +142,8 @@ def test_double_pendulum(mode: int) -> None:
     assert absolute.period == pytest.approx(tree.period, rel=1e-12)
     for name in ("first", "second"):
         assert absolute[name] == pytest.approx(tree[name], abs=1e-10)
-    np.testing.assert_allclose(absolute.multipliers, tree.multipliers, atol=1e-6)
+    assert absolute.derivatives == tree.derivatives == "exact"
+    np.testing.assert_allclose(absolute.multipliers, tree.multipliers, atol=1e-8)
 
 
 def test_constraints_that_no_run_holds_are_refused() -> None:
@@ -176,3 +177,8 @@ def test_beam_between_fixed_pins() -> None:
         energy = model.energy(path[k].q, path[k].u)
         over = energy.kinetic + energy.potential - straight
         assert over == pytest.approx(path["energy"][k], rel=1e-9)
+    # what keeps its energy has multipliers in reciprocal pairs (H. Poincare, 1892)
+    assert path[-1].derivatives == "exact"
+    multipliers = path[-1].multipliers
+    assert np.prod(multipliers) == pytest.approx(1.0, abs=1e-8)
+    np.testing.assert_allclose(np.poly(multipliers), np.poly(1 / multipliers), atol=1e-8)

@@ -230,6 +230,7 @@ class CompiledModel(LoadedModel):
         runs: Count | None = None,
         seed: Seed = 0,
         reduce: str | Sequence[str] | Mapping[str, object] | None = None,
+        sensitivity: str | Sequence[str] = (),
         method: str = "auto",
         rtol: float = 1e-06,
         atol: float | None = None,
@@ -247,41 +248,35 @@ class CompiledModel(LoadedModel):
 
         Args:
             t: End, ``(start, end)`` or output times [s], which ``t_eval`` takes too.
-            vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values (runs,) or
-                distribution; names of coordinates, speeds, parameters or inputs.
+            vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values or distribution.
             x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
-                ``{"elbow": values}``. One number or state is that of all runs; a distribution such as
-                ``cd.sample.normal(0, 0.1)`` is drawn for every run.
+                ``{"elbow": values}``. One is that of all runs; ``cd.sample.normal(0, 0.1)`` is drawn.
             parameters, inputs: Name -> number, values (runs,) or a distribution; inputs of all runs
                 alike also ``(times, values)`` or ``f(t, x)``, which ``sample`` [s] holds.
-            events: As of ``simulate``. Runs with them, with loops or with Python on the way are
-                done one after the other in every thread, the others in lanes.
-            runs: How many, where nothing else says so.
-            seed: Of the distributions; every name is drawn on its own.
+            events: As of ``simulate``; runs with them, loops or Python on the way take no lanes.
+            runs, seed: How many, where nothing else says so; of the distributions.
             reduce: What to keep beside the last states: ``"max of elbow"``, ``"mean of elbow"``, ...;
                 several; or name -> words or a function of t (nt,) and states (runs, nt, nx) of some
-                runs. By default the states at output times, if ``t`` has some. Without output times
-                201 of them, evenly from start to end, are taken.
+                runs. By default the states at output times; reductions take 201 where there are none.
+            sensitivity: Starts, parameters and inputs, as :meth:`gradient` takes them, by which
+                ``runs.sensitivity["m"]``, (runs, nt, nx), are derivatives; done one after the other.
             method, rtol, atol, step, max_step: As of ``simulate``; ``"auto"`` looks at the first run.
             threads: By default ``$CARDAN_THREADS``, else the cores of this process.
             lanes: 1: no lanes. By default as many as vectors have, once they pay.
             client: Computes instead of threads: of ``dask.distributed``, or an executor.
-            part: ``(k, n)``: only part k of n of the runs, from 1 on, such as ``part=(3, 8)`` in job 3
-                of 8 that share nothing but a disk. ``cd.Ensemble.join`` makes the whole of them, to the
-                bit. ``run(i)`` and messages count the runs of the part.
-            checkpoint: A file that keeps finished blocks of runs. The same call goes on from there. One
-                file per part, which is not locked.
+            part: ``(k, n)``: only part k of n, from 1 on, such as ``part=(3, 8)`` in job 3 of 8 that
+                share a disk. ``cd.Ensemble.join`` makes the whole of them, to the bit.
+            checkpoint: A file of finished blocks; the same call goes on from there. One per part.
             check, progress: As of ``simulate``.
 
         Returns:
             Last states, status and reductions; after Ctrl-C of what was computed.
 
         Raises:
-            ModelError: unknown names, nothing that differs, a checkpoint of other runs.
-            ArgumentError: shapes that do not fit. FunctionError: a function of yours raised; what a
-                checkpoint has stays there. SolveError: a number that is not finite; no room for
-                the checkpoint; a run that failed, with ``check``.
-            BuildError: a client whose machine builds other bits.
+            ModelError: unknown names, nothing that differs, a checkpoint of other runs. ArgumentError:
+                shapes that do not fit. FunctionError: a function of yours raised. SolveError: a number
+                that is not finite; no room for the checkpoint; a run that failed, with ``check``.
+                BuildError: a client whose machine builds other bits.
         """
     def initial(
         self,
@@ -853,8 +848,8 @@ class CompiledModel(LoadedModel):
             A fit: ``parameters``, ``standard_errors``, ``interval(name)``, ``residuals``, ``motion``.
 
         Raises:
-            ArgumentError, ModelError: data or names that do not fit the model, and what has no
-                gradient. SolveError: no run from where the search begins.
+            ArgumentError, ModelError: data or names that do not fit, and what has no gradient.
+                SolveError: no run from where the search begins.
 
         Source: Bock (1983).
         """
@@ -892,7 +887,7 @@ class CompiledModel(LoadedModel):
                 joint, along its speeds; ``"p"``: all parameters; names of parameters and inputs. Of an
                 input ``(times, values)`` the gradient is by the values.
             x0, q, u, z, events, rtol, atol, step, max_step, inputs, parameters, progress: As
-                :meth:`simulate` takes them; of several runs no progress is shown.
+                :meth:`simulate` takes them.
             vary, runs, seed: What differs between several runs, as :meth:`ensemble` takes it; then x0,
                 q, u, z, parameters and inputs may have values per run too.
             method: As :meth:`simulate` takes it, but Rosenbrock; ``"auto"`` takes DOP853, of
@@ -901,7 +896,8 @@ class CompiledModel(LoadedModel):
         Returns:
             A :class:`cardan.Gradient`: ``value``, ``slope`` by name, ``motion``. Of Runge-Kutta methods
             it is exact for the steps that were taken; of others it is that of the exact motion beside
-            the computed one. Either way its error is that of the motion.
+            the computed one. Either way its error is that of the motion. After Ctrl-C several runs have
+            NaN where they were not done, and warn.
 
         Raises:
             ModelError, ArgumentError: as :meth:`simulate`, and a method or an input whose derivative is
@@ -954,8 +950,7 @@ class CompiledModel(LoadedModel):
             parameters: Values by name, else those of the model.
             t: Time at which laps begin [s]; of laps that time ends not that of an impact.
             longest: Time within which a lap must end [s].
-            method, rtol, atol: Of the runs. Derivatives of laps are exact with ``"DOP853"``, ``"RK45"``
-                and ``"RK4"`` and differences of runs with others, see ``cycle.derivatives``.
+            method, rtol, atol: Of the runs; ``cycle.derivatives`` says whether those are exact.
             check: Raise where no cycle is reached, instead of warning.
 
         Returns:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import signal
+
 import numpy as np
 import pytest
 
@@ -41,3 +43,33 @@ def test_several_runs_have_the_gradients_of_each() -> None:
     assert model.gradient(0.1, cost, wrt="m1", vary=drawn, runs=4, seed=1).value.shape == (4,)
     with pytest.raises(cd.CardanError, match=r"'m9'"):
         model.gradient(1.0, cost, wrt=names, vary={"m9": masses})
+
+
+def test_progress_and_ctrl_c() -> None:
+    model, cost, seen = double_pendulum(), cd.cost(final="a^2"), list[float]()
+    masses = np.array([0.8, 1.0, 1.3, 1.5])
+    options = {"wrt": ("m1", "x0"), "vary": {"m1": masses}}
+    whole = model.gradient(0.5, cost, **options, progress=seen.append)
+    assert seen == [0.25, 0.5, 0.75, 1.0]
+
+    def second(fraction: float) -> None:
+        if fraction == 0.5:
+            signal.raise_signal(signal.SIGINT)
+
+    with pytest.warns(cd.SolveWarning, match="interrupted when 2 of 4 runs were done"):
+        half = model.gradient(0.5, cost, **options, progress=second)
+    assert len(half.motion) == 2
+    pairs = [(half.value, whole.value), *((half.slope[n], whole.slope[n]) for n in whole.slope)]
+    for part, complete in pairs:
+        np.testing.assert_array_equal(part[:2], complete[:2])
+        assert np.isnan(part[2:]).all()
+        assert part.shape == complete.shape
+
+    def stop(t: float, x: np.ndarray) -> float:
+        signal.raise_signal(signal.SIGINT)
+        return 1.0
+
+    # nothing is done yet: within the first run, and within a single one
+    for more in ({"vary": {"m1": masses}}, {}):
+        with pytest.raises(KeyboardInterrupt):
+            model.gradient(0.5, cost, wrt="m1", events={"stop": stop}, **more)

@@ -74,8 +74,7 @@ def cycle(
         parameters: Values by name, else those of the model.
         t: Time at which laps begin [s]; of laps that time ends not that of an impact.
         longest: Time within which a lap must end [s].
-        method, rtol, atol: Of the runs. Derivatives of laps are exact with ``"DOP853"``, ``"RK45"``
-            and ``"RK4"`` and differences of runs with others, see ``cycle.derivatives``.
+        method, rtol, atol: Of the runs; ``cycle.derivatives`` says whether those are exact.
         check: Raise where no cycle is reached, instead of warning.
 
     Returns:

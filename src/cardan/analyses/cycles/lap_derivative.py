@@ -61,8 +61,6 @@ class LapDerivative:
 def refusal(problem: CycleProblem) -> str:
     """Why laps have no derivative but by differences; "" if they have."""
     method, inputs = problem.how.method, problem.flow({}).runner.signals
-    if problem.model.manifest.absolute:
-        return "laps over elements are differentiated by differences"
     if method.kernel not in TABLES:
         return f"there is no sweep through steps of {method.name}"
     if inputs.functions:

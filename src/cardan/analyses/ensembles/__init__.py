@@ -32,11 +32,12 @@ from .collection import UNFINISHED, Gathered, PartResults
 from .energy_check import energy_checks, unaccounted
 from .executors import Client, Threads, interruptible
 from .job import BlockResult, Job, histories_of
-from .lane_runner import suits, width_of
+from .lane_runner import width_of
 from .reductions import reductions
 from .request_record import written
 from .result import EnsembleRecord, Request, reported
 from .sampling import Plan
+from .sensitivity import requested
 from .share import Block, part_of, share_of
 from .single_runs import motion
 from .variations import varied
@@ -70,6 +71,7 @@ def ensemble(
     runs: Count | None = None,
     seed: Seed = 0,
     reduce: str | Sequence[str] | Mapping[str, object] | None = None,
+    sensitivity: str | Sequence[str] = (),
     method: str = "auto",
     rtol: float = 1e-6,
     atol: float | None = None,
@@ -88,57 +90,71 @@ def ensemble(
     Args:
         model: The compiled model.
         t: End, ``(start, end)`` or output times [s], which ``t_eval`` takes too.
-        vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values (runs,) or
-            distribution; names of coordinates, speeds, parameters or inputs.
+        vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values or distribution.
         x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
-            ``{"elbow": values}``. One number or state is that of all runs; a distribution such as
-            ``cd.sample.normal(0, 0.1)`` is drawn for every run.
+            ``{"elbow": values}``. One is that of all runs; ``cd.sample.normal(0, 0.1)`` is drawn.
         parameters, inputs: Name -> number, values (runs,) or a distribution; inputs of all runs
             alike also ``(times, values)`` or ``f(t, x)``, which ``sample`` [s] holds.
-        events: As of ``simulate``. Runs with them, with loops or with Python on the way are
-            done one after the other in every thread, the others in lanes.
-        runs: How many, where nothing else says so.
-        seed: Of the distributions; every name is drawn on its own.
+        events: As of ``simulate``; runs with them, loops or Python on the way take no lanes.
+        runs, seed: How many, where nothing else says so; of the distributions.
         reduce: What to keep beside the last states: ``"max of elbow"``, ``"mean of elbow"``, ...;
             several; or name -> words or a function of t (nt,) and states (runs, nt, nx) of some
-            runs. By default the states at output times, if ``t`` has some. Without output times
-            201 of them, evenly from start to end, are taken.
+            runs. By default the states at output times; reductions take 201 where there are none.
+        sensitivity: Starts, parameters and inputs, as :meth:`gradient` takes them, by which
+            ``runs.sensitivity["m"]``, (runs, nt, nx), are derivatives; done one after the other.
         method, rtol, atol, step, max_step: As of ``simulate``; ``"auto"`` looks at the first run.
         threads: By default ``$CARDAN_THREADS``, else the cores of this process.
         lanes: 1: no lanes. By default as many as vectors have, once they pay.
         client: Computes instead of threads: of ``dask.distributed``, or an executor.
-        part: ``(k, n)``: only part k of n of the runs, from 1 on, such as ``part=(3, 8)`` in job 3
-            of 8 that share nothing but a disk. ``cd.Ensemble.join`` makes the whole of them, to the
-            bit. ``run(i)`` and messages count the runs of the part.
-        checkpoint: A file that keeps finished blocks of runs. The same call goes on from there. One
-            file per part, which is not locked.
+        part: ``(k, n)``: only part k of n, from 1 on, such as ``part=(3, 8)`` in job 3 of 8 that
+            share a disk. ``cd.Ensemble.join`` makes the whole of them, to the bit.
+        checkpoint: A file of finished blocks; the same call goes on from there. One per part.
         check, progress: As of ``simulate``.
 
     Returns:
         Last states, status and reductions; after Ctrl-C of what was computed.
 
     Raises:
-        ModelError: unknown names, nothing that differs, a checkpoint of other runs.
-        ArgumentError: shapes that do not fit. FunctionError: a function of yours raised; what a
-            checkpoint has stays there. SolveError: a number that is not finite; no room for
-            the checkpoint; a run that failed, with ``check``.
-        BuildError: a client whose machine builds other bits.
+        ModelError: unknown names, nothing that differs, a checkpoint of other runs. ArgumentError:
+            shapes that do not fit. FunctionError: a function of yours raised. SolveError: a number
+            that is not finite; no room for the checkpoint; a run that failed, with ``check``.
+            BuildError: a client whose machine builds other bits.
     """
     over, event_table = span(t, t_eval), event_table_of(model, events)
     event_table.forward(over.start, over.end)
     how = settings(method, rtol, atol, step, max_step, over.length)
-    reductions_by_name = reductions(reduce, histories_of(model), over.times is not None)
-    over = _observed(over, bool(reductions_by_name))
     variations, input_signals = varied(
         model, x0=x0, q=q, u=u, z=z, parameters=parameters, inputs=inputs, sample_time=sample,
         vary=vary, runs=runs, seed=seed, over=(over.start, over.end),
     )  # fmt: skip
-    portion = part_of(part)
-    executor, file = _executor(client, threads), _file(checkpoint)
     how = watched(how, input_signals, over.length, max_step)
-    job = Job(model, how, input_signals, event_table, over, variations, reductions_by_name)
-    job = _settled(job, rtol) if method == "auto" else job
+    job = Job(model, how, input_signals, event_table, over, variations, {})
+    job = _with_results(job, reduce, sensitivity, inputs)
+    # as simulate does, runs with sensitivities take the method that they are exact for
+    job = _settled(job, rtol) if method == "auto" and job.sensitivity is None else job
+    portion, executor, file = part_of(part), _executor(client, threads), _file(checkpoint)
     return reported(*_computed(_sized(job, lanes), portion, executor, file, progress), check)
+
+
+def _with_results(
+    job: Job,
+    reduce: str | Sequence[str] | Mapping[str, object] | None,
+    sensitivity: str | Sequence[str],
+    inputs: Inputs | None,
+) -> Job:
+    """The job with reductions and sensitivities, and output times where there are any.
+
+    Raises:
+        ModelError: names that mean nothing, or one name for both.
+    """
+    by_name = reductions(reduce, histories_of(job.model), job.over.times is not None)
+    request, histories = requested(sensitivity, job.model, job.how, job.input_signals, inputs)
+    for name in histories:
+        if name in by_name:
+            raise ModelError(f"reduce: '{name}' is the name of a sensitivity: take another one")
+    by_name |= histories
+    over = _observed(job.over, bool(by_name))
+    return replace(job, over=over, reductions=by_name, sensitivity=request)
 
 
 def _executor(client: Any, threads: Any) -> Threads | Client:
@@ -203,7 +219,7 @@ def _width(job: Job, lanes: int | None) -> int:
     """Lanes side by side; the first run tells whether they pay."""
     if lanes not in (None, 1):
         raise ModelError(f"lanes={lanes}: give 1 for none, or leave it out for those that pay")
-    if lanes == 1 or not suits(job.model, job.how, job.input_signals, job.event_table):
+    if lanes == 1 or not job.in_lanes:
         return 1
     runner, first = job.runner(), job.varied.part(0, 1)
     runner.run(first)
@@ -219,7 +235,7 @@ def blocks(job: Job) -> list[Block]:
     runs, times = job.varied.runs, 0 if job.over.times is None else len(job.over.times)
     row = 8 * (1 + job.model.nx + job.model.nr)
     most = min(LARGEST, ROOM / max(1, row * times), runs / SHARES)
-    if not suits(job.model, job.how, job.input_signals, job.event_table):
+    if not job.in_lanes:
         most = ALONE
     size = max(8, int(most) // 8 * 8)
     return [(first, min(first + size, runs)) for first in range(0, runs, size)]

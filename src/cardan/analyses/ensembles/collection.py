@@ -192,8 +192,13 @@ def _room(shape: tuple[int, ...]) -> Array:
 
 def _refuse_too_much(sizes: Sizes) -> None:
     """Refuse to keep more states than the memory can hold, before anything is computed."""
-    with_states = any(isinstance(one, States) for one in sizes.reductions.values())
-    size = 8 * sizes.runs * sizes.nx * (1 + with_states * sizes.times)
+    # what has an entry of the state at every time: these, and their sensitivities
+    histories = sum(
+        math.prod(one.shapes(1, sizes.times, sizes.nx)["value"])
+        for one in sizes.reductions.values()
+        if one.axes == States.axes
+    )
+    size = 8 * sizes.runs * (sizes.nx + histories)
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     if size > SHARE * memory:
         raise ModelError(

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from ...arrays import Array
 from ..simulation.energy_accounting import tolerated
 from .job import Job
-from .lane_runner import NUMBERS, suits
+from .lane_runner import NUMBERS
 
 Bools = NDArray[np.bool_]
 # why a run is done again -> how many runs are, at most: those with the highest scores
@@ -54,9 +54,7 @@ def energy_checks(job: Job, final: Array, numbers: Array, finished: Bools) -> li
     """
     model = job.model
     has_energy = {"energy", "power"} <= set(model.manifest.available)
-    if not (
-        has_energy and finished.any() and suits(model, job.how, job.input_signals, job.event_table)
-    ):
+    if not (has_energy and finished.any() and job.in_lanes):
         return []
     steps = numbers[:, NUMBERS.index("steps")]
     if _conservative(job):

@@ -22,7 +22,7 @@ from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.models.saved_models import parts, restore
 from ..simulation.files.append_log import build_key
 from .job import BlockResult, Job, compute
-from .lane_runner import suits, width_of
+from .lane_runner import width_of
 from .share import Block
 
 PATIENCE = 0.05  # seconds between two looks at signals
@@ -246,7 +246,7 @@ def remote(
             f"'{model.name}' is {key}; that of the sender is {job.build}. {_why(model)}"
         )
     width = 1
-    if job.width > 1 and suits(model, job.how, job.input_signals, job.event_table):
+    if job.width > 1 and job.in_lanes:
         width = width_of(model, job.how, job.event_table, job.varied.varies_parameters, np.inf)
     job = Job(**{f.name: getattr(job, f.name) for f in fields(job)} | {"width": width})
     block_result = compute(job, job.runner(), 0, last - first)

@@ -20,7 +20,8 @@ from ..simulation.signals import Signals
 from ..simulation.times import Span
 from .lane_runner import Ends, LaneRunner, suits
 from .reductions import Histories, Parts, Reduction
-from .single_runs import Single, motion
+from .sensitivity import SensitivityRequest
+from .single_runs import SensitiveMotion, Single, motion, setup_of
 from .variations import Varied
 
 # histories beside those of states, inputs and outputs
@@ -58,6 +59,7 @@ class Job:
         reductions: Reductions by name.
         width: Lanes side by side.
         build: What decides about the last bit, as :func:`build_key` says.
+        sensitivity: What the runs are differentiated by; None without.
     """
 
     model: LoadedModel
@@ -69,6 +71,7 @@ class Job:
     reductions: Mapping[str, Reduction]
     width: int = 1
     build: str = ""
+    sensitivity: SensitivityRequest | None = None
 
     @property
     def sizes(self) -> Sizes:
@@ -76,24 +79,26 @@ class Job:
         times = 0 if self.over.times is None else len(self.over.times)
         return Sizes(self.varied.runs, self.model.nx, times, self.reductions)
 
+    @property
+    def in_lanes(self) -> bool:
+        """True when the loop in C can do the runs, side by side."""
+        arguments = self.model, self.how, self.input_signals, self.event_table
+        return self.sensitivity is None and suits(*arguments)
+
     def runner(self) -> LaneRunner | Single:
         """The runner of one thread."""
         arguments = self.model, self.how, self.input_signals, self.event_table
-        if suits(*arguments):
+        if self.in_lanes:
             return LaneRunner(*arguments, self.over, self.width)
-        return Single(*arguments, self.over)
+        return Single(*arguments, self.over, self.sensitivity)
 
     def motion(self, k: int, times: Array | None) -> TrajectoryRecord:
         """One run as a trajectory, at times or dense."""
-        over = replace(self.over, times=times)
-        return motion(
-            self.model,
-            self.how,
-            self.input_signals,
-            self.event_table,
-            over,
-            self.varied.part(k, k + 1),
-        )[0]
+        over, part = replace(self.over, times=times), self.varied.part(k, k + 1)
+        arguments = self.model, self.how, self.input_signals, self.event_table
+        if self.sensitivity is None or times is not None:
+            return motion(*arguments, over, part)[0]
+        return SensitiveMotion(setup_of(*arguments, over, part), part, self.sensitivity).motion()
 
 
 @dataclass(frozen=True)
@@ -165,7 +170,7 @@ def histories(job: Job, part: Varied, ends: Ends) -> Histories:
         return histories[name]
 
     status = np.array(ends.status)
-    return Histories(t, x, status == FINISHED, status == EVENT, of)
+    return Histories(t, x, status == FINISHED, status == EVENT, of, ends.sensitivity)
 
 
 def _values(model: LoadedModel, part: Varied, rows: Array, function: str) -> Array:

@@ -50,6 +50,8 @@ class Ends:
             worth, by index in the block.
         numbers: (count, 4), of :data:`NUMBERS`: where it ended [s], ...
         warnings: Messages of warnings, by index in the block.
+        sensitivity: At the output times, by name (count, nt, nx, ...); NaN as in rows, and where
+            there is none.
     """
 
     x: Array
@@ -58,6 +60,7 @@ class Ends:
     messages: dict[int, str]
     numbers: Array
     warnings: dict[int, list[str]] = field(default_factory=dict)
+    sensitivity: dict[str, Array] = field(default_factory=dict)
 
 
 def suits(

@@ -11,7 +11,7 @@ import math
 import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, NoReturn
 
 import numpy as np
@@ -52,6 +52,7 @@ class Histories:
         completed: Which runs reached their end, (runs,).
         ended: Which ended before, as an event wanted it, (runs,).
         of: ``of(name)``: history of a coordinate, speed, input or output (runs, nt).
+        sensitivity: What states change by, by name: (runs, nt, nx, ...); NaN likewise.
     """
 
     t: Array
@@ -59,6 +60,7 @@ class Histories:
     completed: Booleans
     ended: Booleans
     of: Callable[[str], Array]
+    sensitivity: Mapping[str, Array] = field(default_factory=dict)
 
 
 class Reduction(ABC):

@@ -13,8 +13,9 @@ from ...schema.fields import Record, count, field, listed, number, table, text
 from ..simulation.files.append_log import packed
 from ..simulation.files.append_log import text as letters
 from .job import Sizes
-from .reductions import Reduction, reread
+from .reductions import Reduction
 from .result import Request
+from .sensitivity import reread_all
 from .share import Share
 
 
@@ -76,7 +77,7 @@ def read(arrays: Mapping[str, Array]) -> tuple[Request, Share, Sizes]:
         if column.dtype != np.float64 or column.ndim not in (1, 2) or len(column) != len(share):
             raise ValueError(f"what is varied of '{name}' is damaged")
         varied[name] = column
-    by_name = reread(notes.reductions)
+    by_name = reread_all(notes.reductions)
     sizes = Sizes(len(share), len(notes.entries), len(times), by_name)
     request = Request(
         model=notes.model,

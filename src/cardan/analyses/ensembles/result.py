@@ -18,6 +18,7 @@ from ...runtime.trajectory.trajectory import TrajectoryRecord
 from .collection import UNFINISHED, Gathered, PartResults
 from .job import Job, entries
 from .lane_runner import NUMBERS
+from .sensitivity import RunSensitivities
 from .share import Share
 
 
@@ -181,6 +182,15 @@ class EnsembleRecord:
             names_available = [*self.results, *names]
             raise ModelError(f"ensemble['{name}']: it was not kept.{near(name, names_available)}")
         return self.final[:, names.index(name)]
+
+    @property
+    def sensitivity(self) -> RunSensitivities:
+        """Name -> (runs, nt, nx): what states at output times change by, as it was asked for.
+
+        (runs, nt, nx, k) of what consists of several numbers, such as ``"x0"``. NaN behind the end
+        of a run, and of runs that broke down.
+        """
+        return RunSensitivities(self.results)
 
     @property
     def t(self) -> Array:

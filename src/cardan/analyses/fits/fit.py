@@ -78,8 +78,8 @@ def fit(
         A fit: ``parameters``, ``standard_errors``, ``interval(name)``, ``residuals``, ``motion``.
 
     Raises:
-        ArgumentError, ModelError: data or names that do not fit the model, and what has no
-            gradient. SolveError: no run from where the search begins.
+        ArgumentError, ModelError: data or names that do not fit, and what has no gradient.
+            SolveError: no run from where the search begins.
 
     Source: Bock (1983).
     """

@@ -6,33 +6,34 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError, SolveError
+from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT, FINISHED
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..simulation.discontinuities import jump_parameters
-from ..simulation.driving import RunSetup
 from ..simulation.run import Runner
+from ..simulation.settings import Settings
+from ..simulation.signals import Signals
 from .jumps import EventInstant
 from .unknowns import Unknowns
 
 
-def refuse(setup: RunSetup, unknowns: Unknowns) -> None:
+def refuse(model: LoadedModel, how: Settings, input_signals: Signals, unknowns: Unknowns) -> None:
     """Refuse what has no gradient.
 
     Args:
-        setup: The run.
+        model, how, input_signals: Of the run.
         unknowns: What it is differentiated by.
 
     Raises:
         ModelError: with the cure.
     """
-    model, method = setup.model, setup.how.method.name
-    if method == "Rosenbrock":
+    if how.method.name == "Rosenbrock":
         raise ModelError(
             "gradient: method 'Rosenbrock': the Jacobian stands in its steps, which would need "
             "second derivatives. Take Radau, which is for stiff models too"
         )
-    if setup.input_signals.functions:
-        names = [model.inputs[k] for k in setup.input_signals.functions]
+    if input_signals.functions:
+        names = [model.inputs[k] for k in input_signals.functions]
         raise ModelError(
             f"gradient: input '{names[0]}' is a function, whose derivative is not known. Give it "
             "as (times, values), or write it into the scene as a force"

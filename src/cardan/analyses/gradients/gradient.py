@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from ...arguments import Count, Inputs, Seed, checked
 from ...arrays import Array
+from ...errors import SolveWarning, warn
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT
 from ...runtime.trajectory.trajectory import TrajectoryRecord
@@ -18,6 +19,7 @@ from ..simulation.alpha_methods import Alpha, GeneralizedAlpha
 from ..simulation.driving import RunSetup, chosen, driven, reported, run_setup, runner_of
 from ..simulation.run import Runner
 from ..simulation.settings import Values
+from ..simulation.spare_runners import put_aside
 from .adjoint import Sweep
 from .cost import Cost
 from .differentiable import check_complete, refuse, row_behind, rows_of
@@ -35,7 +37,7 @@ class Gradient:
         value: The cost; of several runs (runs,).
         slope: Gradient by name: a number, or an array of the size of what it is by. Of ``"q0"`` and
             ``"x0"`` along the speeds: (nu,) and (2 nu + nz,). Of several runs (runs, ...).
-        motion: The motion; of several runs a tuple of them.
+        motion: The motion; of several runs a tuple of those that were done.
     """
 
     value: float | Array
@@ -82,7 +84,7 @@ def gradient(
             joint, along its speeds; ``"p"``: all parameters; names of parameters and inputs. Of an
             input ``(times, values)`` the gradient is by the values.
         x0, q, u, z, events, rtol, atol, step, max_step, inputs, parameters, progress: As
-            :meth:`simulate` takes them; of several runs no progress is shown.
+            :meth:`simulate` takes them.
         vary, runs, seed: What differs between several runs, as :meth:`ensemble` takes it; then x0,
             q, u, z, parameters and inputs may have values per run too.
         method: As :meth:`simulate` takes it, but Rosenbrock; ``"auto"`` takes DOP853, of
@@ -91,7 +93,8 @@ def gradient(
     Returns:
         A :class:`cardan.Gradient`: ``value``, ``slope`` by name, ``motion``. Of Runge-Kutta methods
         it is exact for the steps that were taken; of others it is that of the exact motion beside
-        the computed one. Either way its error is that of the motion.
+        the computed one. Either way its error is that of the motion. After Ctrl-C several runs have
+        NaN where they were not done, and warn.
 
     Raises:
         ModelError, ArgumentError: as :meth:`simulate`, and a method or an input whose derivative is
@@ -110,25 +113,39 @@ def gradient(
             )  # fmt: skip
 
         variation = Variation(vary, runs, seed)
-        return _stacked(over_runs(model, variation, t, state, named_inputs, parameters, single))
+        return _stacked(
+            *over_runs(model, variation, t, state, named_inputs, parameters, single, progress)
+        )
     if method == "auto":
         method = "Radau" if model.manifest.absolute else "DOP853"
     options = (method, rtol, atol, step, max_step)
     setup = run_setup(model, (t, None), state, events, options, inputs, parameters)
     names = unknowns(setup.model, wrt, {str(k): v for k, v in named_inputs.items()})
-    refuse(setup, names)
+    refuse(setup.model, setup.how, setup.input_signals, names)
     runner = runner_of(setup.model, chosen(setup.how, None), setup.input_signals, setup.event_table)
     motion = driven(runner, setup.over, setup.begin, progress, dense=False)
+    if motion.status == "interrupted":
+        raise KeyboardInterrupt
     check_complete(motion, runner)
-    return _swept(setup, runner, reported(motion, False), cost, names, state)
+    result = _swept(setup, runner, reported(motion, False), cost, names, state)
+    put_aside(runner)
+    return result
 
 
-def _stacked(gradients: Sequence[Gradient]) -> Gradient:
-    """Gradients of several runs as one."""
-    names = gradients[0].slope if gradients else ()
-    slopes = {name: np.array([one.slope[name] for one in gradients]) for name in names}
+def _stacked(gradients: Sequence[Gradient], runs: int) -> Gradient:
+    """Gradients of several runs as one, NaN for those that Ctrl-C came before."""
+    done = len(gradients)
+    if done < runs:
+        warn(f"gradient: interrupted when {done} of {runs} runs were done", SolveWarning)
+
+    def column(values: Sequence[Slope]) -> Array:
+        result = np.full((runs, *np.shape(values[0])), np.nan)
+        result[:done] = values
+        return result
+
+    slopes = {name: column([one.slope[name] for one in gradients]) for name in gradients[0].slope}
     motions = tuple(x.motion for x in gradients if not isinstance(x.motion, tuple))
-    return Gradient(np.array([one.value for one in gradients]), slopes, motions)
+    return Gradient(column([float(one.value) for one in gradients]), slopes, motions)
 
 
 def _swept(
@@ -141,7 +158,7 @@ def _swept(
 ) -> Gradient:
     """The gradient by a sweep over the steps of a motion."""
     model, log = setup.model, motion.event_log
-    sweep = Sweep(runner, cost, names.parameters)
+    sweep = Sweep.of(runner, cost, names.parameters)
     jumps = Jumps(sweep, cost, setup.event_table, setup.over.start)
     instants = event_instants(log.log, setup.event_table, model.nx, model.ns)
     value, final_rate = _final(sweep, motion, cost)

@@ -55,6 +55,8 @@ def event_instants(log: Array, events: EventTable, nx: int, ns: int) -> list[Eve
         events: What may happen.
         nx, ns: Sizes of x and s.
     """
+    if not len(log):
+        return []
     ne = len(events.rows)
     kinds = np.array(events.kinds, dtype=int)
     changing = (log[:, 1 : 1 + ne] != 0) & (kinds != abi.MARK)

@@ -14,6 +14,7 @@ from ...runtime.calls.parameters import Parameters
 from ...runtime.models.loaded_model import LoadedModel
 from ..ensembles.sampling import Plan
 from ..ensembles.variations import Varied, varied
+from ..simulation.progress import showing
 
 Block = Mapping[str, ArrayLike] | ArrayLike | None
 R = TypeVar("R")
@@ -57,11 +58,15 @@ def over_runs(
     inputs: Inputs,
     parameters: Mapping[str, object] | None,
     single: Callable[[OneRun], R],
-) -> list[R]:
-    """What a function gives for every run.
+    progress: bool | Callable[[float], None] | None,
+) -> tuple[list[R], int]:
+    """What a function gives for every run, and how many runs there are.
+
+    After Ctrl-C there is less: of the runs that were done.
 
     Raises:
         ModelError, ArgumentError: as of ensembles. CardanError: of a run, which it names.
+        KeyboardInterrupt: by Ctrl-C before any run was done.
     """
     span = np.atleast_1d(np.asarray(t, dtype=float))
     over = (float(span[0]), float(span[-1])) if len(span) > 1 else (0.0, float(span[0]))
@@ -70,14 +75,20 @@ def over_runs(
         inputs=inputs, sample_time=None, vary=variation.vary, runs=variation.runs,
         seed=variation.seed, over=over,
     )  # fmt: skip
-    results = []
-    for k, run in enumerate(_each(model, variations, inputs)):
-        try:
-            results.append(single(run))
-        except CardanError as error:
-            # which of them it was, in words of the same kind
-            raise type(error)(f"run {k}: {error}") from error
-    return results
+    results, total = list[R](), variations.runs
+    with showing(progress, model.name) as show:
+        for k, run in enumerate(_each(model, variations, inputs)):
+            try:
+                results.append(single(run))
+                show((k + 1) / total)
+            except CardanError as error:
+                # which of them it was, in words of the same kind
+                raise type(error)(f"run {k}: {error}") from error
+            except KeyboardInterrupt:
+                if not results:
+                    raise
+                break
+    return results, total
 
 
 def _each(model: LoadedModel, variations: Varied, inputs: Inputs) -> Iterator[OneRun]:

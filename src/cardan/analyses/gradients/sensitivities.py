@@ -12,6 +12,7 @@ import numpy as np
 from ...arguments import Inputs, Times, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, near
+from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..simulation.driving import RunSetup, chosen, driven, reported, runner_of
@@ -159,6 +160,7 @@ class SensitiveRuns:
     Attributes:
         setup: Of the first one.
         names: What they are differentiated by.
+        runner: What takes their steps.
     """
 
     def __init__(self, setup: RunSetup, names: str | Sequence[str], inputs: Inputs | None) -> None:
@@ -172,16 +174,16 @@ class SensitiveRuns:
         """
         self.setup = setup = replace(setup, how=chosen(setup.how, None), case=None)
         listed = unknowns(setup.model, names, {str(k): v for k, v in (inputs or {}).items()})
-        refuse(setup, listed)
+        refuse(setup.model, setup.how, setup.input_signals, listed)
         self.names, self._unknowns = listed.names, listed
-        self._runner = runner_of(setup.model, setup.how, setup.input_signals, setup.event_table)
+        self.runner = runner_of(setup.model, setup.how, setup.input_signals, setup.event_table)
         directions, self._parts = _directions(setup, listed)
-        self._tangents = Tangents(self._runner, directions)
+        self._tangents = Tangents(self.runner, directions)
 
     @property
     def steps(self) -> int:
         """Steps of the last run, or so far of the one that is under way."""
-        return int(self._runner.record.steps)
+        return int(self.runner.record.steps)
 
     def run(
         self,
@@ -203,31 +205,49 @@ class SensitiveRuns:
         Raises:
             SolveError: it is not complete, or has no derivative. KeyboardInterrupt: by Ctrl-C.
         """
-        rewind(self._runner)
-        motion = driven(self._runner, over, begin, progress, dense=dense)
+        motion = self.drive(over, begin, progress, dense)
         if motion.status == "interrupted":
             raise KeyboardInterrupt
-        check_complete(motion, self._runner)
-        reported(motion, check)
-        setup = replace(self.setup, over=over, begin=begin)
-        return replace(motion, sensitivity=self._sensitivities(setup, motion, state))
+        along = self.along(motion, over, begin, state)
+        return replace(reported(motion, check), sensitivity=along)
 
-    def _sensitivities(
-        self, setup: RunSetup, motion: TrajectoryRecord, state: Mapping[str, object]
+    def drive(
+        self,
+        over: Span,
+        begin: Start,
+        progress: bool | Callable[[float], None] | None = False,
+        dense: bool = True,
+    ) -> TrajectoryRecord:
+        """A motion alone, however it ends; the arguments are those of :meth:`run`."""
+        rewind(self.runner)
+        return driven(self.runner, over, begin, progress, dense=dense)
+
+    def along(
+        self, motion: TrajectoryRecord, over: Span, begin: Start, state: Mapping[str, object]
     ) -> Sensitivities:
-        """Changes along a motion."""
+        """Changes along the motion that was driven last.
+
+        Args:
+            motion: What :meth:`drive` gave.
+            over, begin, state: As :meth:`run` takes them.
+
+        Raises:
+            SolveError: it is not complete, or has no derivative.
+        """
+        check_complete(motion, self.runner)
+        setup = replace(self.setup, over=over, begin=begin)
         model, log, tangents = setup.model, motion.event_log, self._tangents
         directions = tangents.directions
         tangents.by_s[:] = 0.0
         wide = bool(directions.moved)
-        begin = named_start(setup, tangents, state, log.s[0], self._unknowns, wide)
+        named = named_start(setup, tangents, state, log.s[0], self._unknowns, wide)
         by_r = tangents.input_changes(setup.over.start)
         by_p = directions.p if directions.moved else np.zeros((len(by_r), 0))
         first = np.array(
-            [begin.forward(*one) for one in zip(directions.start, by_r, by_p, strict=True)]
+            [named.forward(*one) for one in zip(directions.start, by_r, by_p, strict=True)]
         ).reshape(len(by_r), model.nx)
         jumps = TangentJumps(tangents, setup.event_table, setup.over.start)
-        rows, changes = rows_of(motion, self._runner), list[Array]()
+        rows, changes = rows_of(motion, self.runner), list[Array]()
         modes, start = [(0, tangents.by_s.copy())], 0
         instants = event_instants(log.log, setup.event_table, model.nx, model.ns)
         # where an event ends the run, times do not move
@@ -250,18 +270,10 @@ def _directions(
 ) -> tuple[Directions, dict[str, tuple[slice, bool]]]:
     """Directions of everything by name, and which belong to which name."""
     model, tabulated = setup.model, setup.input_signals.tabulated
-    names, blocks = list(model.parameters), start_blocks(model)
-    places = start_places(model) | blocks
+    names, places = list(model.parameters), start_places(model) | start_blocks(model)
     tables = {name: listed.table(name) for name in listed.names if name in model.inputs}
-    sizes, single = [], []
-    for name in listed.names:
-        table = tables.get(name)
-        if name in places:
-            size = places[name].stop - places[name].start
-        else:
-            size = len(names) if name == "p" else 1 if table is None else len(table[0])
-        sizes.append(size)
-        single.append(size == 1 and name not in (*blocks, "p") and table is None)
+    by_name = columns_by_name(model, listed)
+    sizes = [1 if size is None else size for size in by_name.values()]
     # a unit of every number that is wanted, one after the other
     columns = columns_of(sizes)
     directions = directions_of(model, sum(len(one.coefficients) for one in tabulated), sum(sizes))
@@ -277,7 +289,24 @@ def _directions(
             directions.r[column, model.inputs.index(name)] = 1.0
         else:
             directions.coefficients[column] = _coefficients(setup, name, table[0])
+    single = [size is None for size in by_name.values()]
     return directions, dict(zip(listed.names, zip(columns, single, strict=True), strict=True))
+
+
+def columns_by_name(model: LoadedModel, listed: Unknowns) -> dict[str, int | None]:
+    """How many numbers everything by name consists of; None of what is a number itself."""
+    blocks, result = start_blocks(model), dict[str, int | None]()
+    places = start_places(model) | blocks
+    for name in listed.names:
+        table = listed.table(name) if name in model.inputs else None
+        if name in places:
+            size = places[name].stop - places[name].start
+            result[name] = None if size == 1 and name not in blocks else size
+        elif name == "p":
+            result[name] = len(model.parameters)
+        else:
+            result[name] = None if table is None else len(table[0])
+    return result
 
 
 def _coefficients(setup: RunSetup, name: str, times: Array) -> Array:

@@ -94,13 +94,16 @@ class Runner:
         self.sources: tuple[str, ...] = tuple(outputs[0].entries or ()) if outputs else ()
         self.n = model.nx + len(self.sources)
         self.error: BaseException | None = None
-        called = [*self.functions, *self.closers, *self.needed]
         self.in_c: InputFunctions | None = None
-        self.interpreted = any(function.interpreted for function in called)
+        # what the last gradient has made for it, see adjoint.py
+        self.sweep: object = None
+        self.called = [*self.functions, *self.closers, *self.needed]
+        self.interpreted = any(function.interpreted for function in self.called)
         self._references: list[Any] = []
         self.passes = np.zeros((MOST_PASSES if self.closing.rates else 0, 3))
         self.method = abi.method(self.library, settings.method.kernel)
-        self.rows, self.spreads = np.empty((0, 0)), np.empty((0, self.method.dense_rows, self.n))
+        self.dense_room = self.spreads = np.empty((0, self.method.dense_rows, self.n))
+        self.rows = np.empty((0, 0))
         self.record = Run()
         self._size()
         self._allocate()
@@ -138,9 +141,9 @@ class Runner:
 
     def _allocate(self) -> None:
         """One block of numbers for everything but output rows."""
-        run, called = self.record, [*self.functions, *self.closers, *self.needed]
+        run = self.record
         parts = sum(len(body.parts) for body in self.model.manifest.bodies)
-        rooms = max(self.model.nu, 6 * parts), max(function.work_size for function in called)
+        rooms = max(self.model.nu, 6 * parts), max(function.work_size for function in self.called)
         self.memory = np.zeros(self.library.cardan_run_length(run, *rooms))
         first = self.memory.ctypes.data
         self.library.cardan_run_lay(run, first, *rooms)
@@ -261,15 +264,10 @@ class Runner:
 
     def aim(self, stops: Sequence[float]) -> None:
         """Set the times at which steps must end; the last one is the end."""
-        self._stops = np.array(stops, dtype=np.float64)
+        self.stops = np.array(stops, dtype=np.float64)
         self.event_table.distinguish_ticks(max(map(abs, (self.record.t, *stops))))
-        self.record.stops = self._stops.ctypes.data
-        self.record.stop_count, self.record.next_stop = len(self._stops), 0
-
-    @property
-    def stops(self) -> Array:
-        """The times at which steps must end."""
-        return self._stops
+        self.record.stops = self.stops.ctypes.data
+        self.record.stop_count, self.record.next_stop = len(self.stops), 0
 
     def want(self, times: Array | None, dense: bool) -> None:
         """Say which rows to write: at ``times``, or at every step.
@@ -285,7 +283,8 @@ class Runner:
         run.capacity = ROWS if times is None else len(times)
         width = 1 + self.n + self.model.nr + self.model.ns + run.nlam
         try:
-            self.rows = np.empty((run.capacity, width))
+            if self.rows.shape != (run.capacity, width):
+                self.rows = np.empty((run.capacity, width))
         except MemoryError:
             raise SolveError(
                 f"there is no memory for {run.capacity} rows of {width} numbers. Give fewer "
@@ -295,9 +294,10 @@ class Runner:
         if times is not None:
             self._times = np.ascontiguousarray(times)
             run.times, run.time_count = self._times.ctypes.data, len(times)
-        if dense:
-            self.spreads = np.empty((ROWS, self.method.dense_rows, self.n))
-            run.spreads = self.spreads.ctypes.data
+        if dense and not len(self.dense_room):
+            self.dense_room = np.empty((ROWS, self.method.dense_rows, self.n))
+        self.spreads = self.dense_room[: ROWS if dense else 0]
+        run.spreads = self.spreads.ctypes.data if dense else None
 
     def drive(self, budget: int) -> int:
         """Go on for at most ``budget`` steps. Returns the answer of the kernels."""

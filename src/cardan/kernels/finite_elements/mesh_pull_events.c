@@ -17,7 +17,7 @@
 ptrdiff_t cardan_mesh_lay_event(const cardan_mesh_product *product, real *block, cardan_event_place *to)
 {
     const cardan_mesh *mesh = product->mesh;
-    const ptrdiff_t n = mesh->nu + mesh->m, states = mesh->nz + mesh->ns, k = mesh->frictions;
+    const ptrdiff_t n = mesh->nu + mesh->m, k = mesh->frictions;
     ptrdiff_t used = 0;
 
     if (product->function != CARDAN_OF_EVENTS && product->function != CARDAN_OF_TRANSITION)
@@ -29,7 +29,7 @@ ptrdiff_t cardan_mesh_lay_event(const cardan_mesh_product *product, real *block,
     to->moved = cardan_reserve(block, &used, n);
     to->answer = cardan_reserve(block, &used, n);
     to->before = cardan_reserve(block, &used, n);
-    to->states = cardan_reserve(block, &used, states > mesh->ne ? states : mesh->ne);
+    to->values = cardan_reserve(block, &used, mesh->ne);
     to->shares = cardan_reserve(block, &used, k * (1 + mesh->nu + 3 * mesh->m + 3 * k));
     to->work = cardan_reserve(block, &used, cardan_mesh_call_work(mesh));
     return used;
@@ -42,7 +42,7 @@ int cardan_mesh_enter_event(const cardan_in *in, real *solution, real *work, car
     int status;
 
     if (here->product->function == CARDAN_OF_EVENTS)
-        return cardan_mesh_events(mesh, &here->at, solution, event->states, &event->solved, &here->system,
+        return cardan_mesh_events(mesh, &here->at, solution, event->values, &event->solved, &here->system,
                                   work, here->room);
     status = cardan_mesh_solve_motion(mesh, &here->at, NULL, solution, work, &here->system);
     here->at.udot = solution;
@@ -50,6 +50,62 @@ int cardan_mesh_enter_event(const cardan_in *in, real *solution, real *work, car
     here->at.e = in->e;
     return status != 0 ? status
                        : cardan_mesh_jump(mesh, &here->at, &event->all, &event->released, event->work);
+}
+
+/* Numbers of the first friction and of the first response of a group. */
+static ptrdiff_t first_friction(const cardan_mesh *mesh, const cardan_group *g)
+{
+    ptrdiff_t first = 0;
+
+    for (const cardan_group *other = mesh->groups; other != g; other++)
+        first += other->count * other->frictions;
+    return first;
+}
+
+static ptrdiff_t first_response(const cardan_mesh *mesh, const cardan_group *g)
+{
+    ptrdiff_t first = 0;
+
+    for (const cardan_group *other = mesh->groups; other != g; other++)
+        first += other->count * other->responses;
+    return first;
+}
+
+/* Add derivatives by numbers of elements that stand one behind the other, from the first of a group. */
+static const real *add_following(const cardan_element_lanes *some, ptrdiff_t n, const real *next,
+                                 real *by)
+{
+    for (ptrdiff_t i = 0; i < n; i++, next += some->lanes)
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+            by[some->element[lane] * n + i] += next[lane];
+    return next;
+}
+
+const real *cardan_mesh_add_events(const cardan_mesh *mesh, const cardan_group *g,
+                                   const cardan_element_lanes *some, const real *next,
+                                   const cardan_slopes *by)
+{
+    next = cardan_mesh_add_places(g, some, mesh->u, next, by->behind);
+    next = add_following(some, g->frictions, next, by->certainty + first_friction(mesh, g));
+    return add_following(some, g->responses, next, by->responses + first_response(mesh, g));
+}
+
+/* Directions of numbers of elements that stand one behind the other, from the first of a group. */
+static real *give_following(const real *from, ptrdiff_t n, const ptrdiff_t *element, ptrdiff_t lanes,
+                            real *to)
+{
+    for (ptrdiff_t i = 0; i < n; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            *to++ = from[element[lane] * n + i];
+    return to;
+}
+
+real *cardan_mesh_give_events(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
+                              ptrdiff_t lanes, const cardan_slopes *way, real *to)
+{
+    to = cardan_mesh_fetch_places(g, element, lanes, mesh->u, way->behind, to);
+    to = give_following(way->certainty + first_friction(mesh, g), g->frictions, element, lanes, to);
+    return give_following(way->responses + first_response(mesh, g), g->responses, element, lanes, to);
 }
 
 /* Weights of M udot - G^T lam (nu) and G udot - H lam (m). */
@@ -207,6 +263,14 @@ static int pull_impulses(cardan_place *here, const real *w)
     return status != 0 ? status : cardan_mesh_pull_impulse(here, event->moved, event->answer);
 }
 
+/* Derivatives through accelerations and multipliers, by which there are some. */
+static int pull_motion(cardan_place *here)
+{
+    const int status = cardan_mesh_pull_solution(here, here->by.udot, here->by.lam);
+
+    return status != 0 ? status : cardan_mesh_pull_balance(here, here->weights, 0);
+}
+
 int cardan_mesh_pull_transition(cardan_place *here, const real *v)
 {
     const cardan_mesh *mesh = here->mesh;
@@ -251,7 +315,7 @@ int cardan_mesh_pull_transition(cardan_place *here, const real *v)
     for (ptrdiff_t i = 0; i < nu; i++)
         by->u[i] += by->behind[i];
     here->at.behind = NULL;
-    return status != 0 ? status : cardan_mesh_pull_solution(here, by->udot, by->lam);
+    return status != 0 ? status : pull_motion(here);
 }
 
 int cardan_mesh_pull_events(cardan_place *here, const real *v)
@@ -266,5 +330,5 @@ int cardan_mesh_pull_events(cardan_place *here, const real *v)
         return status;
     if (here->mesh->frictions > 0)
         status = cardan_mesh_pull_certainty(here);
-    return status != 0 ? status : cardan_mesh_pull_solution(here, here->by.udot, here->by.lam);
+    return status != 0 ? status : pull_motion(here);
 }

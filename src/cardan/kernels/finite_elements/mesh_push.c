@@ -5,33 +5,10 @@
 #include "mesh_pull.h"
 #include <string.h>
 
-/* Directions of numbers of elements that stand one behind the other, from the first of a group. */
-static real *follow(const real *from, ptrdiff_t n, const ptrdiff_t *element, ptrdiff_t lanes, real *to)
-{
-    for (ptrdiff_t i = 0; i < n; i++)
-        for (ptrdiff_t lane = 0; lane < lanes; lane++)
-            *to++ = from[element[lane] * n + i];
-    return to;
-}
-
-/* Of what events read besides: speeds behind them, how certain friction is, responses. */
-static real *give_events(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
-                         ptrdiff_t lanes, const cardan_slopes *way, real *to)
-{
-    ptrdiff_t frictions = 0, responses = 0;
-
-    for (const cardan_group *other = mesh->groups; other != g; other++) {
-        frictions += other->count * other->frictions;
-        responses += other->count * other->responses;
-    }
-    to = cardan_mesh_fetch_places(g, element, lanes, mesh->u, way->behind, to);
-    to = follow(way->certainty + frictions, g->frictions, element, lanes, to);
-    return follow(way->responses + responses, g->responses, element, lanes, to);
-}
-
-/* Directions of what elements read, their data included. */
-static real *give_direction(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
-                            ptrdiff_t lanes, const cardan_gift *gift, real *to)
+/* Their data included. */
+real *cardan_mesh_give_direction(const cardan_mesh *mesh, const cardan_group *g,
+                                 const ptrdiff_t *element, ptrdiff_t lanes,
+                                 const cardan_gift *gift, real *to)
 {
     const cardan_place *here = gift->more;
     const cardan_slopes *way = &here->way;
@@ -50,7 +27,7 @@ static real *give_direction(const cardan_mesh *mesh, const cardan_group *g, cons
     for (ptrdiff_t lane = 0; lane < lanes; lane++)
         *to++ = *way->t;
     if (here->at.behind)
-        to = give_events(mesh, g, element, lanes, way, to);
+        to = cardan_mesh_give_events(mesh, g, element, lanes, way, to);
     /* changes of parameters become those of data */
     for (ptrdiff_t i = 0; i < data->count; i++)
         for (ptrdiff_t lane = 0; lane < lanes; lane++) {
@@ -99,7 +76,7 @@ static void take_change(const cardan_mesh *mesh, const cardan_group *g,
 
 int cardan_mesh_push_with(cardan_place *here, const cardan_form *forms, cardan_taker *take, void *to)
 {
-    const cardan_gift gift = {give_direction, 0, NULL, here};
+    const cardan_gift gift = {cardan_mesh_give_direction, 0, NULL, here};
     cardan_state at = here->at;
     int status = 0;
 
@@ -149,46 +126,7 @@ int cardan_mesh_push_solution(cardan_place *here)
     return status;
 }
 
-/* Change of the rates of a unit quaternion that turns with w while it changes by d. */
-static void push_quaternion(const real *d, const real *w, real *rate)
-{
-    rate[0] -= 0.5 * (d[1] * w[0] + d[2] * w[1] + d[3] * w[2]);
-    rate[1] += 0.5 * (d[0] * w[0] + d[2] * w[2] - d[3] * w[1]);
-    rate[2] += 0.5 * (d[0] * w[1] + d[3] * w[0] - d[1] * w[2]);
-    rate[3] += 0.5 * (d[0] * w[2] + d[1] * w[1] - d[2] * w[0]);
-}
-
-/* Changes of qdot. */
-static int push_rates(cardan_place *here, real *out)
-{
-    const cardan_mesh *mesh = here->mesh;
-    const cardan_slopes *way = &here->way;
-    int status = cardan_mesh_rates(mesh, here->at.q, way->u, out, here->room);
-
-    for (ptrdiff_t k = 0; k < mesh->nodes; k++) {
-        const ptrdiff_t q = mesh->q[mesh->node[k]];
-        push_quaternion(way->q + q, here->at.u + mesh->u[mesh->node[k]], out + q);
-    }
-    /* the other kinds of places by functions of their own, where speeds are not rates */
-    for (ptrdiff_t n = 0; n < mesh->mover_count; n++) {
-        const cardan_movers *movers = mesh->movers + n;
-        const cardan_form *form = here->product->rates + n;
-        for (ptrdiff_t k = 0; form->call && k < movers->count && status == 0; k++) {
-            const ptrdiff_t q = mesh->q[movers->place[k]], u = mesh->u[movers->place[k]];
-            real *direction = here->room, *change = direction + movers->nq + movers->nu;
-            const cardan_in in = {.q = here->at.q + q, .u = here->at.u + u, .v = direction,
-                                  .w = form->w};
-            memcpy(direction, way->q + q, (size_t)movers->nq * sizeof(real));
-            memcpy(direction + movers->nq, way->u + u, (size_t)movers->nu * sizeof(real));
-            status = form->call(&in, change, change + movers->nq);
-            memcpy(out + q, change, (size_t)movers->nq * sizeof(real));
-        }
-    }
-    return status;
-}
-
-/* Change of outputs or powers. */
-static int push_direct(cardan_place *here, int form, ptrdiff_t size, int solved, real *to)
+int cardan_mesh_push_direct(cardan_place *here, int form, ptrdiff_t size, int solved, real *to)
 {
     const int status = solved ? cardan_mesh_push_solution(here) : 0;
 
@@ -209,7 +147,7 @@ static int push_expression(cardan_place *here, real *out)
     int status = 0;
 
     if (mesh->outputs > 0)
-        status = push_direct(here, CARDAN_OUTPUTS, mesh->outputs, mesh->solved != 0, here->unit);
+        status = cardan_mesh_push_direct(here, CARDAN_OUTPUTS, mesh->outputs, mesh->solved != 0, here->unit);
     if (status == 0)
         status = form->call(&in, here->room, here->room + form->size);
     out[0] = 0;
@@ -231,6 +169,16 @@ static int push_closing(cardan_place *here, const real *gaps, ptrdiff_t rows)
     return cardan_mesh_solve(mesh, system);
 }
 
+int cardan_mesh_push_increment(cardan_place *here, int speeds)
+{
+    const cardan_mesh *mesh = here->mesh;
+    const int status = sweep_dynamics(here);
+
+    return status != 0 ? status
+                       : push_closing(here, here->weights + mesh->nu + (speeds ? mesh->mp : 0),
+                                      speeds ? mesh->m : mesh->mp);
+}
+
 /* Changes of projected positions or speeds, and of the gaps before. */
 static int push_projection(cardan_place *here, int speeds, real *out)
 {
@@ -238,10 +186,8 @@ static int push_projection(cardan_place *here, int speeds, real *out)
     const real *gaps = here->weights + mesh->nu + (speeds ? mesh->mp : 0);
     const ptrdiff_t rows = speeds ? mesh->m : mesh->mp, count = speeds ? mesh->nu : mesh->nq;
     const real *before = speeds ? here->way.u : here->way.q, *moved = here->system.solution;
-    int status = sweep_dynamics(here);
+    int status = cardan_mesh_push_increment(here, speeds);
 
-    if (status == 0)
-        status = push_closing(here, gaps, rows);
     /* an increment moves coordinates along the speeds */
     if (status == 0 && !speeds) {
         status = cardan_mesh_rates(mesh, here->at.q, moved, here->by.q, here->room);
@@ -253,8 +199,7 @@ static int push_projection(cardan_place *here, int speeds, real *out)
     return status;
 }
 
-/* Everything that a direction changes: coordinates along the speeds and as they are stored. */
-static int direction_of(cardan_place *here, const real *v)
+int cardan_mesh_direction(cardan_place *here, const real *v)
 {
     const cardan_mesh_product *product = here->product;
     const cardan_mesh *mesh = here->mesh;
@@ -274,6 +219,7 @@ static int direction_of(cardan_place *here, const real *v)
         const real along = cardan_dot(q, change, 4) / cardan_dot(q, q, 4);
         for (int i = 0; i < 4; i++)
             change[i] -= along * q[i];
+        here->stretch[k] = along;
     }
     return status;
 }
@@ -283,7 +229,7 @@ int cardan_mesh_push(cardan_place *here, const real *v, real *out)
     const cardan_mesh *mesh = here->mesh;
     const ptrdiff_t function = here->product->function, nq = mesh->nq, nu = mesh->nu;
     const real *gaps = here->weights + nu, *rates = gaps + mesh->mp;
-    int status = direction_of(here, v);
+    int status = cardan_mesh_direction(here, v);
 
     if (status != 0)
         return status;
@@ -306,20 +252,20 @@ int cardan_mesh_push(cardan_place *here, const real *v, real *out)
     case CARDAN_OF_MOMENTUM:
         return sweep(here, here->product->direct, CARDAN_MOMENTUM, 6, out);
     case CARDAN_OF_POWER:
-        return push_direct(here, CARDAN_POWER, mesh->powers, mesh->driven != 0, out);
+        return cardan_mesh_push_direct(here, CARDAN_POWER, mesh->powers, mesh->driven != 0, out);
     case CARDAN_OF_OUTPUTS:
-        return push_direct(here, CARDAN_OUTPUTS, mesh->outputs, mesh->solved != 0, out);
+        return cardan_mesh_push_direct(here, CARDAN_OUTPUTS, mesh->outputs, mesh->solved != 0, out);
     case CARDAN_OF_EXPRESSION:
         return push_expression(here, out);
     case CARDAN_OF_QDOT:
-        return push_rates(here, out);
+        return cardan_mesh_push_rates(here, out);
     case CARDAN_OF_EVENTS:
         return cardan_mesh_push_events(here, out);
     case CARDAN_OF_TRANSITION:
         return cardan_mesh_push_transition(here, out);
     /* what is solved for */
     case CARDAN_OF_RHS:
-        status = push_rates(here, out);
+        status = cardan_mesh_push_rates(here, out);
         if (status == 0)
             status = cardan_mesh_push_solution(here);
         memcpy(out + nq, here->way.udot, (size_t)nu * sizeof(real));

@@ -77,10 +77,14 @@ class ProductColumns:
             outputs = {"expression": shape}
         elif row == "jvp":
             outputs = {"change": shape}
+        elif row == "hessian" or row == "hessian":
+            columns = sum(prod(size) for size in widths.values())
+            outputs = {"hessian": (columns, columns)}
         else:
             lead = shape if row == "derivative" else ()
             outputs = {f"d_{name}": (*lead, *size) for name, size in widths.items()}
-        entries = {"vjp": prod(shape), "jvp": sum(prod(x) for x in widths.values())}
+        entries = dict.fromkeys(("vjp", "hessian"), prod(shape))
+        entries["jvp"] = sum(prod(x) for x in widths.values())
         return FunctionRow(
             file="",
             symbol=row,

@@ -10,7 +10,7 @@ import numpy as np
 
 from ....arrays import Array
 from ....errors import ModelError
-from ....schema.finite_elements import EXPRESSION, EXPRESSION_GRADIENT, requested_name
+from ....schema.finite_elements import FORMULAS, requested_name
 from ....schema.records import Form
 from ...calls.code import Code
 from ...calls.lanes import width
@@ -55,14 +55,16 @@ class ProductForms:
             self._forms[form] = forms
         return self._forms[form]
 
-    def formula(self, formula: str) -> ctypes.Array[Form]:
-        """Value of a formula and its slopes."""
-        forms, keys = (Form * 2)(), [(EXPRESSION, formula), (EXPRESSION_GRADIENT, formula)]
+    def formula(self, formula: str, curved: bool) -> ctypes.Array[Form]:
+        """Value of a formula, its slopes, and the changes of these where they are asked for."""
+        keys = [(form, formula) for form in FORMULAS[: 3 if curved else 2]]
+        forms = (Form * len(keys))()
         symbols = [requested_name(*key) for key in keys]
         codes = self._loaded(keys, symbols)
         for form, symbol in zip(forms, symbols, strict=True):
             self.mesh.form(form, codes[symbol], self.parameters[None])
-            self.local = max(self.local, int(codes[symbol].entry.output_size))
+            entry = codes[symbol].entry
+            self.local = max(self.local, int(entry.output_size) + len(entry.vector))
         return forms
 
     def rates(self, form: str) -> ctypes.Array[Form]:

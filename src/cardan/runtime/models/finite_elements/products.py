@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, partial
 from math import prod
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, TypeAlias, final
 
 import numpy as np
 
@@ -31,7 +31,8 @@ if TYPE_CHECKING:
     from ..loaded_model import LoadedModel
     from .evaluation import Inputs, Results
 
-ROWS = ("derivative", "vjp", "jvp")
+    Records: TypeAlias = ctypes.Array[Form] | ctypes.Array[DataSlopes]
+
 # functions with derivatives, and what these need besides those of the dynamics
 DIRECT = {
     **dict.fromkeys(
@@ -48,8 +49,10 @@ DIRECT = {
     "transition": "states",
 }
 # derivatives of elements that those of events take too, by fields of the record
-IMPULSE = {"impulse": "impulse"}
-MORE = {"events": {**IMPULSE, "friction": "friction"}, "transition": {**IMPULSE, "jumps": "jumps"}}
+MORE = {
+    "events": {"impulse": "impulse", "friction": "friction"},
+    "transition": {"impulse": "impulse", "jumps": "jumps"},
+}
 # data of a superelement that say how it is turned, the first ones
 ROTATION = 9
 # what has to be loaded of elements
@@ -58,7 +61,7 @@ BASE = {
     **dict.fromkeys(("forward_dynamics", "multipliers"), NEEDED["accelerations"]),
     **{name: NEEDED[name] for name in ("close_position", "close_velocity")},
     "expression": NEEDED["outputs"],
-    **{name: NEEDED[name] for name in ("events", "transition")},
+    **{name: NEEDED[name] for name in MORE},
 }
 # what is solved for
 SOLVED = ("rhs", "forward_dynamics", "multipliers")
@@ -102,7 +105,7 @@ class Products:
         """A derivative as it is asked for.
 
         Args:
-            row: One of ``ROWS``.
+            row: A derivative, a product with one, or an expression.
             of: The function, and what it is differentiated by.
 
         Raises:
@@ -114,56 +117,70 @@ class Products:
         self._check(row, name)
         mesh, constant = self.mesh, constants("mesh_product.h")
         shape = () if name == EXPRESSION else self.results.shape(name)[0]
-        by_parameters = not {"p", *self.columns.parameters}.isdisjoint(request.wrt)
         # whatever is less: rows by gradients, or columns by changes
         count = sum(prod(width) for width in self.columns.widths(request).values())
         forward = row == "jvp" or (row == "derivative" and count < prod(shape))
-        mode = "change" if forward else "gradient"
-        mesh.connect("balance", *BASE.get(name, ()))
-        forms: dict[str, ctypes.Array[Form] | ctypes.Array[DataSlopes]] = {
-            "rates": self.forms.rates(f"qdot_{mode}")
-        }
-        if name != "qdot" and DIRECT[name] not in ("energy", "momentum"):
-            mesh.connect("balance_tangent", "gamma", "zdot")
-            forms["dynamics"] = self.forms.derivatives(f"dynamics_{mode}")
-        if DIRECT[name]:
-            forms["direct"] = self.forms.derivatives(f"{DIRECT[name]}_{mode}")
-        for field, form in MORE.get(name, {}).items():
-            forms[field] = self.forms.derivatives(f"{form}_{mode}")
-        if name == EXPRESSION:
-            forms["formula"] = self.forms.formula(request.of or "")
         # changes of data are always read
-        columns, parts = self.columns.numbers(request, by_parameters or forward)
+        data = forward or row == "hessian"
+        data = data or not {"p", *self.columns.parameters}.isdisjoint(request.wrt)
+        mesh.connect("balance", *BASE.get(name, ()))
+        modes = ["gradient", "change", "curvature"] if row == "hessian" else ["gradient"]
+        forms = [self._forms_of(request, mode) for mode in (["change"] if forward else modes)]
+        columns, parts = self.columns.numbers(request, data)
         record_of_mesh = MeshRecord.from_buffer_copy(mesh.record)
         record_of_mesh.local += self.forms.local
         record_of_mesh.work = max(record_of_mesh.work, self.forms.work)
         record_of_mesh.lanes = max(record_of_mesh.lanes, self.forms.lanes)
         quaternions = np.array(self.model.manifest.quaternions, dtype=np.intp)
         tables = {"column": columns, "part": parts, "quaternion": quaternions}
-        if by_parameters or forward:
-            forms["data"] = self._data_slopes.records
+        if data:
+            forms[0]["data"] = self._data_slopes.records
             self._check_rotations(request)
-        record = ProductRecord(
-            mesh=ctypes.addressof(record_of_mesh),
-            function=constant[f"CARDAN_OF_{name.upper()}"],
-            results=prod(shape),
-            np=len(self.columns.parameters) if by_parameters or forward else 0,
-            quaternions=len(quaternions),
-            columns=len(columns),
-            parts=len(parts) - 1,
-        )
-        for field, table in tables.items():
-            setattr(record, field, table.ctypes.data)
-        for field, records in forms.items():
-            setattr(record, field, ctypes.addressof(records))
+        if row == "hessian":
+            self._data_slopes.curve()
+        records = [
+            ProductRecord(
+                mesh=ctypes.addressof(record_of_mesh),
+                function=constant[f"CARDAN_OF_{name.upper()}"],
+                results=prod(shape),
+                np=len(self.columns.parameters) if data else 0,
+                quaternions=len(quaternions),
+                columns=len(columns),
+                parts=len(parts) - 1,
+                data_rows=self._data_slopes.rows if row == "hessian" else 0,
+                **{field: table.ctypes.data for field, table in tables.items()},
+                **{field: ctypes.addressof(x) for field, x in {**forms[0], **some}.items()},
+            )
+            for some in forms
+        ]
+        record = records[0]
+        for field, more in zip(("change", "curvature"), records[1:], strict=False):
+            setattr(record, field, ctypes.addressof(more))
         library = mesh.library
-        library.cardan_mesh_product_work.restype = ctypes.c_ssize_t
         called = "columns" if forward and row == "derivative" else row
         function = getattr(library, f"cardan_mesh_call_{called}")
-        work = int(library.cardan_mesh_product_work(ctypes.byref(record)))
+        measured = "hessian" if row == "hessian" else "product"
+        measure = getattr(library, f"cardan_mesh_{measured}_work")
+        measure.restype = ctypes.c_ssize_t
+        work = int(measure(ctypes.byref(record)))
         address = ctypes.cast(function, ctypes.c_void_p).value or 0
         entry = self.columns.entry(row, request, shape, work)
-        return Product(record, entry, address, (record_of_mesh, forms, tables, self))
+        return Product(record, entry, address, (record_of_mesh, forms, tables, records, self))
+
+    def _forms_of(self, request: Request, mode: str) -> dict[str, Records]:
+        """Derivatives of one mode that a function needs."""
+        name = request.function
+        forms: dict[str, Records] = {"rates": self.forms.rates(f"qdot_{mode}")}
+        if name != "qdot" and DIRECT[name] not in ("energy", "momentum"):
+            self.mesh.connect("balance_tangent", "gamma", "zdot")
+            forms["dynamics"] = self.forms.derivatives(f"dynamics_{mode}")
+        if DIRECT[name]:
+            forms["direct"] = self.forms.derivatives(f"{DIRECT[name]}_{mode}")
+        for field, form in MORE.get(name, {}).items():
+            forms[field] = self.forms.derivatives(f"{form}_{mode}")
+        if name == EXPRESSION:
+            forms["formula"] = self.forms.formula(request.of or "", mode == "curvature")
+        return forms
 
     def _check(self, row: str, function: str) -> None:
         """Refuse what has no derivative.
@@ -172,16 +189,13 @@ class Products:
             ModelError: with the cure.
         """
         where = f"{row} of {function}: model '{self.model.name}' is in absolute coordinates, where"
-        if row not in (*ROWS, EXPRESSION):
-            raise ModelError(
-                f"{where} there are {', '.join(ROWS)}. Take differences of vjp for second "
-                "derivatives"
-            )
         if function not in DIRECT:
             raise ModelError(
                 f"{where} these have derivatives: {', '.join(DIRECT)}. A point of a frame has one "
                 "as an output of the scene"
             )
+        if row == "hessian" and function in MORE:
+            raise ModelError(f"{where} events have no second derivatives. Take differences of vjp")
 
     def _check_rotations(self, request: Request) -> None:
         """Refuse parameters that turn a superelement on what carries it.
