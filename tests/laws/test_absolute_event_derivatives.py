@@ -1,4 +1,4 @@
-"""Derivatives of events over elements, and of friction by reactions: products, columns, differences."""
+"""Derivatives of events over elements and of friction by reactions, against differences."""
 
 from __future__ import annotations
 

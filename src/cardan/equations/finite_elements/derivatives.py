@@ -50,9 +50,10 @@ def derivative_of(kind: Kind, form: str, group: Group, inputs: int) -> Function:
         ``dynamics_gradient`` those of the balance (nu), of g (mp), of the rates (m), of
         G udot - H lam - gamma (m) and of its own internal states, of ``impulse_gradient`` those of
         M udot - Gᵀ lam (nu) and G udot - H lam (m), else those of the results of the function. The
-        results are derivatives by q as it is stored, u, udot, lam, z, s, r, t, those of events by du
-        and tau too, and by the data that parameters change. Of a change v and the results are the
-        other way round. Of a curvature v has the weights, then a direction; the results are those of the gradient.
+        results are derivatives by q as it is stored, u, udot, lam, z, s, r, t, of events by du and
+        tau too, then by the data that parameters change. Of a change v and the results are the
+        other way round. Of a curvature v has the weights, then a direction; the results are those
+        of the gradient.
 
     Raises:
         DerivationError: it is one of superelements, which have others.

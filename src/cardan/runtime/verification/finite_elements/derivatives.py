@@ -83,7 +83,7 @@ def _parts(members: Members, form: str) -> dict[str, slice]:
 
 def _states(members: Members, form: str) -> int:
     """Where derivatives by data begin."""
-    return max(part.stop for part in _parts(members, form).values())
+    return max(int(part.stop) for part in _parts(members, form).values())
 
 
 def _directions(members: Members, form: str) -> tuple[dict[str, Array], Array]:
