@@ -59,6 +59,7 @@ class Sweep(StepsAgain):
         ends = np.cumsum(self.segment_counts)[:-1]
         self.by_coefficients = np.split(coefficients, ends) if len(coefficients) else []
         self._cost = np.zeros(1)
+        self._since: tuple[float, Array] | None = None
         # products backward, so that parameters cost nothing more
         closing = runner.closing
         keys: dict[str, tuple[str, str | None]] = {"rates": ("vjp", self.request("rhs"))}
@@ -128,6 +129,13 @@ class Sweep(StepsAgain):
             SolveError: a function has no value at a stage of a step, or derivatives grow beyond
                 all use.
         """
-        before = self.lam.copy()
+        # growth counts from the last event on, over how many sweeps it may be
+        if self._since is None:
+            self._since = float(rows[-1, 0]), self.lam.copy()
         self.swept(rows, self.runner.library.cardan_adjoint_sweep, self.record)
-        check_growth(before, self.lam, rows[:, 0])
+        begin, before = self._since
+        check_growth(before, self.lam, np.array([begin, rows[0, 0]]))
+
+    def jumped(self) -> None:
+        """An event has changed the gradients: growth counts anew."""
+        self._since = None
