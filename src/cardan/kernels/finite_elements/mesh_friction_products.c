@@ -133,6 +133,7 @@ int cardan_mesh_pull_certainty(cardan_place *here)
     int status = 0;
 
     memset(by.coefficient, 0, (size_t)(k * (1 + nu + 3 * m + 3 * k)) * sizeof(real));
+    /* friction by friction: forces across lines by a unit of it, then the motion that makes them */
     for (ptrdiff_t j = 0; j < k && status == 0; j++) {
         const real *moved = friction->moved + j * n;
         real *weights = here->event.moved;
@@ -180,17 +181,20 @@ int cardan_mesh_push_certainty(cardan_place *here)
 
     memset(by.coefficient, 0, (size_t)(k * (1 + nu + 3 * m + 3 * k)) * sizeof(real));
     memset(here->way.certainty, 0, (size_t)k * sizeof(real));
+    /* friction is told without multipliers */
     here->at.udot = here->at.lam = here->at.certainty = NULL;
     status = cardan_mesh_push_with(here, here->product->friction, take_friction, &by);
     here->at = at;
     for (ptrdiff_t j = 0; j < k && status == 0; j++) {
         const real *moved = friction->moved + j * n;
 
+        /* the motion by a unit of it, on what the equations are now */
         status = cardan_mesh_push_impulse(here, moved);
         for (ptrdiff_t i = 0; i < n; i++)
             answer[i] = (i < nu ? by.along[j * nu + i] : 0) - answer[i];
         if (status == 0)
             status = cardan_mesh_motion_of(mesh, &here->system, answer, answer + nu, answer);
+        /* forces across lines by that motion */
         for (ptrdiff_t i = 0; i < k; i++) {
             real along[3], change = 0;
             const real size = force_of(mesh, friction, i, j, along);

@@ -215,6 +215,7 @@ static int jump(const cardan_mesh *mesh, const cardan_state *at, const cardan_me
         all->behind[i] = at->u[i];
     if (!cardan_mesh_any_impulse(mesh, all))
         return 0;
+    /* speeds by an impulse along every velocity, and how each answers the others */
     status = factored(mesh, at, 1, released, work);
     for (ptrdiff_t i = 0; i < n && status == 0; i++)
         status = responds(mesh, released, all->J + i * mesh->nu, all->X + i * mesh->nu);
@@ -222,6 +223,7 @@ static int jump(const cardan_mesh *mesh, const cardan_state *at, const cardan_me
         for (ptrdiff_t j = 0; j < n; j++)
             all->R[i * n + j] = cardan_dot(all->J + i * mesh->nu, all->X + j * mesh->nu, mesh->nu);
     leave_immobile(mesh, released, all);
+    /* as often as some would pull */
     for (ptrdiff_t attempt = 0; attempt == 0 || (attempt <= PASSES && attempt < unilateral); attempt++) {
         if (attempt > 0)
             leave_out(all, n, unilateral);

@@ -37,7 +37,7 @@ int cardan_mesh_jump(const cardan_mesh *mesh, const cardan_state *at, const card
 ptrdiff_t cardan_mesh_first_jump(const cardan_mesh *mesh, const cardan_group *g);
 /* Whether any impulse acts. */
 int cardan_mesh_any_impulse(const cardan_mesh *mesh, const cardan_mesh_jumps *all);
-/* x (jumps) with R x = right among rows that act, 0 of others and of those that follow from others;
+/* x (jumps) with R x = right among rows that act, 0 of all that do not or follow from those that do:
  * right (jumps) is lost. */
 void cardan_mesh_among_impulses(const cardan_mesh_jumps *all, ptrdiff_t n, real *right, real *x);
 

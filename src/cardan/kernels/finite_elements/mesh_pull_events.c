@@ -72,7 +72,7 @@ static ptrdiff_t first_response(const cardan_mesh *mesh, const cardan_group *g)
 }
 
 /* Add derivatives by numbers of elements that stand one behind the other, from the first of a group. */
-static const real *add_following(const cardan_element_lanes *some, ptrdiff_t n, const real *next,
+static const real *add_numbered(const cardan_element_lanes *some, ptrdiff_t n, const real *next,
                                  real *by)
 {
     for (ptrdiff_t i = 0; i < n; i++, next += some->lanes)
@@ -86,12 +86,12 @@ const real *cardan_mesh_add_events(const cardan_mesh *mesh, const cardan_group *
                                    const cardan_slopes *by)
 {
     next = cardan_mesh_add_places(g, some, mesh->u, next, by->behind);
-    next = add_following(some, g->frictions, next, by->certainty + first_friction(mesh, g));
-    return add_following(some, g->responses, next, by->responses + first_response(mesh, g));
+    next = add_numbered(some, g->frictions, next, by->certainty + first_friction(mesh, g));
+    return add_numbered(some, g->responses, next, by->responses + first_response(mesh, g));
 }
 
 /* Directions of numbers of elements that stand one behind the other, from the first of a group. */
-static real *give_following(const real *from, ptrdiff_t n, const ptrdiff_t *element, ptrdiff_t lanes,
+static real *give_numbered(const real *from, ptrdiff_t n, const ptrdiff_t *element, ptrdiff_t lanes,
                             real *to)
 {
     for (ptrdiff_t i = 0; i < n; i++)
@@ -104,8 +104,8 @@ real *cardan_mesh_give_events(const cardan_mesh *mesh, const cardan_group *g, co
                               ptrdiff_t lanes, const cardan_slopes *way, real *to)
 {
     to = cardan_mesh_fetch_places(g, element, lanes, mesh->u, way->behind, to);
-    to = give_following(way->certainty + first_friction(mesh, g), g->frictions, element, lanes, to);
-    return give_following(way->responses + first_response(mesh, g), g->responses, element, lanes, to);
+    to = give_numbered(way->certainty + first_friction(mesh, g), g->frictions, element, lanes, to);
+    return give_numbered(way->responses + first_response(mesh, g), g->responses, element, lanes, to);
 }
 
 /* Weights of M udot - G^T lam (nu) and G udot - H lam (m). */
@@ -238,6 +238,7 @@ static int pull_impulses(cardan_place *here, const real *w)
     const ptrdiff_t nu = mesh->nu, n = mesh->jumps;
     int status;
 
+    /* pi: impulses that take back what w says of the velocities along which they act */
     for (ptrdiff_t i = 0; i < n; i++)
         all->right[i] = cardan_dot(all->X + i * nu, w, nu);
     cardan_mesh_among_impulses(all, n, all->right, event->P);
@@ -249,6 +250,7 @@ static int pull_impulses(cardan_place *here, const real *w)
             event->answer[i] -= event->P[j] * all->J[j * nu + i];
         }
     }
+    /* du and L of the event, then mu and -kappa */
     status = cardan_mesh_motion_of(mesh, &event->released, event->before, NULL, event->moved);
     if (status == 0)
         status = cardan_mesh_motion_of(mesh, &event->released, event->answer, NULL, event->answer);
@@ -281,6 +283,7 @@ int cardan_mesh_pull_transition(cardan_place *here, const real *v)
     cardan_slopes *by = &here->by;
     int status;
 
+    /* what no element changes stays as it is */
     memcpy(by->z, v_z, (size_t)mesh->nz * sizeof(real));
     memcpy(by->s, v_s, (size_t)mesh->ns * sizeof(real));
     /* states that elements change are no longer those before */
@@ -293,11 +296,13 @@ int cardan_mesh_pull_transition(cardan_place *here, const real *v)
                 by->s[g->s[e * g->ns + i]] = 0;
         }
     }
+    /* states behind the event, by speeds behind it and by responses */
     here->at.behind = event->all.behind;
     here->at.responses = event->all.responses;
     status = cardan_mesh_pull_with(here, here->product->direct, &states);
     memset(event->rows, 0, (size_t)(mesh->jumps * CARDAN_JUMP_ROW) * sizeof(real));
     memset(event->J, 0, (size_t)(mesh->jumps * nu) * sizeof(real));
+    /* speeds behind are those before, and what impulses add */
     for (ptrdiff_t i = 0; i < nu; i++) {
         by->behind[i] += v[i];
         by->u[i] += by->behind[i];

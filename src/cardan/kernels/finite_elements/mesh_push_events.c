@@ -115,6 +115,7 @@ static int push_impulses(cardan_place *here, real *speeds)
     real *force = event->before;
     int status;
 
+    /* speeds and multipliers by the impulses as they are */
     memset(force, 0, (size_t)nu * sizeof(real));
     for (ptrdiff_t j = 0; j < n; j++)
         for (ptrdiff_t i = 0; i < nu; i++)
@@ -152,6 +153,7 @@ int cardan_mesh_push_transition(cardan_place *here, real *out)
     cardan_event_place *event = &here->event;
     cardan_slopes *way = &here->way;
     const ptrdiff_t nu = mesh->nu;
+    /* accelerations and multipliers before the event change first */
     int status = cardan_mesh_push_solution(here);
 
     /* what impulses are asked for with speeds before the event */
@@ -165,6 +167,7 @@ int cardan_mesh_push_transition(cardan_place *here, real *out)
         status = push_responses(here);
     if (status == 0 && cardan_mesh_any_impulse(mesh, &event->all))
         status = push_impulses(here, way->behind);
+    /* states follow from speeds behind the event; those that no element changes stay */
     here->at.behind = event->all.behind;
     here->at.responses = event->all.responses;
     memcpy(out, way->behind, (size_t)nu * sizeof(real));
