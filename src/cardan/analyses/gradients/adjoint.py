@@ -66,6 +66,7 @@ class Sweep(StepsAgain):
         self._finals: dict[str, list[Callable[..., Array]]] = {}
         # what is added up
         self.totals = (self.lam, self.by_s, self.by_r, self.by_p, coefficients, self._cost)
+        self._since: tuple[float, Array] | None = None
         # products backward, so that parameters cost nothing more
         closing = runner.closing
         keys: dict[str, tuple[str, str | None]] = {"rates": ("vjp", self.request("rhs"))}
@@ -101,6 +102,7 @@ class Sweep(StepsAgain):
             return sweep
         for total in last.totals:
             total.fill(0.0)
+        last.jumped()
         return last
 
     def request(self, function: str, of: str | None = None, time: bool = False) -> str:
@@ -151,6 +153,13 @@ class Sweep(StepsAgain):
             SolveError: a function has no value at a stage of a step, or derivatives grow beyond
                 all use.
         """
-        before = self.lam.copy()
+        # growth counts from the last event on, over how many sweeps it may be
+        if self._since is None:
+            self._since = float(rows[-1, 0]), self.lam.copy()
         self.swept(rows, self.runner.library.cardan_adjoint_sweep, self.record)
-        check_growth(before, self.lam, rows[:, 0])
+        begin, before = self._since
+        check_growth(before, self.lam, np.array([begin, rows[0, 0]]))
+
+    def jumped(self) -> None:
+        """An event has changed the gradients: growth counts anew."""
+        self._since = None
