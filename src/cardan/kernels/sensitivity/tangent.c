@@ -296,8 +296,7 @@ static int projected(const cardan_tangent *tangent, real t, const real *end, con
 }
 
 /* One sweep over the stages of a pass; `by` and `size` receive the changes of what slopes change by. */
-static int pass_sweep(const cardan_tangent *tangent, real t, real h, const real *old, real *by,
-                      real *size)
+static int pass_sweep(const cardan_tangent *tangent, real t, real h, const real *old, real *by, real *size)
 {
     const cardan_steps *steps = tangent->steps;
     const ptrdiff_t nx = steps->run->nx, nq = steps->run->nq, wide = tangent->wide;
