@@ -272,17 +272,19 @@ const size_t cardan_data_slopes_layout[11] = {
     offsetof(cardan_data_slopes, second_parameters), offsetof(cardan_data_slopes, second)
 };
 
-extern const size_t cardan_mesh_product_layout[19];
-const size_t cardan_mesh_product_layout[19] = {
+extern const size_t cardan_mesh_product_layout[22];
+const size_t cardan_mesh_product_layout[22] = {
     sizeof(cardan_mesh_product), offsetof(cardan_mesh_product, mesh), offsetof(cardan_mesh_product,
     function), offsetof(cardan_mesh_product, results), offsetof(cardan_mesh_product, dynamics),
-    offsetof(cardan_mesh_product, direct), offsetof(cardan_mesh_product, rates),
-    offsetof(cardan_mesh_product, formula), offsetof(cardan_mesh_product, data),
-    offsetof(cardan_mesh_product, np), offsetof(cardan_mesh_product, quaternion),
-    offsetof(cardan_mesh_product, quaternions), offsetof(cardan_mesh_product, columns),
-    offsetof(cardan_mesh_product, column), offsetof(cardan_mesh_product, parts),
-    offsetof(cardan_mesh_product, part), offsetof(cardan_mesh_product, change),
-    offsetof(cardan_mesh_product, curvature), offsetof(cardan_mesh_product, data_rows)
+    offsetof(cardan_mesh_product, direct), offsetof(cardan_mesh_product, impulse),
+    offsetof(cardan_mesh_product, jumps), offsetof(cardan_mesh_product, friction),
+    offsetof(cardan_mesh_product, rates), offsetof(cardan_mesh_product, formula),
+    offsetof(cardan_mesh_product, data), offsetof(cardan_mesh_product, np),
+    offsetof(cardan_mesh_product, quaternion), offsetof(cardan_mesh_product, quaternions),
+    offsetof(cardan_mesh_product, columns), offsetof(cardan_mesh_product, column),
+    offsetof(cardan_mesh_product, parts), offsetof(cardan_mesh_product, part),
+    offsetof(cardan_mesh_product, change), offsetof(cardan_mesh_product, curvature),
+    offsetof(cardan_mesh_product, data_rows)
 };
 
 extern const size_t cardan_sparse_layout[27];

@@ -17,7 +17,10 @@ DERIVATIVE_HEADERS = (
     "superelement_derivatives.h",
 )
 # what derivatives read besides weights or directions
-DERIVATIVE_READS = {"dynamics": ("q", "u", "udot", "p"), "energy": ("q", "u", "p")}
+DERIVATIVE_READS = {
+    **dict.fromkeys(("dynamics", "impulse"), ("q", "u", "udot", "p")),
+    "energy": ("q", "u", "p"),
+}
 
 
 def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
@@ -25,7 +28,7 @@ def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
 
     Args:
         kind: The kind.
-        form: Which; forces and energies have one.
+        form: Which; forces, energies and impulses have one.
         inputs: How many the scene has.
 
     Raises:
@@ -41,13 +44,16 @@ def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
     assert isinstance(tangent, Routine)
     n, on_node, drifting = tangent.sizes
     N, graph = n + 6 * on_node, tangent.graph
-    weights = N if quantity == "dynamics" else 2
+    weights = 2 if quantity == "energy" else N
     sizes = {"q": N + on_node, "u": N, "udot": N, "r": inputs, "t": 1, "p": len(DATA)}
     direction, slopes = sum(sizes.values()), {f"d_{letter}": k for letter, k in sizes.items() if k}
     count = {"gradient": weights, "change": direction, "curvature": weights + direction}[mode]
     if mode == "change":
         slopes = {"change": weights}
     work = 3 * N * N + 8 * N + inputs + len(DATA) + TANGENT_ROOM * n + 2
+    if quantity == "impulse":
+        # what it is the difference of
+        work += 2 * N + direction
     before, behind = tuple[str, ...](), tuple[str, ...]()
     if mode == "curvature":
         # the gradient of complex numbers, with these and its results
@@ -63,5 +69,13 @@ def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
         call=f"cardan_superelement_{form}",
         headers=(*before, *DERIVATIVE_HEADERS, *behind),
         sizes=(n, on_node, drifting, inputs),
+        constants=_without_stiffness(tangent) if quantity == "impulse" else tangent.constants,
         work=work,
     )
+
+
+def _without_stiffness(tangent: Routine) -> tuple[float, ...]:
+    """Constants of a superelement that nothing but inertia makes."""
+    n, _, drifting = tangent.sizes
+    end = len(tangent.constants) - 9 * n * drifting - 12 * n * n
+    return (*tangent.constants[: end - 2 * n * n], *[0.0] * (2 * n * n), *tangent.constants[end:])

@@ -29,7 +29,9 @@ enum {
     CARDAN_OF_MULTIPLIERS,
     CARDAN_OF_CLOSE_POSITION,
     CARDAN_OF_CLOSE_VELOCITY,
-    CARDAN_OF_EXPRESSION
+    CARDAN_OF_EXPRESSION,
+    CARDAN_OF_EVENTS,
+    CARDAN_OF_TRANSITION
 };
 
 /* Slopes of the data of the elements of a group by the parameters, row by row: those of one element,
@@ -54,7 +56,11 @@ typedef struct cardan_mesh_product {
     ptrdiff_t function;            /* CARDAN_OF_... */
     ptrdiff_t results;             /* numbers of that function */
     const cardan_form *dynamics;   /* (groups) gradients of balances, of constraints and of zdot */
-    const cardan_form *direct;     /* (groups) of energies, momenta, powers or outputs; NULL */
+    const cardan_form *direct;     /* (groups) of energies, momenta, powers, outputs, values of events, or
+                                      states behind events; NULL */
+    const cardan_form *impulse;    /* (groups) of M udot - G^T lam (nu) and G udot - H lam (m); NULL */
+    const cardan_form *jumps;      /* (groups) of impulses at events; NULL */
+    const cardan_form *friction;   /* (groups) of friction that follows from reactions; NULL */
     const cardan_form *rates;      /* (movers) of qdot by q and u; NULL calls: speeds are rates */
     const cardan_form *formula;    /* value of an expression by states and outputs (in v), and its slopes
                                       by t q u z r p and outputs */

@@ -45,6 +45,13 @@ DIRECT = {
     "qdot": "",
     **{name: name for name in ("energy", "momentum", "power", "outputs")},
     "expression": "outputs",
+    "events": "signs",
+    "transition": "states",
+}
+# derivatives of elements that those of events take too, by fields of the record
+MORE = {
+    "events": {"impulse": "impulse", "friction": "friction"},
+    "transition": {"impulse": "impulse", "jumps": "jumps"},
 }
 # data of a superelement that say how it is turned, the first ones
 ROTATION = 9
@@ -54,6 +61,7 @@ BASE = {
     **dict.fromkeys(("forward_dynamics", "multipliers"), NEEDED["accelerations"]),
     **{name: NEEDED[name] for name in ("close_position", "close_velocity")},
     "expression": NEEDED["outputs"],
+    **{name: NEEDED[name] for name in MORE},
 }
 # what is solved for
 SOLVED = ("rhs", "forward_dynamics", "multipliers")
@@ -168,6 +176,8 @@ class Products:
             forms["dynamics"] = self.forms.derivatives(f"dynamics_{mode}")
         if DIRECT[name]:
             forms["direct"] = self.forms.derivatives(f"{DIRECT[name]}_{mode}")
+        for field, form in MORE.get(name, {}).items():
+            forms[field] = self.forms.derivatives(f"{form}_{mode}")
         if name == EXPRESSION:
             forms["formula"] = self.forms.formula(request.of or "", mode == "curvature")
         return forms
@@ -184,11 +194,8 @@ class Products:
                 f"{where} these have derivatives: {', '.join(DIRECT)}. A point of a frame has one "
                 "as an output of the scene"
             )
-        if any(group.kind.frictions for group in self.tables.groups):
-            raise ModelError(
-                f"{where} friction that follows from reactions has no derivatives. Leave it out, "
-                "or take differences"
-            )
+        if row == "hessian" and function in MORE:
+            raise ModelError(f"{where} events have no second derivatives. Take differences of vjp")
 
     def _check_rotations(self, request: Request) -> None:
         """Refuse parameters that turn a superelement on what carries it.
@@ -229,7 +236,8 @@ class Products:
         at = self.results.state(inputs)
         state, _arrays = self.mesh.state(at)
         blocks = {name: getattr(state, name) for name in ("q", "u", "udot", "lam", "z", "s", "r")}
-        time, sizes = np.array([at.t]), {"tau": self.tables.nu, "v": len(product.row.vector)}
+        time, sizes = np.array([at.t]), {"tau": self.tables.nu, "e": self.tables.ne}
+        sizes["v"] = len(product.row.vector)
         more = {"t": time}
         more |= {n: np.ascontiguousarray(inputs[n][:k]) for n, k in sizes.items() if n in inputs}
         blocks |= {name: x.ctypes.data for name, x in more.items()}

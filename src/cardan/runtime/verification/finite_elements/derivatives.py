@@ -11,7 +11,14 @@ from itertools import accumulate
 
 import numpy as np
 
-from ....schema.finite_elements import CHANGES, CURVATURES, DERIVATIVES, GRADIENTS
+from ....schema.finite_elements import (
+    CHANGES,
+    CURVATURES,
+    DERIVATIVES,
+    EVENT_DERIVATIVES,
+    GRADIENTS,
+    IMPULSE_DERIVATIVES,
+)
 from ..differences import Blocks, missing, slope, ways, worst_of
 from ..joint_motion import Array, times
 from .members import Members
@@ -20,6 +27,8 @@ from .members import Members
 def _results(members: Members, form: str, blocks: Blocks | None = None) -> Array:
     """What a derivative is of (n, k), in the order of its weights."""
     call, kind = members.call, members.table.kind
+    if form in IMPULSE_DERIVATIVES:
+        return _impulse(members, blocks)
     read = [name for name in DERIVATIVES[form] if name in kind.functions]
     if len(DERIVATIVES[form]) == 1:
         return call(read[0], blocks)
@@ -42,19 +51,45 @@ def _results(members: Members, form: str, blocks: Blocks | None = None) -> Array
     return np.concatenate([levels, missed, zdot], axis=1)
 
 
-def _parts(members: Members) -> dict[str, slice]:
+def _impulse(members: Members, blocks: Blocks | None) -> Array:
+    """M udot - Gᵀ lam and G udot - H lam (n, nu + m)."""
+    kind, at = members.table.kind, {**members.inputs, **(blocks or {})}
+    nu, m, n = kind.nu, kind.m, len(at["q"])
+    flat = members.call("balance_tangent", blocks)
+
+    def matrix(name: str, rows: int, columns: int) -> Array:
+        if name not in kind.parts:
+            return np.zeros((n, rows, columns))
+        first = kind.parts[name]
+        entries: Array = flat[:, first : first + rows * columns]
+        return entries.reshape(-1, rows, columns)
+
+    udot, lam = (np.broadcast_to(at[name], (n, k)) for name, k in (("udot", nu), ("lam", m)))
+    M, G, H = matrix("M", nu, nu), matrix("G", m, nu), matrix("H", m, m)
+    balance = times(M, udot) - times(np.swapaxes(G, 1, 2), lam)
+    return np.concatenate([balance, times(G, udot) - times(H, lam)], axis=1)
+
+
+def _parts(members: Members, form: str) -> dict[str, slice]:
     """Where derivatives by every block are in a gradient, or changes of it in a direction."""
     kind = members.table.kind
     sizes = {"q": kind.nq, "u": kind.nu, "udot": kind.nu, "lam": kind.m, "z": kind.nz}
     sizes |= {"s": kind.ns, "r": members.inputs["r"].shape[-1], "t": 1}
+    if form in EVENT_DERIVATIVES:
+        sizes |= {"du": kind.nu, "tau": kind.frictions + kind.responses}
     ends = accumulate(sizes.values())
     return {name: slice(end - sizes[name], end) for name, end in zip(sizes, ends, strict=True)}
 
 
-def _directions(members: Members) -> tuple[dict[str, Array], Array]:
+def _states(members: Members, form: str) -> int:
+    """Where derivatives by data begin."""
+    return max(int(part.stop) for part in _parts(members, form).values())
+
+
+def _directions(members: Members, form: str) -> tuple[dict[str, Array], Array]:
     """Rates of blocks along a random way of all that is read but data; the way (n, k)."""
-    parts, n = _parts(members), members.count
-    way = ways(n, parts["t"].stop)[0]
+    parts, n = _parts(members, form), members.count
+    way = ways(n, _states(members, form))[0]
     # quaternions keep their lengths, and modes are whole numbers
     way[:, parts["q"]] = members.along(ways(n, members.table.kind.nu)[0])
     way[:, parts["s"]] = 0.0
@@ -80,16 +115,16 @@ def _by_data(
 
 
 def _slopes(
-    members: Members, results: Callable[[Blocks], Array], available: Array
+    members: Members, form: str, results: Callable[[Blocks], Array], available: Array
 ) -> list[tuple[Array, Array, Array]]:
     """Ways of everything that is read, data last, slopes along them, and how far they may be off.
 
     Args:
-        members: Whose results.
+        members, form: Whose results.
         results: Of blocks.
         available: Of every datum whether there is a derivative by it.
     """
-    rates, way = _directions(members)
+    rates, way = _directions(members, form)
     none = np.zeros((members.count, len(available)))
     along = members.slope(results, rates)
     listed = [(np.hstack([way, none]), *along)]
@@ -103,11 +138,11 @@ def _slopes(
 def _gradient(form: str, members: Members) -> float | str:
     """A gradient of a weighted sum."""
     value, weights, worst = members.call(form), members.inputs["v"], np.nan
-    states = _parts(members)["t"].stop
+    states = _states(members, form)
     # NaN: there is none
     available: Array = np.asarray(np.isfinite(value[:, states:]).all(axis=0))
     value = np.nan_to_num(value)
-    for way, change, off in _slopes(members, partial(_results, members, form), available):
+    for way, change, off in _slopes(members, form, partial(_results, members, form), available):
         terms = np.abs(change * weights)
         total, expected = (change * weights).sum(axis=-1), (value * way).sum(axis=-1)
         error = missing(total[:, None], off, expected, terms, np.abs(value * way))
@@ -117,14 +152,14 @@ def _gradient(form: str, members: Members) -> float | str:
 
 def _change(form: str, members: Members) -> float | str:
     """A change along a direction."""
-    worst, states = np.nan, _parts(members)["t"].stop
+    worst, states = np.nan, _states(members, form)
     count = members.inputs["v"].shape[1] - states
     gradient = GRADIENT_OF[form]
     available: Array = np.ones(count, dtype=bool)
     if gradient in members.codes:
         slopes = members.weighed(gradient).call(gradient)[:, states:]
         available = np.asarray(np.isfinite(slopes).all(axis=0))
-    for way, change, off in _slopes(members, partial(_results, members, form), available):
+    for way, change, off in _slopes(members, form, partial(_results, members, form), available):
         value = members.call(form, {"v": way})
         worst = worst_of(worst, missing(change, off, value))
     return worst
@@ -132,7 +167,7 @@ def _change(form: str, members: Members) -> float | str:
 
 def _curvature(form: str, members: Members) -> float | str:
     """A change of a gradient at fixed weights."""
-    gradient, worst, states = GRADIENT_OF[form], np.nan, _parts(members)["t"].stop
+    gradient, worst, states = GRADIENT_OF[form], np.nan, _states(members, form)
     count = len(members.codes[gradient].entry.vector)
     weights = members.inputs["v"][:, :count]
 
@@ -143,7 +178,7 @@ def _curvature(form: str, members: Members) -> float | str:
     # NaN: there is none
     value = members.call(gradient, {"v": weights})
     available: Array = np.asarray(np.isfinite(value[:, states:]).all(axis=0))
-    for way, change, off in _slopes(members, slopes, available):
+    for way, change, off in _slopes(members, form, slopes, available):
         value = np.nan_to_num(members.call(form, {"v": np.hstack([weights, way])}))
         worst = worst_of(worst, missing(change, off, value))
     return worst
@@ -151,7 +186,7 @@ def _curvature(form: str, members: Members) -> float | str:
 
 GRADIENT_OF: Mapping[str, str] = {
     **dict(zip(CHANGES, GRADIENTS, strict=True)),
-    **dict(zip(CURVATURES, GRADIENTS, strict=True)),
+    **{form: form.replace("curvature", "gradient") for form in CURVATURES},
 }
 LAWS: dict[str, Callable[[Members], float | str]] = {
     **{form: partial(_gradient, form) for form in GRADIENTS},
