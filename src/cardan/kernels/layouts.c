@@ -149,17 +149,20 @@ const size_t cardan_adjoint_layout[23] = {
     weights), offsetof(cardan_adjoint, v), offsetof(cardan_adjoint, out)
 };
 
-extern const size_t cardan_tangent_layout[21];
-const size_t cardan_tangent_layout[21] = {
+extern const size_t cardan_tangent_layout[27];
+const size_t cardan_tangent_layout[27] = {
     sizeof(cardan_tangent), offsetof(cardan_tangent, steps), offsetof(cardan_tangent, pushed),
     offsetof(cardan_tangent, rates.function), offsetof(cardan_tangent, rates.w),
     offsetof(cardan_tangent, close_position.function), offsetof(cardan_tangent, close_position.w),
     offsetof(cardan_tangent, close_velocity.function), offsetof(cardan_tangent, close_velocity.w),
     offsetof(cardan_tangent, columns), offsetof(cardan_tangent, named), offsetof(cardan_tangent,
-    by_named), offsetof(cardan_tangent, by_input), offsetof(cardan_tangent, by_coefficients),
-    offsetof(cardan_tangent, by_s), offsetof(cardan_tangent, segments), offsetof(cardan_tangent,
-    changes), offsetof(cardan_tangent, moved), offsetof(cardan_tangent, rising),
-    offsetof(cardan_tangent, coupled), offsetof(cardan_tangent, out)
+    wide), offsetof(cardan_tangent, named_ends), offsetof(cardan_tangent, named_columns),
+    offsetof(cardan_tangent, named_changes), offsetof(cardan_tangent, by_input),
+    offsetof(cardan_tangent, by_coefficients), offsetof(cardan_tangent, by_s),
+    offsetof(cardan_tangent, segments), offsetof(cardan_tangent, changes), offsetof(cardan_tangent,
+    before), offsetof(cardan_tangent, moved), offsetof(cardan_tangent, changed),
+    offsetof(cardan_tangent, along), offsetof(cardan_tangent, rising), offsetof(cardan_tangent,
+    coupled), offsetof(cardan_tangent, out)
 };
 
 extern const size_t cardan_input_function_layout[6];

@@ -187,25 +187,15 @@ int cardan_stages_solve(const cardan_steps *steps, ptrdiff_t k)
     return status != 0 ? status : CARDAN_UNSOLVED;
 }
 
-/* Products with the Jacobians that a sweep has stored. */
-static int times_stored(const void *context, const real *x, real *out)
-{
-    const cardan_steps *steps = context;
-    const ptrdiff_t nx = steps->run->nx;
-
-    for (ptrdiff_t i = 0; i < steps->stages * nx; i++)
-        out[i] = cardan_dot(steps->jacobians + i * nx, x + i / nx * nx, nx);
-    return 0;
-}
-
 /* change (stages, nx): what slopes would change by if the states of stages did not follow becomes the
- * change with them. */
-int cardan_stages_forward(const cardan_steps *steps, real *change)
+ * change with them. `product`: with the Jacobians. */
+int cardan_stages_forward(const cardan_steps *steps, real *change, cardan_stage_product *product,
+                          const void *context)
 {
     rooms at = {0};
 
     if (steps->run->mesh)
-        return cardan_element_stages_refine(steps, 0, change, times_stored, steps);
+        return cardan_element_stages_refine(steps, 0, change, product, context);
     (void)lay(steps->run, steps->stages, steps->system, &at);
     cardan_substitute(at.size, at.matrix, at.order, change);
     return 0;

@@ -46,7 +46,8 @@ int cardan_rates_at(const cardan_steps *steps, real t, const real *x, real *rate
 typedef int cardan_stage_product(const void *context, const real *x, real *out);
 ptrdiff_t cardan_stages_length(const cardan_run *run, ptrdiff_t stages);
 int cardan_stages_solve(const cardan_steps *steps, ptrdiff_t k);
-int cardan_stages_forward(const cardan_steps *steps, real *change);
+int cardan_stages_forward(const cardan_steps *steps, real *change, cardan_stage_product *product,
+                          const void *context);
 int cardan_stages_backward(const cardan_steps *steps, real *weights, cardan_stage_product *product,
                            const void *context);
 void cardan_stage_states(const cardan_steps *steps, real h, const real *y);
