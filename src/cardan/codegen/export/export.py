@@ -128,7 +128,7 @@ def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
 
 def contents(data: Manifest, request: ExportRequest, content: Content) -> dict[str, str | bytes]:
     """Everything beside the functions, by file name."""
-    swept = content.cost is not None
+    swept = request.integrators if content.cost else ()
     bound = BoundModel(data, content.programs, content.start, request.flags, swept)
     binding = BINDINGS[request.language]
     return {**texts(data, request, content), **(binding.files(bound) if binding else {})}
