@@ -8,7 +8,6 @@ from numpy.typing import ArrayLike
 
 from ..analyses.continuation.stability_chart import StabilityChartRecord
 from ..analyses.ensembles.sampling import Plan
-from ..analyses.gradients.cost import Cost
 from ..analyses.gradients.gradient import Gradient
 from ..analyses.identification.base_parameters import Base
 from ..analyses.linear.first_order import Choice
@@ -35,6 +34,7 @@ from ..runtime.models.finite_elements.superelement_parts import SuperelementPart
 from ..runtime.models.loaded_model import LoadedModel
 from ..runtime.trajectory.cables import CableTension
 from ..runtime.verification.verify import Verification
+from ..schema.cost import Cost
 from .components import DeformedSuperelement
 from .results import (
     Assembly,

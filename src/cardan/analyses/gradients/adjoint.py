@@ -9,10 +9,10 @@ import numpy as np
 
 from ...arrays import Array
 from ...runtime.models.loaded_model import LoadedModel
+from ...schema.cost import Cost
 from ...schema.records import Adjoint
 from ...schema.request import Request
 from ..simulation.run import Runner
-from .cost import Cost
 from .steps import CLOSING, MOST_STAGES, StepsAgain, check_growth, powers_at, segment_at
 
 

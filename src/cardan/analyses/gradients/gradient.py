@@ -14,6 +14,7 @@ from ...errors import SolveWarning, warn
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT
 from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ...schema.cost import Cost
 from ..ensembles.sampling import Plan
 from ..simulation.alpha_methods import Alpha, GeneralizedAlpha
 from ..simulation.driving import RunSetup, chosen, driven, reported, run_setup, runner_of
@@ -21,7 +22,6 @@ from ..simulation.settings import Values
 from ..simulation.spare_runners import put_aside
 from .adjoint import Sweep
 from .checkpoints import MEMORY, Block, StepStore
-from .cost import Cost
 from .differentiable import check_complete, refuse, row_behind
 from .jumps import Jumps, event_instants
 from .over_runs import OneRun, Variation, over_runs

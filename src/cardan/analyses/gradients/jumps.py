@@ -18,11 +18,11 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...schema.cost import Cost
 from ...schema.request import reads
 from ..simulation import run_record as abi
 from ..simulation.events import DIRECTIONS, Crossing, EventTable
 from .adjoint import Slopes, Sweep
-from .cost import Cost
 
 # growth of a change in an event, beyond which it happens by a touch
 GRAZING = 1e7

@@ -75,19 +75,6 @@ void cardan_stage_states(const cardan_steps *steps, real h, const real *y)
     }
 }
 
-/* The change of a stage, or a gradient by it, behind the scaling of its quaternions. */
-void cardan_stage_lengths(const cardan_steps *steps, ptrdiff_t stage, real *change)
-{
-    const cardan_run *run = steps->run;
-    const real *lengths = steps->lengths + stage * run->quaternion_count;
-
-    if (steps->kind != CARDAN_COUPLED)
-        return;
-    for (ptrdiff_t k = 0; k < run->quaternion_count; k++)
-        cardan_unit_change(steps->states + stage * run->nx + run->quaternions[k], lengths[k],
-                           change + run->quaternions[k]);
-}
-
 /* Factors of I - h A J with the Jacobians at the stages. */
 static int factor(const cardan_steps *steps, const rooms *at, real t, real h)
 {
@@ -153,7 +140,7 @@ static int iterate(const cardan_steps *steps, const rooms *at, real t, real h, c
 
 /* Solve for the stages of the step from row k, and factor their matrix there. Returns 0,
  * CARDAN_MODEL, CARDAN_NOT_FINITE, or CARDAN_UNSOLVED. */
-int cardan_stages_solve(const cardan_steps *steps, ptrdiff_t k)
+static int solve_stages(const cardan_steps *steps, ptrdiff_t k)
 {
     const ptrdiff_t width = cardan_row_width(steps->run);
     const real *row = steps->rows + k * width, *y = row + 1, *next = row + width + 1;
@@ -203,8 +190,8 @@ int cardan_stages_forward(const cardan_steps *steps, real *change, cardan_stage_
 
 /* weights (stages, nx): the gradient by slopes becomes that by the rates in their equations. `product`:
  * with the transposed Jacobians. */
-int cardan_stages_backward(const cardan_steps *steps, real *weights, cardan_stage_product *product,
-                           const void *context)
+static int pull_stages(const cardan_steps *steps, real *weights, cardan_stage_product *product,
+                       const void *context)
 {
     rooms at = {0};
 
@@ -214,3 +201,5 @@ int cardan_stages_backward(const cardan_steps *steps, real *weights, cardan_stag
     cardan_substitute_transposed(at.size, at.matrix, at.order, weights);
     return 0;
 }
+
+const cardan_coupled cardan_coupled_stages = {cardan_stages_length, solve_stages, pull_stages};
