@@ -25,6 +25,12 @@ GRADIENTS = {
     "momentum_gradient": ("momentum",),
     "power_gradient": ("power",),
     "outputs_gradient": ("outputs",),
+    "reaction_gradient": ("reaction",),
+    "reactions_gradient": ("reactions",),
+    "element_forces_gradient": ("element_forces",),
+    "bodies_gradient": ("bodies",),
+    # of M udot and G udot, whose slopes these matrices are
+    "matrices_gradient": ("balance_tangent",),
 }
 # changes of these results along a direction
 CHANGES = {name.replace("gradient", "change"): sums for name, sums in GRADIENTS.items()}
@@ -123,6 +129,7 @@ class ElementKind(Record):
             form: requested_name(form, self.name)
             for form, sums in DERIVATIVES.items()
             if not self.functions.keys().isdisjoint(sums)
+            and ("matrices" not in form or not self.parts.keys().isdisjoint("MG"))
         }
 
     @property
