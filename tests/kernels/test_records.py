@@ -39,6 +39,8 @@ STRUCTURES: dict[str, type[ctypes.Structure]] = {
     "cardan_mesh": records.MeshRecord,
     "cardan_state": records.StateRecord,
     "cardan_data_slopes": product_records.DataSlopes,
+    "cardan_summands": product_records.SummandRecord,
+    "cardan_frame": product_records.FrameRecord,
     "cardan_mesh_product": product_records.ProductRecord,
     "cardan_sparse": records.PlanRecord,
     "cardan_sparse_factors": records.FactorsRecord,

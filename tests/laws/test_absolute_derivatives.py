@@ -9,16 +9,17 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import DerivationError, ModelError
-from cardan.runtime.models.finite_elements.products import DIRECT
+from cardan.errors import ModelError
+from cardan.runtime.models.finite_elements.products import DIRECT, EVENTS
 from cardan.runtime.verification.differences import BOUND, missing, slope
 from cardan.schema.functions import FUNCTIONS
 from laws.absolute_scenes import SCENES, cantilever
 from table import each
 
-# those of events: test_absolute_event_derivatives.py
-FUNCTIONS_OF = tuple(n for n in DIRECT if n not in ("expression", "events", "transition"))
+# a function, or one with its frame or joint
+Key = str | tuple[str, str]
 ROUNDING = 1e-10
+SMALL = 1e-4
 T = 0.2
 
 
@@ -46,61 +47,115 @@ def state_of(name: str) -> dict[str, Any]:
     }
 
 
-def arguments(name: str, function: str, blocks: dict[str, Any]) -> dict[str, Any]:
-    state = {**blocks, "t": float(blocks["t"][0])}
-    state["x"] = np.concatenate([state[letter] for letter in "quz"])
-    return {block: state[block] for block in FUNCTIONS[function].arguments}
+def keys_of(model: cd.CompiledModel) -> list[Key]:
+    """All functions with derivatives that a model has: of frames on places of every kind, and of a
+    joint between nodes and one inside of a tree."""
+    listed: list[Key] = []
+    frames = {(row.node is None, row.tree): row.name for row in model.manifest.frames}
+    elements = model.manifest.elements
+    joints = (*[*elements.reactions][-1:], *elements.tree_joints[-1:])
+    of = {"frame": tuple(frames.values()), "joint": joints}
+    for name in DIRECT:
+        row = FUNCTIONS[name]
+        # those of events: test_absolute_event_derivatives.py
+        if name in EVENTS or row.of == "formula" or not all(having(model, need) for need in row.needs):
+            continue
+        listed += [(name, each) for each in of[row.of]] if row.of else [name]
+    return listed
 
 
-def value(name: str, function: str, blocks: dict[str, Any], model: Any = None) -> Any:
-    """Results one behind the other."""
-    call = getattr(model or model_of(name), function)
-    return np.ravel(np.array(call(**arguments(name, function, blocks)), dtype=float))
+def having(model: cd.CompiledModel, need: str) -> bool:
+    """True where a model has what a function needs."""
+    available = {
+        "constraints": model.manifest.multipliers,
+        "element forces": model.manifest.element_forces,
+    }
+    return bool(available.get(need, True))
 
 
-def along(name: str, function: str, block: str, way: Any) -> tuple[Any, Any]:
+def row_of(key: Key) -> Any:
+    return FUNCTIONS[key if isinstance(key, str) else key[0]]
+
+
+def arguments(key: Key, blocks: dict[str, Any]) -> dict[str, Any]:
+    """What a function reads, at one state or, where a block has rows, at many."""
+    state = {**blocks, "t": blocks["t"][..., 0]}
+    lead = np.broadcast_shapes(*(np.shape(x)[:-1] for x in blocks.values()))
+    parts = [np.broadcast_to(x, (*lead, x.shape[-1])) for x in (state[n] for n in "quz")]
+    state["x"] = np.concatenate(parts, axis=-1)
+    return {block: state[block] for block in row_of(key).arguments if block != "wrench"}
+
+
+def result_of(key: Key, blocks: dict[str, Any], model: cd.CompiledModel) -> Any:
+    """Results at one state or many, and the shape of one."""
+    of = [key[1]] if isinstance(key, tuple) else []
+    result = getattr(model, row_of(key).name)(*of, **arguments(key, blocks))
+    array = np.stack(result, axis=-1) if isinstance(result, tuple) else np.asarray(result)
+    return array, array.shape[-len(row_of(key).shape.split()) :]
+
+
+def value(name: str, key: Key, blocks: dict[str, Any], model: Any = None) -> Any:
+    """Results one behind the other (..., k)."""
+    array, shape = result_of(key, blocks, model or model_of(name))
+    lead = np.broadcast_shapes(*(np.shape(x)[:-1] for x in blocks.values()))
+    # what reads nothing that has rows is the same for all
+    return np.broadcast_to(array, (*lead, *shape)).reshape(*lead, -1)
+
+
+@functools.cache
+def parameter_way(name: str) -> Any:
+    values = model_of(name).parameters.vector
+    way = np.random.default_rng(6).uniform(0.3, 1, len(values))
+    return way * np.where(values == 0, 1e-2, 1e-2 * values)
+
+
+@functools.cache
+def moved(name: str, h: float) -> Any:
+    """The model with other parameters, along their way."""
+    parameters = model_of(name).parameters
+    values = parameters.vector + h * parameter_way(name)
+    return model_of(name).with_parameters(dict(zip(parameters, values, strict=True)))
+
+
+def along(name: str, function: Key, block: str, way: Any) -> tuple[Any, Any]:
     """Slope of a function along a way of a block, and how far it may be off."""
     model, state = model_of(name), state_of(name)
     if block == "p":
-        values = model.parameters.vector
 
         def at(places: dict[str, Any]) -> Any:
-            changed = [
-                model.with_parameters(dict(zip(model.parameters, values + h * way, strict=True)))
-                for h in places["h"][:, 0]
-            ]
-            return np.array([value(name, function, state, one) for one in changed])
+            steps = places["h"][:, 0]
+            return np.array([value(name, function, state, moved(name, h)) for h in steps])
 
         return slope(at, {"h": np.zeros((1, 1))}, {"h": np.ones((1, 1))}, np.ones(1))
     letter = "q" if block == "coordinates" else block
     rate = model.qdot(state["q"], way) if block == "q" else way
 
     def here(places: dict[str, Any]) -> Any:
-        return np.array([value(name, function, {**state, letter: x}) for x in places[letter]])
+        return value(name, function, {**state, letter: places[letter]})
 
     return slope(here, {letter: state[letter][None]}, {letter: rate[None]}, np.ones(1))
 
 
-def ways(name: str, function: str) -> dict[str, Any]:
+def ways(name: str, function: Key) -> dict[str, Any]:
     """Random ways of all that a function depends on."""
     model, rng, state = model_of(name), np.random.default_rng(5), state_of(name)
-    reads = {*"quz"} if "x" in FUNCTIONS[function].arguments else set()
-    reads |= {*FUNCTIONS[function].arguments, "p"} - {"x", "s"}
+    reads = {*"quz"} if "x" in row_of(function).arguments else set()
+    reads |= {*row_of(function).arguments, "p"} - {"x", "s"}
     found = {}
     for block in ("t", "q", "coordinates", "u", "z", "r", "p", "udot", "tau"):
         if (block if block != "coordinates" else "q") not in reads:
             continue
-        size = {"q": model.nu, "coordinates": model.nq, "p": len(model.parameters)}.get(block)
-        way = rng.uniform(0.3, 1, len(state[block]) if size is None else size)
+        size = {"q": model.nu, "coordinates": model.nq}.get(block)
         if block == "p":
-            way *= np.where(model.parameters.vector == 0, 1e-2, 1e-2 * model.parameters.vector)
+            found[block] = parameter_way(name)
+            continue
+        way = rng.uniform(0.3, 1, len(state[block]) if size is None else size)
         if block == "coordinates":
             for first in model.manifest.quaternions:
                 part = slice_of(first)
                 way[part] -= state["q"][part] * (state["q"][part] @ way[part])
-        if way.size:
-            found[block] = way
-    return found
+        found[block] = way
+    return {block: way for block, way in found.items() if way.size}
 
 
 def slice_of(first: int) -> slice:
@@ -111,43 +166,43 @@ def slice_of(first: int) -> slice:
 def test_derivatives(name: str) -> None:
     """Columns are slopes; products with weights and along directions are those of columns."""
     model, state, compared = model_of(name), state_of(name), set()
-    for function in FUNCTIONS_OF:
-        result = value(name, function, state) if available(model, function) else np.zeros(0)
+    having_results = set()
+    for function in keys_of(model):
+        array, shape = result_of(function, state, model)
+        result = np.ravel(array)
         if not result.size:
             continue
-        directions, at = ways(name, function), arguments(name, function, state)
+        having_results.add(row_of(function).name)
+        directions, at = ways(name, function), arguments(function, state)
         wrt = tuple(directions)
         columns = model.derivative(function, wrt=wrt)(**at)
         weights = np.random.default_rng(1).uniform(-1, 1, result.size)
-        products = model.vjp(function, wrt=wrt)(**at, weights=weights)
+        products = model.vjp(function, wrt=wrt)(**at, weights=np.reshape(weights, shape))
         for block, D, product in zip(wrt, columns, products, strict=True):
             way = directions[block]
             D = np.reshape(D, (result.size, way.size))
             expected, off = along(name, function, block, way)
-            error = missing(expected, off, (D @ way)[None], np.abs(D * way).max(initial=0))
+            # less than SMALL of a result is a part of the rounding of its differences
+            sizes = np.abs(D * way).max(initial=0), SMALL * np.abs(result).max()
+            error = missing(expected, off, (D @ way)[None], *sizes)
             assert np.isnan(error) or error <= BOUND, (function, block)
             # differences that rounding blurs say nothing
-            compared |= set() if np.isnan(error) else {(function, block)}
-            size = np.abs(weights[:, None] * D).max(initial=1e-30)
+            compared |= set() if np.isnan(error) else {(row_of(function).name, block)}
+            size = np.abs(weights[:, None] * D).max(initial=1e-30) + sizes[1]
             assert np.abs(weights @ D - product).max() <= ROUNDING * size, (function, block)
             direction = way if block != "t" else float(way[0])
             change = np.ravel(model.jvp(function, wrt=block)(**at, direction=direction))
-            size = np.abs(D * way).max(initial=1e-30) + 1e-5 * np.abs(result).max()
+            size = sum(sizes) + 1e-30
             assert np.abs(change - D @ way).max() <= ROUNDING * size, (function, block)
+    moved.cache_clear()
     assert compared >= {("forward_dynamics", "q"), ("rhs", "u"), ("energy", "q")}
-
-
-def available(model: cd.CompiledModel, function: str) -> bool:
-    """Some functions need constraints; superelements have some."""
-    if model.manifest.superelements and function in ("momentum", "power"):
-        return False
-    return bool(model.manifest.multipliers) or "constraints" not in FUNCTIONS[function].needs
+    assert {function for function, _ in compared} == having_results
 
 
 def test_single_names() -> None:
     """A parameter or an input by name is a column of its block."""
     name = "rubber, nodes"
-    model, state = model_of(name), arguments(name, "rhs", state_of(name))
+    model, state = model_of(name), arguments("rhs", state_of(name))
     by_p, by_r = model.derivative("rhs", wrt=("p", "r"))(**state)
     by_E, by_torque = model.derivative("rhs", wrt=("E", "torque"))(**state)
     assert by_E.shape == by_torque.shape == (model.nx,)
@@ -223,17 +278,31 @@ def test_only_on_request(tmp_path: Any) -> None:
     assert written == {f"{kind}__dynamics_gradient.c" for kind in kinds}
 
 
-def test_superelements_have_derivatives_of_forces_and_energies() -> None:
-    model = model_of("superelement, damped chord")
-    with pytest.raises(DerivationError, match="none of momentum"):
-        model.vjp("momentum", wrt="q")(*model.split(model.initial()), np.ones(6))
+@each("name", ["rubber, joints in trees", "rubber, nodes"])
+def test_wrenches(name: str) -> None:
+    """A wrench on a frame acts along its Jacobian, which moves with the frame."""
+    model, state = model_of(name), state_of(name)
+    pushed = {"low.at1": np.array([0.3, -0.2, 0.4, 2.0, 1.0, -3.0])}
+    more = {"u": state["u"], "r": state["r"], "t": T, "wrenches": pushed}
+    way = np.random.default_rng(2).uniform(-1, 1, model.nu)
+    by_q = model.derivative("forward_dynamics", wrt="q")(q=state["q"], **more)
+
+    def here(places: dict[str, Any]) -> Any:
+        return np.array([model.forward_dynamics(q=q, **more) for q in places["q"]])
+
+    rates = {"q": model.qdot(state["q"], way)[None]}
+    expected, off = slope(here, {"q": state["q"][None]}, rates, np.ones(1))
+    assert missing(expected, off, (by_q @ way)[None], np.abs(by_q * way).max()) <= BOUND
 
 
-@each(
-    "ask, words",
-    [(lambda m, q, u: m.derivative(("pose", "tip"), wrt="q")(q), "output of the scene")],
-)
-def test_refused(ask: Any, words: str) -> None:
-    model = model_of("rubber, nodes")
-    with pytest.raises(ModelError, match=words):
-        ask(model, *model.split(model.initial()))
+def test_a_change_of_a_superelement_is_checked_without_its_gradient(tmp_path: Any) -> None:
+    """Its routine has no derivatives by how it is turned on what carries it, nor has the check."""
+    build, options = SCENES["superelement, root"]
+    model = cd.compile(build(), directory=tmp_path, **options)
+    q, u = model.split(model.initial())
+    assert model.jvp("forward_dynamics", wrt="u")(q, u, np.ones(model.nu)).shape == (model.nu,)
+    assert not list(tmp_path.glob("*gradient*"))
+    checks = {one.function: one.error for one in model.verify().checks}
+    changes = [error for label, error in checks.items() if label.endswith("dynamics_change")]
+    assert changes
+    assert max(changes) <= BOUND

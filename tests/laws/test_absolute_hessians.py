@@ -9,16 +9,19 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import ArgumentError
+from cardan.errors import ArgumentError, ModelError
 from cardan.runtime.calls.lanes import width
 from cardan.runtime.models.finite_elements import product_forms
+from cardan.runtime.models.finite_elements.products import CURVED, PROJECTIONS
 from cardan.runtime.verification.differences import BOUND, missing, slope
 from laws.absolute_scenes import SCENES
 from laws.test_absolute_derivatives import (
-    FUNCTIONS_OF,
+    Key,
     arguments,
-    available,
+    keys_of,
     model_of,
+    result_of,
+    row_of,
     state_of,
     value,
     ways,
@@ -63,7 +66,7 @@ def softened(name: str, step: float, way: tuple[float, ...]) -> cd.CompiledModel
     return model.with_parameters(dict(zip(model.parameters, values, strict=True)))
 
 
-def along_ray(name: str, function: str, way: dict[str, Any], weights: Any, step: float) -> float:
+def along_ray(name: str, function: Key, way: dict[str, Any], weights: Any, step: float) -> float:
     """Weighted sum of a function where all that it reads has gone a step, coordinates by speeds."""
     model, state = model_of(name), dict(state_of(name))
     other = softened(name, step, tuple(way["p"].tolist())) if step and "p" in way else model
@@ -75,7 +78,7 @@ def along_ray(name: str, function: str, way: dict[str, Any], weights: Any, step:
 
 
 def gradient_slopes(
-    name: str, function: str, wrt: tuple[str, ...], weights: Any, block: str, way: Any
+    name: str, function: Key, wrt: tuple[str, ...], weights: Any, block: str, way: Any
 ) -> tuple[Any, Any]:
     """Slopes of all derivatives along a way of a block, one behind the other; how far off."""
     model, state = model_of(name), state_of(name)
@@ -89,7 +92,7 @@ def gradient_slopes(
                     [
                         np.ravel(x)
                         for x in product(
-                            **arguments(name, function, {**state, letter: place}), weights=weights
+                            **arguments(function, {**state, letter: place}), weights=weights
                         )
                     ]
                 )
@@ -109,13 +112,14 @@ def test_second_derivatives(name: str) -> None:
     nothing. Rays need only values.
     """
     model, state, compared = model_of(name), state_of(name), set()
-    for function in FUNCTIONS_OF:
-        result = value(name, function, state) if available(model, function) else np.zeros(0)
-        if not result.size:
+    for function in keys_of(model):
+        array, shape = result_of(function, state, model)
+        if not array.size or row_of(function).name not in CURVED:
             continue
-        way, at = ways(name, function), arguments(name, function, state)
+        way, at, result = ways(name, function), arguments(function, state), np.ravel(array)
         weights = np.random.default_rng(1).uniform(-1, 1, result.size)
-        H = model.hessian(function, wrt=tuple(way))(**at, weights=weights)
+        shaped = np.reshape(weights, shape)
+        H = model.hessian(function, wrt=tuple(way))(**at, weights=shaped)
         assert np.array_equal(H, H.T)
         ends = np.cumsum([x.size for x in way.values()]).tolist()
         parts = {k: slice(end - x.size, end) for end, (k, x) in zip(ends, way.items(), strict=True)}
@@ -128,8 +132,8 @@ def test_second_derivatives(name: str) -> None:
             error = abs(expected - flat @ H @ flat)
             assert error <= BOUND * terms + MARGIN * off, (function, error, terms, off)
             compared.add(function)
-        for block in way.keys() - {"p"} if not function.startswith("close") else ():
-            change, off = gradient_slopes(name, function, tuple(way), weights, block, way[block])
+        for block in way.keys() - {"p"} if function not in PROJECTIONS else ():
+            change, off = gradient_slopes(name, function, tuple(way), shaped, block, way[block])
             columns = H[:, parts[block]] * way[block]
             for other, part in parts.items():
                 # a derivative along speeds is not one along coordinates that moved before
@@ -337,6 +341,12 @@ def test_every_build_is_checked() -> None:
     curved = {label: error for label, error in checks.items() if label.endswith("energy_curvature")}
     assert len(curved) >= 2
     assert max(curved.values()) <= BOUND
+
+
+def test_frames_are_refused() -> None:
+    model = model_of("rubber, nodes")
+    with pytest.raises(ModelError, match="frames have no second derivatives"):
+        model.hessian(("pose", "tip"), wrt="q")(model.initial()[: model.nq], np.ones((4, 4)))
 
 
 def test_wrenches_are_refused() -> None:

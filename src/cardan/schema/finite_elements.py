@@ -25,6 +25,12 @@ GRADIENTS = {
     "momentum_gradient": ("momentum",),
     "power_gradient": ("power",),
     "outputs_gradient": ("outputs",),
+    "reaction_gradient": ("reaction",),
+    "reactions_gradient": ("reactions",),
+    "element_forces_gradient": ("element_forces",),
+    "bodies_gradient": ("bodies",),
+    # of M udot and G udot, whose slopes these matrices are
+    "matrices_gradient": ("balance_tangent",),
 }
 # of events, which have no Hessians: M udot - Gᵀ lam and G udot - H lam, which impulses obey, values
 # of events, impulses that these ask for, states behind them, and friction by reactions

@@ -14,6 +14,20 @@ class DataSlopes(ctypes.Structure):
     _fields_ = fields("cardan_data_slopes")
 
 
+class SummandRecord(ctypes.Structure):
+    """``cardan_summands``: the sums that results of elements add to."""
+
+    __slots__ = ()
+    _fields_ = fields("cardan_summands")
+
+
+class FrameRecord(ctypes.Structure):
+    """``cardan_frame``: a frame on a node, on the ground or on a body of a rigid tree."""
+
+    __slots__ = ()
+    _fields_ = fields("cardan_frame")
+
+
 class ProductRecord(ctypes.Structure):
     """``cardan_mesh_product``: derivatives of a function of a mesh."""
 

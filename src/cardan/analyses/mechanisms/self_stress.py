@@ -250,22 +250,22 @@ def _of_rows(m: Mechanism, q: Array) -> SelfStresses:
     """By the conditions of all joints: reactions follow from multipliers."""
     from ...runtime.models.finite_elements.assembled import Assembled
     from ...runtime.models.finite_elements.elements import State
+    from ...runtime.models.finite_elements.summands import of_reaction
 
     model = m.model
-    source, named = model._source, model.manifest.elements.reactions
+    source, elements = model._source, model.manifest.elements
     assert isinstance(source, Assembled)
     evaluator, layout = source.results(model), model._layout
-    mesh, in_trees = evaluator.mesh, model.manifest.elements.tree_joints
-    groups = mesh.tables.groups
-    having = [k for k, group in enumerate(groups) if "reaction" in group.kind.functions]
+    sums = {
+        name: of_reaction(evaluator.tables, model.manifest, name)
+        for name in (*elements.reactions, *elements.tree_joints)
+    }
     r = layout.start("r") if m.r is None else m.r
     at = State(q, t=m.t, r=r, z=layout.start("z"), s=layout.start("s"))
 
     def reactions(lam: Array) -> dict[str, Array]:
-        results = mesh.results("reaction", replace(at, lam=lam))
-        wrenches = {name: results[having.index(k)][row] for name, (k, row) in named.items()}
         here = replace(at, lam=lam)
-        return wrenches | {n: evaluator.tree_reaction(k, here) for k, n in enumerate(in_trees)}
+        return {name: each.total(evaluator.mesh, here) for name, each in sums.items()}
 
     none = reactions(np.zeros(len(m.rows)))
     active = holds(m, q)

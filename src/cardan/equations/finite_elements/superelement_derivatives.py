@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ...errors import DerivationError
 from ...ir.function import Block
 from ...ir.routine import Routine, result
 from .record import Kind
@@ -15,12 +14,17 @@ DERIVATIVE_HEADERS = (
     *MORE_HEADERS["generalized_momenta"],
     *MORE_HEADERS["tangent"],
     "superelement_derivatives.h",
+    "superelement_momentum_derivatives.h",
 )
-# what derivatives read besides weights or directions
+# what derivatives read besides weights or directions; results: of forces as many as speeds
 DERIVATIVE_READS = {
-    **dict.fromkeys(("dynamics", "impulse"), ("q", "u", "udot", "p")),
-    "energy": ("q", "u", "p"),
+    "dynamics": ("q", "u", "udot", "p"),
+    **dict.fromkeys(("matrices", "impulse"), ("q", "udot", "p")),
+    **dict.fromkeys(("energy", "momentum", "power"), ("q", "u", "p")),
 }
+RESULTS = {"energy": 2, "momentum": 6, "power": 1}
+# without constraints an impulse is a product with the masses
+ROUTINES = {"impulse": "matrices"}
 
 
 def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
@@ -28,32 +32,21 @@ def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
 
     Args:
         kind: The kind.
-        form: Which; forces, energies and impulses have one.
+        form: Which.
         inputs: How many the scene has.
-
-    Raises:
-        DerivationError: there is none of that form.
     """
     quantity, _, mode = form.rpartition("_")
-    if quantity not in DERIVATIVE_READS:
-        raise DerivationError(
-            f"superelements have derivatives of forces and energies, none of {quantity}. Take "
-            "differences of that"
-        )
     tangent = kind.functions["balance_tangent"]
     assert isinstance(tangent, Routine)
     n, on_node, drifting = tangent.sizes
     N, graph = n + 6 * on_node, tangent.graph
-    weights = 2 if quantity == "energy" else N
+    weights = RESULTS.get(quantity, N)
     sizes = {"q": N + on_node, "u": N, "udot": N, "r": inputs, "t": 1, "p": len(DATA)}
     direction, slopes = sum(sizes.values()), {f"d_{letter}": k for letter, k in sizes.items() if k}
     count = {"gradient": weights, "change": direction, "curvature": weights + direction}[mode]
     if mode == "change":
         slopes = {"change": weights}
-    work = 3 * N * N + 8 * N + inputs + len(DATA) + TANGENT_ROOM * n + 2
-    if quantity == "impulse":
-        # what it is the difference of
-        work += 2 * N + direction
+    work = 3 * N * N + 8 * N + inputs + len(DATA) + TANGENT_ROOM * n + 64
     before, behind = tuple[str, ...](), tuple[str, ...]()
     if mode == "curvature":
         # the gradient of complex numbers, with these and its results
@@ -65,17 +58,9 @@ def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
         name=kind.c_name(form),
         inputs=(*(one for one in tangent.inputs if one.name in DERIVATIVE_READS[quantity]), v),
         outputs=tuple(result(graph, name, (k,)) for name, k in slopes.items()),
-        about="derivative of forces or energies",
-        call=f"cardan_superelement_{form}",
+        about=f"derivative of {quantity}",
+        call=f"cardan_superelement_{ROUTINES.get(quantity, quantity)}_{mode}",
         headers=(*before, *DERIVATIVE_HEADERS, *behind),
         sizes=(n, on_node, drifting, inputs),
-        constants=_without_stiffness(tangent) if quantity == "impulse" else tangent.constants,
         work=work,
     )
-
-
-def _without_stiffness(tangent: Routine) -> tuple[float, ...]:
-    """Constants of a superelement that nothing but inertia makes."""
-    n, _, drifting = tangent.sizes
-    end = len(tangent.constants) - 9 * n * drifting - 12 * n * n
-    return (*tangent.constants[: end - 2 * n * n], *[0.0] * (2 * n * n), *tangent.constants[end:])

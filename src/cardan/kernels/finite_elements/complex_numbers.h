@@ -19,6 +19,7 @@ typedef struct cardan_complex_in {
 
 #define CARDAN_COMPLEX 1
 #define real cardan_complex
+#define wreal cardan_complex
 #define cardan_in cardan_complex_in
 #undef CARDAN_REAL
 #define CARDAN_REAL(x) ((cardan_complex)(x))

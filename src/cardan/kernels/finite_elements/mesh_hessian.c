@@ -43,7 +43,8 @@ static ptrdiff_t lay(const cardan_mesh_product *product, real *block, hessian *h
     /* changes have a direction, a system and room in common with the gradient */
     h->along = h->here;
     h->along.weights = cardan_reserve(block, &used, weights_of(mesh));
-    h->along.unit = cardan_reserve(block, &used, mesh->outputs);
+    h->along.sums = cardan_reserve(block, &used, product->sums + 1);
+    h->along.probe = cardan_reserve(block, &used, mesh->nu);
     used += cardan_mesh_lay_slopes(product, block ? block + used : NULL, &h->along.by);
     h->change = h->along;
     h->change.product = product->change;
@@ -66,26 +67,6 @@ static int closes(ptrdiff_t function)
     return function == CARDAN_OF_CLOSE_POSITION || function == CARDAN_OF_CLOSE_VELOCITY;
 }
 
-/* True where accelerations and multipliers are solved for, which the results depend on. */
-static int solves(const cardan_mesh_product *product)
-{
-    const cardan_mesh *mesh = product->mesh;
-
-    switch (product->function) {
-    case CARDAN_OF_RHS:
-    case CARDAN_OF_FORWARD_DYNAMICS:
-    case CARDAN_OF_MULTIPLIERS:
-        return 1;
-    case CARDAN_OF_POWER:
-        return mesh->driven != 0;
-    case CARDAN_OF_OUTPUTS:
-    case CARDAN_OF_EXPRESSION:
-        return mesh->solved != 0;
-    default:
-        return 0;
-    }
-}
-
 static void clear(cardan_slopes *by)
 {
     memset(by->t, 0, (size_t)by->count * sizeof(real));
@@ -106,7 +87,7 @@ static int formula_along(hessian *h)
     const cardan_slopes *way = &h->along.way;
     const cardan_form *form = h->along.product->formula + 2;
     const ptrdiff_t np = h->here.product->np;
-    const real *from[] = {h->here.direct, way->t, way->q, way->u, way->z, way->r, way->p, h->along.unit};
+    const real *from[] = {h->here.direct, way->t, way->q, way->u, way->z, way->r, way->p, h->along.sums};
     const ptrdiff_t sizes[] = {mesh->outputs, 1, mesh->nq, mesh->nu, mesh->nz, mesh->nr, np,
                                mesh->outputs};
     cardan_in in = cardan_formula_in(&h->here, form);
@@ -143,23 +124,25 @@ static int direct_along(hessian *h)
         return cardan_mesh_pull_rates_along(&h->along, h->here.at.u, h->v, h->along.way.q, h->along.way.u,
                                             h->along.by.q, h->along.by.u);
     case CARDAN_OF_ENERGY:
-        return cardan_mesh_pull_elements(&h->along, h->along.product->direct, CARDAN_ENERGY,
-                                         h->here.direct, 1);
     case CARDAN_OF_MOMENTUM:
-        return cardan_mesh_pull_elements(&h->along, h->along.product->direct, CARDAN_MOMENTUM, h->v, 1);
     case CARDAN_OF_POWER:
-        return cardan_mesh_pull_elements(&h->along, h->along.product->direct, CARDAN_POWER, h->v, 1);
     case CARDAN_OF_OUTPUTS:
-        return cardan_mesh_pull_elements(&h->along, h->along.product->direct, CARDAN_OUTPUTS, h->v, 1);
+    case CARDAN_OF_REACTION:
+    case CARDAN_OF_ELEMENT_FORCES:
+        return cardan_mesh_pull_elements(&h->along, h->along.product->direct, CARDAN_FORMS,
+                                         h->here.sums, 1);
+    case CARDAN_OF_MASS_MATRIX:
+    case CARDAN_OF_CONSTRAINT_JACOBIAN:
+        return cardan_mesh_pull_matrix(&h->along, h->v, 1);
     case CARDAN_OF_EXPRESSION:
         status = formula_along(h);
         if (status == 0 && mesh->outputs > 0)
-            status = cardan_mesh_pull_elements(&h->along, h->along.product->direct, CARDAN_OUTPUTS,
-                                               h->here.unit, 1);
+            status = cardan_mesh_pull_elements(&h->along, h->along.product->direct, CARDAN_FORMS,
+                                               h->here.sums, 1);
         /* their weights are slopes of the formula */
         h->along.product = product;
         if (status == 0 && mesh->outputs > 0)
-            status = cardan_mesh_pull_elements(&h->along, product->direct, CARDAN_OUTPUTS, h->unit, 0);
+            status = cardan_mesh_pull_elements(&h->along, product->direct, CARDAN_FORMS, h->unit, 0);
         h->along.product = product->curvature;
         return status;
     default:
@@ -185,19 +168,19 @@ static int dynamics_along(hessian *h)
     cardan_slopes *by = &h->along.by;
     int status = 0;
 
-    if (solves(h->here.product))
+    if (h->here.product->solved)
         status = cardan_mesh_push_solution(&h->change);
     if (status == 0 && function == CARDAN_OF_EXPRESSION && h->here.mesh->outputs > 0)
         /* a part of the direction of the formula */
-        status = cardan_mesh_push_direct(&h->change, CARDAN_OUTPUTS, h->here.mesh->outputs, 0,
-                                         h->along.unit);
+        status = cardan_mesh_push_elements(&h->change, h->change.product->direct, CARDAN_FORMS,
+                                           h->here.product->sums + 1, h->along.sums);
     if (status == 0)
         status = direct_along(h);
-    if (status == 0 && (solves(h->here.product) || function == CARDAN_OF_INVERSE_DYNAMICS
+    if (status == 0 && (h->here.product->solved || function == CARDAN_OF_INVERSE_DYNAMICS
                         || function == CARDAN_OF_CONSTRAINTS
                         || function == CARDAN_OF_CONSTRAINT_RATES))
         status = cardan_mesh_pull_balance(&h->along, h->here.weights, 1);
-    if (status != 0 || !solves(h->here.product))
+    if (status != 0 || !h->here.product->solved)
         return status;
     memset(h->along.weights, 0, (size_t)weights_of(h->here.mesh) * sizeof(real));
     status = cardan_mesh_pull_solution(&h->along, by->udot, by->lam);

@@ -50,9 +50,7 @@ int cardan_mesh_enter(const cardan_in *in, real *work, cardan_place *here)
         status = enter_outputs(in, work, here);
     if (status != 0)
         return status;
-    if (function == CARDAN_OF_RHS || function == CARDAN_OF_FORWARD_DYNAMICS
-        || function == CARDAN_OF_MULTIPLIERS || (function == CARDAN_OF_POWER && mesh->driven)
-        || ((function == CARDAN_OF_OUTPUTS || function == CARDAN_OF_EXPRESSION) && mesh->solved)) {
+    if (product->solved) {
         status = cardan_mesh_solve_motion(mesh, &here->at, in->tau, solution, work, &here->system);
         here->at.udot = solution;
         here->at.lam = solution + mesh->nu;

@@ -31,8 +31,19 @@ enum {
     CARDAN_OF_CLOSE_VELOCITY,
     CARDAN_OF_EXPRESSION,
     CARDAN_OF_EVENTS,
-    CARDAN_OF_TRANSITION
+    CARDAN_OF_TRANSITION,
+    CARDAN_OF_REACTION,
+    CARDAN_OF_ELEMENT_FORCES,
+    CARDAN_OF_MASS_MATRIX,
+    CARDAN_OF_CONSTRAINT_JACOBIAN,
+    CARDAN_OF_POSE,
+    CARDAN_OF_VELOCITY,
+    CARDAN_OF_ACCELERATION,
+    CARDAN_OF_FRAME_JACOBIAN
 };
+
+/* numbers of the motion of a body, ground axes: R (9), p (3), velocity (6), acceleration (6) */
+enum { CARDAN_MOTION = 24 };
 
 /* Slopes of the data of the elements of a group by the parameters, row by row: those of one element,
  * if `shared`, or of all of them. */
@@ -50,14 +61,35 @@ typedef struct cardan_data_slopes {
     const real *second;
 } cardan_data_slopes;
 
+/* Sums that the results of the elements of a group add to. */
+typedef struct cardan_summands {
+    ptrdiff_t size;            /* numbers of a result */
+    const ptrdiff_t *which;    /* (count, size): which sum; the one behind all sums: none */
+} cardan_summands;
+
+/* A frame: on a node, on the ground, or on a body whose motion an element tells as sums. */
+typedef struct cardan_frame {
+    ptrdiff_t q, u;            /* first coordinate and speed of its node; -1: it has none */
+    const real *home, *to_space; /* of nodes of a plane: unit quaternion at angle 0 (4); speeds in space
+                                  from the rates of x, y and angle (6, 3); NULL: it is in space */
+    const real *local;         /* its axes on node or body (9), then its origin there (3) */
+    const cardan_data_slopes *data; /* of these by the parameters; NULL: not by parameters */
+    ptrdiff_t speeds;          /* that move it */
+    const ptrdiff_t *speed;    /* (speeds) */
+} cardan_frame;
+
 /* What a product is made of; it is the `w` of its functions. */
 typedef struct cardan_mesh_product {
     const cardan_mesh *mesh;       /* with room for gradients */
     ptrdiff_t function;            /* CARDAN_OF_... */
     ptrdiff_t results;             /* numbers of that function */
+    ptrdiff_t solved;              /* 1: it follows from accelerations or multipliers */
     const cardan_form *dynamics;   /* (groups) gradients of balances, of constraints and of zdot */
-    const cardan_form *direct;     /* (groups) of energies, momenta, powers, outputs, values of events, or
-                                      states behind events; NULL */
+    const cardan_form *direct;     /* (groups) of what is summed up, of M udot (nu) and G udot (m), of values of
+                                      events, or of states behind events; NULL */
+    const cardan_summands *summands; /* (groups); NULL: nothing is summed up */
+    ptrdiff_t sums;                /* how many sums there are */
+    const cardan_frame *frame;     /* of which the function is; NULL: of none */
     const cardan_form *impulse;    /* (groups) of M udot - G^T lam (nu) and G udot - H lam (m); NULL */
     const cardan_form *jumps;      /* (groups) of impulses at events; NULL */
     const cardan_form *friction;   /* (groups) of friction that follows from reactions; NULL */

@@ -35,8 +35,10 @@ ptrdiff_t cardan_mesh_lay_place(const cardan_mesh_product *product, real *block,
     ptrdiff_t used = cardan_mesh_call_work(mesh) + mesh->nu + mesh->m;
 
     here->weights = cardan_reserve(block, &used, mesh->nu + mesh->mp + 2 * mesh->m + mesh->nz);
-    here->direct = cardan_reserve(block, &used, mesh->outputs + 2);
-    here->unit = cardan_reserve(block, &used, product->results + mesh->outputs);
+    here->direct = cardan_reserve(block, &used, mesh->outputs);
+    here->sums = cardan_reserve(block, &used, product->sums + 1);
+    here->unit = cardan_reserve(block, &used, product->results);
+    here->probe = cardan_reserve(block, &used, mesh->nu);
     here->column = cardan_reserve(block, &used, product->columns + product->results);
     used += cardan_mesh_lay_slopes(product, block ? block + used : NULL, &here->by);
     used += cardan_mesh_lay_slopes(product, block ? block + used : NULL, &here->way);
@@ -46,9 +48,8 @@ ptrdiff_t cardan_mesh_lay_place(const cardan_mesh_product *product, real *block,
     return used;
 }
 
-/* Derivatives by data become those by parameters; `by_data` (rows), if it is not NULL, gets them too. */
-static void add_data(const cardan_data_slopes *data, const cardan_element_lanes *some,
-                     const real *out, real *by_p, real *by_data)
+void cardan_mesh_add_data(const cardan_data_slopes *data, const cardan_element_lanes *some,
+                          const real *out, real *by_p, real *by_data)
 {
     for (ptrdiff_t i = 0; i < data->count; i++, out += some->lanes)
         for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
@@ -84,28 +85,23 @@ static void take_gradient(const cardan_mesh *mesh, const cardan_group *g,
     if (here->at.behind)
         next = cardan_mesh_add_events(mesh, g, some, next, by);
     if (here->product->data)
-        add_data(here->product->data + (g - mesh->groups), some, next, by->p, here->by_data);
+        cardan_mesh_add_data(here->product->data + (g - mesh->groups), some, next, by->p, here->by_data);
 }
 
-/* Weights of the results of elements: of a balance with what belongs to it those of the balance (nu), g
- * (mp), the rates (m), of what accelerations miss (m) and of zdot. */
+/* Weights of the results of elements, in the layout of `gift`: see mesh_pull.h. */
 static real *give_weights(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
                           ptrdiff_t lanes, const cardan_gift *gift, real *to)
 {
+    const cardan_place *here = gift->more;
     const real *v = gift->v, *rates = v + mesh->nu + mesh->mp;
-    const ptrdiff_t size = gift->form == CARDAN_ENERGY ? 2 : 6;
 
-    if (gift->form == CARDAN_POWER)
-        return cardan_mesh_pick(v, g->powers, g->forms[CARDAN_POWER].size, element, lanes, to);
-    if (gift->form == CARDAN_OUTPUTS)
-        return cardan_mesh_pick(v, g->outputs, g->forms[CARDAN_OUTPUTS].size, element, lanes, to);
-    if (gift->form != CARDAN_BALANCE) {
-        for (ptrdiff_t i = 0; i < size; i++)
-            for (ptrdiff_t lane = 0; lane < lanes; lane++)
-                *to++ = v[i];
-        return to;
+    if (gift->form == CARDAN_FORMS) {
+        const cardan_summands *summands = here->product->summands + (g - mesh->groups);
+        return cardan_mesh_pick(v, summands->which, summands->size, element, lanes, to);
     }
     to = cardan_mesh_fetch_places(g, element, lanes, mesh->u, v, to);
+    if (gift->form == CARDAN_TANGENT)
+        return cardan_mesh_pick_rows(g, g->m, element, lanes, v + mesh->nu, to);
     to = cardan_mesh_pick_rows(g, g->mp, element, lanes, v + mesh->nu, to);
     to = cardan_mesh_pick_rows(g, g->m, element, lanes, rates, to);
     to = cardan_mesh_pick_rows(g, g->m, element, lanes, rates + mesh->m, to);
@@ -136,10 +132,10 @@ int cardan_mesh_pull_with(cardan_place *here, const cardan_form *forms, const ca
     return status;
 }
 
-int cardan_mesh_pull_elements(cardan_place *here, const cardan_form *forms, int form,
+int cardan_mesh_pull_elements(cardan_place *here, const cardan_form *forms, int layout,
                               const real *weights, int along)
 {
-    const cardan_gift gift = {along ? give_both : give_weights, form, weights, here};
+    const cardan_gift gift = {along ? give_both : give_weights, layout, weights, here};
 
     return cardan_mesh_pull_with(here, forms, &gift);
 }
@@ -167,15 +163,18 @@ int cardan_mesh_pull_solution(cardan_place *here, const real *by_udot, const rea
     return status;
 }
 
-/* Derivatives through what was solved for, of powers and outputs, by which they have some. */
-static int pull_direct(cardan_place *here, int form, const real *weights, int solved)
+/* Derivatives of `sums` with these weights, also through what was solved for. */
+static int pull_sums(cardan_place *here)
 {
+    const cardan_mesh_product *product = here->product;
     cardan_slopes *by = &here->by;
-    int status = cardan_mesh_pull_elements(here, here->product->direct, form, weights, 0);
+    int status;
 
-    if (status == 0 && solved)
+    here->sums[product->sums] = 0;
+    status = cardan_mesh_pull_elements(here, product->direct, CARDAN_FORMS, here->sums, 0);
+    if (status == 0 && product->solved)
         status = cardan_mesh_pull_solution(here, by->udot, by->lam);
-    if (status == 0 && solved)
+    if (status == 0 && product->solved)
         status = cardan_mesh_pull_balance(here, here->weights, 0);
     return status;
 }
@@ -207,10 +206,8 @@ static int pull_expression(cardan_place *here, real weight)
     slope = add_slopes(mesh->nr, weight, slope, by->r);
     (void)add_slopes(here->product->np, weight, slope, by->p);
     for (ptrdiff_t i = 0; i < mesh->outputs; i++)
-        here->unit[i] = weight * slope[np + i];
-    if (status == 0 && mesh->outputs > 0)
-        status = pull_direct(here, CARDAN_OUTPUTS, here->unit, mesh->solved != 0);
-    return status;
+        here->sums[i] = weight * slope[np + i];
+    return status == 0 && mesh->outputs > 0 ? pull_sums(here) : status;
 }
 
 /* Derivatives of a step that closes positions or speeds: `moved` is what its increment counts. */
@@ -293,21 +290,30 @@ int cardan_mesh_pull_stored(cardan_place *here, const real *v)
         return cardan_mesh_pull_rates(here, here->at.u, v, by->q, by->u);
     case CARDAN_OF_ENERGY:
         /* the third result is the sum of the others */
-        here->direct[0] = v[0] + v[2];
-        here->direct[1] = v[1] + v[2];
-        return cardan_mesh_pull_elements(here, here->product->direct, CARDAN_ENERGY, here->direct, 0);
+        here->sums[0] = v[0] + v[2];
+        here->sums[1] = v[1] + v[2];
+        return pull_sums(here);
     case CARDAN_OF_MOMENTUM:
-        return cardan_mesh_pull_elements(here, here->product->direct, CARDAN_MOMENTUM, v, 0);
     case CARDAN_OF_POWER:
-        return pull_direct(here, CARDAN_POWER, v, mesh->driven != 0);
     case CARDAN_OF_OUTPUTS:
-        return pull_direct(here, CARDAN_OUTPUTS, v, mesh->solved != 0);
+    case CARDAN_OF_REACTION:
+    case CARDAN_OF_ELEMENT_FORCES:
+        copy(here->product->sums, v, here->sums);
+        return pull_sums(here);
     case CARDAN_OF_EXPRESSION:
         return pull_expression(here, v[0]);
     case CARDAN_OF_EVENTS:
         return cardan_mesh_pull_events(here, v);
     case CARDAN_OF_TRANSITION:
         return cardan_mesh_pull_transition(here, v);
+    case CARDAN_OF_MASS_MATRIX:
+    case CARDAN_OF_CONSTRAINT_JACOBIAN:
+        return cardan_mesh_pull_matrix(here, v, 0);
+    case CARDAN_OF_POSE:
+    case CARDAN_OF_VELOCITY:
+    case CARDAN_OF_ACCELERATION:
+    case CARDAN_OF_FRAME_JACOBIAN:
+        return cardan_mesh_pull_frame(here, v);
     case CARDAN_OF_CLOSE_POSITION:
         copy(nq, v, by->q);
         copy(mesh->mp, v + nq, gaps);

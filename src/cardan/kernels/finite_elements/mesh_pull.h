@@ -40,8 +40,10 @@ typedef struct cardan_place {
     cardan_mesh_system system;
     cardan_slopes by, way; /* derivatives, or the direction of a change */
     real *weights; /* of the balance (nu), g (mp), rates (m), what accelerations miss (m), zdot (nz) */
-    real *direct;  /* energies' weights (2), or the outputs that a formula reads */
-    real *unit;    /* (results), or weights of outputs */
+    real *direct;  /* (outputs) that a formula reads */
+    real *sums;    /* (sums + 1) weights of sums, or their changes; behind them what is not asked for */
+    real *unit;    /* (results) weights of one of them */
+    real *probe;   /* (nu) a unit speed or acceleration */
     real *column;  /* (columns), then a result */
     real *stretch; /* (quaternions) what directions had along quaternions, of these */
     real *room;    /* of loops over elements */
@@ -70,9 +72,15 @@ int cardan_mesh_enter(const cardan_in *in, real *work, cardan_place *here);
 int cardan_mesh_pull(cardan_place *here, const real *v);
 int cardan_mesh_pull_stored(cardan_place *here, const real *v);
 /* Add the gradient of a weighted sum of results of elements to `by`; `along`: forms are curvatures, which
- * give its change along the direction `way`. */
-int cardan_mesh_pull_elements(cardan_place *here, const cardan_form *forms, int form,
+ * give its change along the direction `way`. Weights stand as `layout` says. CARDAN_BALANCE: those of the
+ * balance (nu), of g (mp), of the rates (m), of what accelerations miss (m), of zdot (nz);
+ * CARDAN_TANGENT: of M udot (nu) and of G udot (m); CARDAN_FORMS: of sums. */
+int cardan_mesh_pull_elements(cardan_place *here, const cardan_form *forms, int layout,
                               const real *weights, int along);
+/* Add derivatives by data to those by parameters, rows of one element side by side; `by_data` (rows), if it
+ * is not NULL, gets them too. */
+void cardan_mesh_add_data(const cardan_data_slopes *data, const cardan_element_lanes *some,
+                          const real *out, real *by_p, real *by_data);
 /* Add weights of the dynamics by which what was solved for has derivatives `by_udot` and `by_lam`; NULL: none. */
 int cardan_mesh_pull_solution(cardan_place *here, const real *by_udot, const real *by_lam);
 
@@ -86,10 +94,22 @@ real *cardan_mesh_give_direction(const cardan_mesh *mesh, const cardan_group *g,
                                  const cardan_gift *gift, real *to);
 /* Changes of accelerations and multipliers, which become parts of the direction. */
 int cardan_mesh_push_solution(cardan_place *here);
-/* Change of outputs or powers. */
-int cardan_mesh_push_direct(cardan_place *here, int form, ptrdiff_t size, int solved, real *to);
+/* Set `to` (size) to the changes of results of elements, in the same layouts. */
+int cardan_mesh_push_elements(cardan_place *here, const cardan_form *forms, int layout, ptrdiff_t size,
+                              real *to);
+/* Changes of the data of elements, side by side. Returns where they end. */
+real *cardan_mesh_data_change(const cardan_data_slopes *data, const real *p, const ptrdiff_t *element,
+                              ptrdiff_t lanes, real *to);
 /* Change of the increment that closes positions, or speeds, as the solution of the system. */
 int cardan_mesh_push_increment(cardan_place *here, int speeds);
+
+/* mesh_matrix_products.c: derivatives, or their changes `along`, and changes of the mass matrix or the
+ * Jacobian of constraints */
+int cardan_mesh_pull_matrix(cardan_place *here, const real *v, int along);
+int cardan_mesh_push_matrix(cardan_place *here, real *out);
+/* mesh_frame_products.c: those of the functions of a frame */
+int cardan_mesh_pull_frame(cardan_place *here, const real *v);
+int cardan_mesh_push_frame(cardan_place *here, real *out);
 
 /* mesh_rate_products.c: add v . qdot by q and u; u may be NULL: by u alone, which are speeds that q moves
  * along. */

@@ -5,6 +5,20 @@
 #include "mesh_pull.h"
 #include <string.h>
 
+real *cardan_mesh_data_change(const cardan_data_slopes *data, const real *p, const ptrdiff_t *element,
+                              ptrdiff_t lanes, real *to)
+{
+    for (ptrdiff_t i = 0; i < data->count; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++) {
+            const ptrdiff_t row = (data->shared ? 0 : element[lane] * data->count) + i;
+            real change = 0;
+            for (ptrdiff_t k = data->start[row]; k < data->start[row + 1]; k++)
+                change += data->slope[k] * p[data->parameter[k]];
+            *to++ = change;
+        }
+    return to;
+}
+
 /* Their data included. */
 real *cardan_mesh_give_direction(const cardan_mesh *mesh, const cardan_group *g,
                                  const ptrdiff_t *element, ptrdiff_t lanes,
@@ -29,49 +43,41 @@ real *cardan_mesh_give_direction(const cardan_mesh *mesh, const cardan_group *g,
     if (here->at.behind)
         to = cardan_mesh_give_events(mesh, g, element, lanes, way, to);
     /* changes of parameters become those of data */
-    for (ptrdiff_t i = 0; i < data->count; i++)
-        for (ptrdiff_t lane = 0; lane < lanes; lane++) {
-            const ptrdiff_t row = (data->shared ? 0 : element[lane] * data->count) + i;
-            real change = 0;
-            for (ptrdiff_t k = data->start[row]; k < data->start[row + 1]; k++)
-                change += data->slope[k] * way->p[data->parameter[k]];
-            *to++ = change;
-        }
-    return to;
+    return cardan_mesh_data_change(data, way->p, element, lanes, to);
 }
 
-/* what takes changes of a form */
+/* what takes changes, and how they stand there */
 typedef struct taken {
-    int form;
+    int layout;
+    const cardan_summands *summands;
     real *to;
 } taken;
 
-/* Add the changes of elements: of a balance with what belongs to it, as give_weights has them. */
+/* Add the changes of elements: see mesh_pull.h. */
 static void take_change(const cardan_mesh *mesh, const cardan_group *g,
                         const cardan_element_lanes *some, real *out, void *into)
 {
     const taken *change = into;
-    const ptrdiff_t *which = change->form == CARDAN_POWER ? g->powers : g->outputs;
-    const int picked = change->form == CARDAN_POWER || change->form == CARDAN_OUTPUTS;
-    const ptrdiff_t size = change->form == CARDAN_ENERGY ? 2 : 6;
+    const real *next = out;
     real *to = change->to, *rates = to + mesh->nu + mesh->mp;
 
-    if (picked) {
-        (void)cardan_mesh_add_picked(some, which, g->forms[change->form].size, out, to);
-    } else if (change->form != CARDAN_BALANCE) {
-        for (ptrdiff_t i = 0; i < size; i++)
-            for (ptrdiff_t lane = 0; lane < some->filled; lane++)
-                to[i] += out[i * some->lanes + lane];
-    } else {
-        const real *next = cardan_mesh_add_places(g, some, mesh->u, out, to);
-        next = cardan_mesh_add_rows(g, g->mp, some, next, to + mesh->nu);
-        next = cardan_mesh_add_rows(g, g->m, some, next, rates);
-        next = cardan_mesh_add_rows(g, g->m, some, next, rates + mesh->m);
-        for (ptrdiff_t i = 0; i < g->z_states; i++)
-            for (ptrdiff_t lane = 0; lane < some->filled; lane++)
-                rates[2 * mesh->m + g->z[some->element[lane] * g->nz + i]] +=
-                    next[i * some->lanes + lane];
+    if (change->layout == CARDAN_FORMS) {
+        const cardan_summands *summands = change->summands + (g - mesh->groups);
+        (void)cardan_mesh_add_picked(some, summands->which, summands->size, out, to);
+        return;
     }
+    next = cardan_mesh_add_places(g, some, mesh->u, next, to);
+    if (change->layout == CARDAN_TANGENT) {
+        (void)cardan_mesh_add_rows(g, g->m, some, next, to + mesh->nu);
+        return;
+    }
+    next = cardan_mesh_add_rows(g, g->mp, some, next, to + mesh->nu);
+    next = cardan_mesh_add_rows(g, g->m, some, next, rates);
+    next = cardan_mesh_add_rows(g, g->m, some, next, rates + mesh->m);
+    for (ptrdiff_t i = 0; i < g->z_states; i++)
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+            rates[2 * mesh->m + g->z[some->element[lane] * g->nz + i]] +=
+                next[i * some->lanes + lane];
 }
 
 int cardan_mesh_push_with(cardan_place *here, const cardan_form *forms, cardan_taker *take, void *to)
@@ -87,10 +93,10 @@ int cardan_mesh_push_with(cardan_place *here, const cardan_form *forms, cardan_t
     return status;
 }
 
-/* Changes of what elements give, summed up in `to`. */
-static int sweep(cardan_place *here, const cardan_form *forms, int form, ptrdiff_t size, real *to)
+int cardan_mesh_push_elements(cardan_place *here, const cardan_form *forms, int layout, ptrdiff_t size,
+                              real *to)
 {
-    taken change = {form, to};
+    taken change = {layout, here->product->summands, to};
 
     memset(to, 0, (size_t)size * sizeof(real));
     return cardan_mesh_push_with(here, forms, take_change, &change);
@@ -101,8 +107,8 @@ static int sweep_dynamics(cardan_place *here)
 {
     const cardan_mesh *mesh = here->mesh;
 
-    return sweep(here, here->product->dynamics, CARDAN_BALANCE,
-                 mesh->nu + mesh->mp + 2 * mesh->m + mesh->nz, here->weights);
+    return cardan_mesh_push_elements(here, here->product->dynamics, CARDAN_BALANCE,
+                                     mesh->nu + mesh->mp + 2 * mesh->m + mesh->nz, here->weights);
 }
 
 int cardan_mesh_push_solution(cardan_place *here)
@@ -126,11 +132,15 @@ int cardan_mesh_push_solution(cardan_place *here)
     return status;
 }
 
-int cardan_mesh_push_direct(cardan_place *here, int form, ptrdiff_t size, int solved, real *to)
+/* Changes of sums, into `sums`. */
+static int push_sums(cardan_place *here)
 {
-    const int status = solved ? cardan_mesh_push_solution(here) : 0;
+    const cardan_mesh_product *product = here->product;
+    const int status = product->solved ? cardan_mesh_push_solution(here) : 0;
 
-    return status != 0 ? status : sweep(here, here->product->direct, form, size, to);
+    return status != 0 ? status
+                       : cardan_mesh_push_elements(here, product->direct, CARDAN_FORMS,
+                                                   product->sums + 1, here->sums);
 }
 
 /* Change of a formula. */
@@ -142,12 +152,12 @@ static int push_expression(cardan_place *here, real *out)
     const cardan_slopes *way = &here->way;
     const ptrdiff_t sizes[] = {1, mesh->nq, mesh->nu, mesh->nz, mesh->nr, here->product->np,
                                mesh->outputs};
-    const real *directions[] = {way->t, way->q, way->u, way->z, way->r, way->p, here->unit};
+    const real *directions[] = {way->t, way->q, way->u, way->z, way->r, way->p, here->sums};
     const real *slope = here->room;
     int status = 0;
 
     if (mesh->outputs > 0)
-        status = cardan_mesh_push_direct(here, CARDAN_OUTPUTS, mesh->outputs, mesh->solved != 0, here->unit);
+        status = push_sums(here);
     if (status == 0)
         status = form->call(&in, here->room, here->room + form->size);
     out[0] = 0;
@@ -246,15 +256,24 @@ int cardan_mesh_push(cardan_place *here, const real *v, real *out)
                (size_t)here->product->results * sizeof(real));
         return status;
     case CARDAN_OF_ENERGY:
-        status = sweep(here, here->product->direct, CARDAN_ENERGY, 2, out);
-        out[2] = out[0] + out[1];
-        return status;
     case CARDAN_OF_MOMENTUM:
-        return sweep(here, here->product->direct, CARDAN_MOMENTUM, 6, out);
     case CARDAN_OF_POWER:
-        return cardan_mesh_push_direct(here, CARDAN_POWER, mesh->powers, mesh->driven != 0, out);
     case CARDAN_OF_OUTPUTS:
-        return cardan_mesh_push_direct(here, CARDAN_OUTPUTS, mesh->outputs, mesh->solved != 0, out);
+    case CARDAN_OF_REACTION:
+    case CARDAN_OF_ELEMENT_FORCES:
+        status = push_sums(here);
+        memcpy(out, here->sums, (size_t)here->product->sums * sizeof(real));
+        if (function == CARDAN_OF_ENERGY)
+            out[2] = out[0] + out[1];
+        return status;
+    case CARDAN_OF_MASS_MATRIX:
+    case CARDAN_OF_CONSTRAINT_JACOBIAN:
+        return cardan_mesh_push_matrix(here, out);
+    case CARDAN_OF_POSE:
+    case CARDAN_OF_VELOCITY:
+    case CARDAN_OF_ACCELERATION:
+    case CARDAN_OF_FRAME_JACOBIAN:
+        return cardan_mesh_push_frame(here, out);
     case CARDAN_OF_EXPRESSION:
         return push_expression(here, out);
     case CARDAN_OF_QDOT:

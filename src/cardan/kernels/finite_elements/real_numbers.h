@@ -7,6 +7,7 @@
 #include "complex_numbers.h"
 
 #undef real
+#undef wreal
 #undef cardan_in
 #undef CARDAN_REAL
 #if CARDAN_LANES > 1

@@ -1,5 +1,6 @@
 /*
- * superelement_curvature.h: changes of the gradients of weighted forces and energies of a superelement.
+ * superelement_curvature.h: changes of the gradients of superelement_derivatives.h
+ * and superelement_momentum_derivatives.h.
  *
  * in->v has the weights, then a direction of q as it is stored, u, udot, inputs, time and data. The
  * results are those of the gradient, whose functions are polynomials: they compute with complex numbers
@@ -9,7 +10,7 @@
 #ifndef CARDAN_SUPERELEMENT_CURVATURE_H
 #define CARDAN_SUPERELEMENT_CURVATURE_H
 
-#include "superelement_derivatives.h"
+#include "superelement_momentum_derivatives.h"
 #include "real_numbers.h"
 
 typedef int cardan_complex_gradient(int n, int on_node, int drifts, int nr, const double *constants,
@@ -77,6 +78,33 @@ CARDAN_INLINE int cardan_superelement_energy_curvature(int n, int on_node, int d
 {
     return cardan_superelement_curvature(cardan_superelement_energy_gradient, 2, n, on_node, drifts, nr,
                                          constants, in, out, work);
+}
+
+CARDAN_INLINE int cardan_superelement_matrices_curvature(int n, int on_node, int drifts, int nr,
+                                                       const double *constants, const cardan_in *in,
+                                                       real *CARDAN_RESTRICT out,
+                                                       real *CARDAN_RESTRICT work)
+{
+    return cardan_superelement_curvature(cardan_superelement_matrices_gradient, n + 6 * on_node, n, on_node,
+                                         drifts, nr, constants, in, out, work);
+}
+
+CARDAN_INLINE int cardan_superelement_momentum_curvature(int n, int on_node, int drifts, int nr,
+                                                       const double *constants, const cardan_in *in,
+                                                       real *CARDAN_RESTRICT out,
+                                                       real *CARDAN_RESTRICT work)
+{
+    return cardan_superelement_curvature(cardan_superelement_momentum_gradient, 6, n, on_node,
+                                         drifts, nr, constants, in, out, work);
+}
+
+CARDAN_INLINE int cardan_superelement_power_curvature(int n, int on_node, int drifts, int nr,
+                                                       const double *constants, const cardan_in *in,
+                                                       real *CARDAN_RESTRICT out,
+                                                       real *CARDAN_RESTRICT work)
+{
+    return cardan_superelement_curvature(cardan_superelement_power_gradient, 1, n, on_node,
+                                         drifts, nr, constants, in, out, work);
 }
 
 #endif

@@ -1,5 +1,6 @@
 /*
  * superelement_derivatives.h: gradients of weighted forces and energies of a superelement, and changes.
+ * Those of the products with its mass matrix are called `matrices`.
  *
  * Weights are in->v; results are derivatives by q as it is stored, u, udot, then nr inputs, the time and
  * the data. Those by how the frame is turned on its node are not known: NaN. Of a change in->v is a
@@ -65,11 +66,48 @@ CARDAN_INLINE void cardan_by_place(const cardan_in *in, const cardan_frame_motio
     cardan_3_add_cross(spun, in->u, by_p);
 }
 
-/* Of forces (N) with weights v. */
-CARDAN_INLINE int cardan_superelement_dynamics_gradient(int n, int on_node, int drifts, int nr,
-                                                        const double *constants, const cardan_in *in,
-                                                        real *CARDAN_RESTRICT out,
-                                                        real *CARDAN_RESTRICT work)
+/* K, C and M of forces, or, where `inertial`, of M udot: at rest without gravity stiffness is left out. */
+CARDAN_INLINE int cardan_superelement_slopes(int n, int on_node, int drifts, int inertial,
+                                             const double *constants, const cardan_in *in, real *K,
+                                             real *work)
+{
+    const cardan_superelement c = cardan_superelement_of(n, drifts, constants);
+    const int first = 6 * on_node, N = n + first;
+    const int status = cardan_superelement_tangent(n, on_node, drifts, constants, in, K, work);
+    cardan_frame_motion at;
+
+    if (!inertial) return status;
+    cardan_frame_motion_of(in, on_node, 2, &at);
+    /* w'_k A_k^T along z; nothing follows from speeds */
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            real sum = CARDAN_REAL(0.0);
+
+            for (int k = 0; k < 3 * on_node; ++k)
+                sum += at.w_rate[k] * c.spin_back[(k * n + i) * n + j];
+            K[(first + i) * N + first + j] = sum;
+        }
+    for (int i = 0; i < N * N; ++i) K[N * N + i] = CARDAN_REAL(0.0);
+    return status;
+}
+
+/* The same state without speeds and gravity; `still` (N) and `w` are kept there. */
+CARDAN_INLINE cardan_in cardan_without_speeds(int N, const cardan_in *in, real *still, wreal *w)
+{
+    cardan_in there = *in;
+
+    for (int i = 0; i < N; ++i) still[i] = CARDAN_REAL(0.0);
+    for (int k = 0; k < 15; ++k) w[k] = in->w[k] * (k < 12 ? 1.0 : 0.0);
+    there.u = still;
+    there.w = w;
+    return there;
+}
+
+/* Of forces (N), or of M udot where `inertial`, with weights v. */
+CARDAN_INLINE int cardan_superelement_forces_gradient(int n, int on_node, int drifts, int nr,
+                                                      int inertial, const double *constants,
+                                                      const cardan_in *in, real *CARDAN_RESTRICT out,
+                                                      real *CARDAN_RESTRICT work)
 {
     const cardan_superelement c = cardan_superelement_of(n, drifts, constants);
     const int N = n + 6 * on_node, nq = N + on_node;
@@ -77,7 +115,8 @@ CARDAN_INLINE int cardan_superelement_dynamics_gradient(int n, int on_node, int 
     real *const scratch = along + N, *const by_u = out + nq, *const by_udot = by_u + N;
     real *const by_p = cardan_superelement_remaining(nr, by_udot + N), *const by_g = by_p + 3;
     cardan_frame_motion at;
-    const int status = cardan_superelement_tangent(n, on_node, drifts, constants, in, K, scratch);
+    const int status =
+        cardan_superelement_slopes(n, on_node, drifts, inertial, constants, in, K, scratch);
 
     /* rows of the tangent, with the weights of the forces */
     cardan_weighted_rows(N, in->v, K, along);
@@ -85,10 +124,13 @@ CARDAN_INLINE int cardan_superelement_dynamics_gradient(int n, int on_node, int 
     cardan_weighted_rows(N, in->v, K + N * N, by_u);
     cardan_weighted_rows(N, in->v, M, by_udot);
     cardan_frame_motion_of(in, on_node, 1, &at);
-    for (int k = 0; k < 3; ++k) by_p[k] = CARDAN_REAL(0.0);
+    for (int k = 0; k < 3; ++k) by_p[k] = by_g[k] = CARDAN_REAL(0.0);
     if (on_node) {
         (void)cardan_superelement_balance(n, on_node, drifts, constants, in, along, scratch);
         cardan_by_place(in, &at, in->v, along + 3, by_u + 3, by_udot + 3, by_p);
+    }
+    if (inertial) return status;
+    if (on_node) {
         /* gravity pulls as an acceleration of the node pushes, but for what its velocity does */
         if (drifts) (void)cardan_superelement_tangent(n, 1, 0, constants, in, K, scratch);
         cardan_weighted_rows(N, in->v, M, along);
@@ -102,6 +144,27 @@ CARDAN_INLINE int cardan_superelement_dynamics_gradient(int n, int on_node, int 
         for (int k = 0; k < 3; ++k) by_g[k] = -by_g[k];
     }
     return status;
+}
+
+CARDAN_INLINE int cardan_superelement_dynamics_gradient(int n, int on_node, int drifts, int nr,
+                                                        const double *constants, const cardan_in *in,
+                                                        real *CARDAN_RESTRICT out,
+                                                        real *CARDAN_RESTRICT work)
+{
+    return cardan_superelement_forces_gradient(n, on_node, drifts, nr, 0, constants, in, out, work);
+}
+
+CARDAN_INLINE int cardan_superelement_matrices_gradient(int n, int on_node, int drifts, int nr,
+                                                        const double *constants, const cardan_in *in,
+                                                        real *CARDAN_RESTRICT out,
+                                                        real *CARDAN_RESTRICT work)
+{
+    const int N = n + 6 * on_node;
+    wreal w[15];
+    const cardan_in there = cardan_without_speeds(N, in, work, w);
+
+    return cardan_superelement_forces_gradient(n, on_node, drifts, nr, 1, constants, &there, out,
+                                               work + N);
 }
 
 /* Of the kinetic and the potential energy with two weights. */
@@ -167,11 +230,11 @@ CARDAN_INLINE void cardan_add_matrix(int N, const real *A, const real *d, real *
         for (int j = 0; j < N; ++j) out[i] += A[i * N + j] * d[j];
 }
 
-/* Of forces (N) along a direction. */
-CARDAN_INLINE int cardan_superelement_dynamics_change(int n, int on_node, int drifts, int nr,
-                                                      const double *constants, const cardan_in *in,
-                                                      real *CARDAN_RESTRICT out,
-                                                      real *CARDAN_RESTRICT work)
+/* Of forces (N), or of M udot where `inertial`, along a direction. */
+CARDAN_INLINE int cardan_superelement_forces_change(int n, int on_node, int drifts, int nr,
+                                                    int inertial, const double *constants,
+                                                    const cardan_in *in, real *CARDAN_RESTRICT out,
+                                                    real *CARDAN_RESTRICT work)
 {
     const cardan_superelement c = cardan_superelement_of(n, drifts, constants);
     const int first = 6 * on_node, N = n + first, nq = N + on_node;
@@ -180,7 +243,8 @@ CARDAN_INLINE int cardan_superelement_dynamics_change(int n, int on_node, int dr
     real *const scratch = force + N;
     const real *const d = in->v, *const d_u = d + nq, *const d_udot = d_u + N;
     const real *const d_p = d_udot + N + nr + 1 + 9, *const d_g = d_p + 3, *const q = in->q;
-    const int status = cardan_superelement_tangent(n, on_node, drifts, constants, in, K, scratch);
+    const int status =
+        cardan_superelement_slopes(n, on_node, drifts, inertial, constants, in, K, scratch);
     cardan_frame_motion at;
     real turned[3], spun[3];
 
@@ -212,6 +276,7 @@ CARDAN_INLINE int cardan_superelement_dynamics_change(int n, int on_node, int dr
     cardan_add_matrix(N, K, along, out);
     cardan_add_matrix(N, C, rate, out);
     cardan_add_matrix(N, M, second, out);
+    if (inertial) return status;
     for (int i = 0; i < N; ++i) second[i] = CARDAN_REAL(0.0);
     if (on_node) {
         /* gravity pulls as an acceleration of the node pushes, but for what its velocity does */
@@ -232,56 +297,36 @@ CARDAN_INLINE int cardan_superelement_reads(int n, int on_node, int nr)
     return n + 7 * on_node + 2 * (n + 6 * on_node) + nr + 1 + 15;
 }
 
-/* What an impulse is to a superelement: M udot, the forces at rest less those without acceleration.
- * There is no stiffness among the constants, which would round beside masses. */
-CARDAN_INLINE int cardan_superelement_impulse_gradient(int n, int on_node, int drifts, int nr,
-                                                       const double *constants, const cardan_in *in,
-                                                       real *CARDAN_RESTRICT out,
-                                                       real *CARDAN_RESTRICT work)
+CARDAN_INLINE int cardan_superelement_dynamics_change(int n, int on_node, int drifts, int nr,
+                                                      const double *constants, const cardan_in *in,
+                                                      real *CARDAN_RESTRICT out,
+                                                      real *CARDAN_RESTRICT work)
 {
-    const int N = n + 6 * on_node, nq = N + on_node, count = cardan_superelement_reads(n, on_node, nr);
-    real *const still = work, *const other = still + N, *const scratch = other + count;
-    cardan_in there = *in;
-    int status;
-
-    for (int i = 0; i < N; ++i) still[i] = CARDAN_REAL(0.0);
-    there.u = still;
-    status = cardan_superelement_dynamics_gradient(n, on_node, drifts, nr, constants, &there, out, scratch);
-    there.udot = still;
-    if (status == CARDAN_OK)
-        status = cardan_superelement_dynamics_gradient(n, on_node, drifts, nr, constants, &there, other,
-                                                       scratch);
-    /* by accelerations both are the masses */
-    for (int i = 0; i < count; ++i)
-        if (i < nq + N || i >= nq + 2 * N) out[i] -= other[i];
-    for (int i = nq; i < nq + N; ++i) out[i] = CARDAN_REAL(0.0);
-    return status;
+    return cardan_superelement_forces_change(n, on_node, drifts, nr, 0, constants, in, out, work);
 }
 
-CARDAN_INLINE int cardan_superelement_impulse_change(int n, int on_node, int drifts, int nr,
-                                                     const double *constants, const cardan_in *in,
-                                                     real *CARDAN_RESTRICT out,
-                                                     real *CARDAN_RESTRICT work)
+CARDAN_INLINE int cardan_superelement_matrices_change(int n, int on_node, int drifts, int nr,
+                                                      const double *constants, const cardan_in *in,
+                                                      real *CARDAN_RESTRICT out,
+                                                      real *CARDAN_RESTRICT work)
 {
-    const int N = n + 6 * on_node, nq = N + on_node, count = cardan_superelement_reads(n, on_node, nr);
-    real *const still = work, *const other = still + N, *const way = other + N;
-    real *const scratch = way + count;
-    cardan_in there = *in;
-    int status;
+    const int N = n + 6 * on_node;
+    wreal w[15];
+    const cardan_in there = cardan_without_speeds(N, in, work, w);
 
-    for (int i = 0; i < N; ++i) still[i] = CARDAN_REAL(0.0);
-    for (int i = 0; i < count; ++i)
-        way[i] = i >= nq && i < nq + N ? CARDAN_REAL(0.0) : in->v[i];
-    there.u = still;
-    there.v = way;
-    status = cardan_superelement_dynamics_change(n, on_node, drifts, nr, constants, &there, out, scratch);
-    there.udot = still;
-    for (int i = nq + N; i < nq + 2 * N; ++i) way[i] = CARDAN_REAL(0.0);
-    if (status == CARDAN_OK)
-        status = cardan_superelement_dynamics_change(n, on_node, drifts, nr, constants, &there, other,
-                                                     scratch);
-    for (int i = 0; i < N; ++i) out[i] -= other[i];
-    return status;
+    return cardan_superelement_forces_change(n, on_node, drifts, nr, 1, constants, &there, out,
+                                             work + N);
+}
+
+/* Slopes times a direction, where there are this many by states, inputs and time: those by the rotation
+ * of the frame left out. */
+CARDAN_INLINE real cardan_superelement_along(int states, const real *slopes, const real *direction)
+{
+    real sum = CARDAN_REAL(0.0);
+
+    for (int i = 0; i < states + 15; ++i)
+        if (i < states || i >= states + 9) sum += slopes[i] * direction[i];
+    return sum;
 }
 
 /* Of the kinetic and the potential energy along a direction. */
@@ -299,10 +344,8 @@ CARDAN_INLINE int cardan_superelement_energy_change(int n, int on_node, int drif
         weights[k] = CARDAN_REAL(1.0);
         weights[1 - k] = CARDAN_REAL(0.0);
         (void)cardan_superelement_energy_gradient(n, on_node, drifts, nr, constants, &there, work,
-                                                  work + count);
-        out[k] = CARDAN_REAL(0.0);
-        for (int i = 0; i < count; ++i)
-            if (i < states || i >= states + 9) out[k] += work[i] * in->v[i];
+                                                  work + states + 15);
+        out[k] = cardan_superelement_along(states, work, in->v);
     }
     return CARDAN_OK;
 }

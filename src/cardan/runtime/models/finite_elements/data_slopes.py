@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, final
 
 import numpy as np
@@ -13,11 +13,23 @@ from ....ir.function import Function, Output
 from ....ir.graph import ONE, ZERO, Graph
 from ....ir.interpreter import evaluate
 from ....ir.rewrite import rebuild
+from ....schema.finite_elements import ElementKind
 from ....schema.product_records import DataSlopes
 from .tables import Tables
 
 if TYPE_CHECKING:
     from ..loaded_model import LoadedModel
+
+# data of a superelement that say how it is turned on what carries it, the first ones
+ROTATION = 9
+
+
+def without_slopes(model: LoadedModel, kind: ElementKind) -> int:
+    """How many data of a kind, the first ones, have no derivatives.
+
+    Routines of C, which have no expressions, know none by rotations.
+    """
+    return 0 if model._objects.saved().keys() >= {*kind.functions.values()} else ROTATION
 
 
 @final
@@ -42,13 +54,10 @@ class DataByParameters:
             if not group.common:
                 continue
             slopes, shape = self._slopes[group.common] = _slopes(model, group.common)
-            rows, parameters = np.nonzero(slopes)
-            starts = np.searchsorted(rows, np.arange(len(slopes) + 1)).astype(np.intp)
             record.count, record.shared = shape[-1], int(len(shape) == 1)
             record.first_row, record.rows = self.rows, len(slopes)
             self.rows += len(slopes)
-            slope = np.ascontiguousarray(slopes[rows, parameters])
-            self._set(record, start=starts, parameter=parameters.astype(np.intp), slope=slope)
+            self._tables += fill(record, slopes)
 
     def curve(self) -> None:
         """Add second derivatives, which Hessians read."""
@@ -57,13 +66,10 @@ class DataByParameters:
                 continue
             rows, pairs, values = _second(self._model, group.common)
             starts = np.searchsorted(rows, np.arange(record.rows + 1)).astype(np.intp)
-            self._set(record, second_start=starts, second_parameters=pairs, second=values)
+            self._tables += _set(
+                record, second_start=starts, second_parameters=pairs, second=values
+            )
         self._curved = True
-
-    def _set(self, record: DataSlopes, **tables: Array | Integers) -> None:
-        for name, table in tables.items():
-            setattr(record, name, table.ctypes.data)
-            self._tables.append(table)
 
     def parameters_of(self, common: str, data: Collection[int], count: int) -> list[int]:
         """Numbers of the parameters that some of the ``count`` data of every element depend on."""
@@ -71,10 +77,50 @@ class DataByParameters:
         return np.flatnonzero(slopes[:, [*data]].any(axis=(0, 1))).tolist()
 
 
-def _slopes(model: LoadedModel, common: str) -> tuple[Array, tuple[int, ...]]:
-    """Derivatives (data, parameters) of the data of a group, and the shape of these."""
-    function = model._objects.function(common)
-    graph, roots, read, columns = _columns(function)
+def fill(record: DataSlopes, slopes: Array) -> list[object]:
+    """Fill in slopes (rows, parameters) of data; what is returned must live as long."""
+    rows, parameters = np.nonzero(slopes)
+    starts = np.searchsorted(rows, np.arange(len(slopes) + 1)).astype(np.intp)
+    slope = np.ascontiguousarray(slopes[rows, parameters])
+    return _set(record, start=starts, parameter=parameters.astype(np.intp), slope=slope)
+
+
+def _set(record: DataSlopes, **tables: Array | Integers) -> list[object]:
+    for name, table in tables.items():
+        setattr(record, name, table.ctypes.data)
+    return [*tables.values()]
+
+
+def of_frame(model: LoadedModel, number: int) -> tuple[DataSlopes, list[object]]:
+    """Slopes of the axes (9) of a frame where it stands and of its origin (3), and what must live
+    as long.
+
+    Args:
+        model: Whose.
+        number: Of the frame in the manifest.
+    """
+    frames = model.manifest.elements.frames
+    places = {output.name: output.nodes for output in model._objects.function(frames).outputs}
+    nodes = [
+        *places["rotation"][9 * number : 9 * number + 9],
+        *places["position"][3 * number : 3 * number + 3],
+    ]
+    record = DataSlopes(count=len(nodes), shared=1)
+    return record, fill(record, _slopes(model, frames, nodes)[0])
+
+
+def _slopes(
+    model: LoadedModel, saved: str, nodes: Sequence[int] | None = None
+) -> tuple[Array, tuple[int, ...]]:
+    """Derivatives (data, parameters) of what a saved function gives, and the shape of that.
+
+    Args:
+        model: At its parameters.
+        saved: The function.
+        nodes: Which of its results, all by default.
+    """
+    function = model._objects.function(saved)
+    graph, roots, read, columns = _columns(function, nodes)
     slopes = np.zeros((len(roots), len(model.parameters)))
     if read:
         values = _values(model, function, graph, [node for column in columns for node in column])
@@ -110,9 +156,11 @@ def _second(model: LoadedModel, common: str) -> tuple[Integers, Integers, Array]
     return places[order, 0], np.ascontiguousarray(places[order, 1:]), values[order]
 
 
-def _columns(function: Function) -> tuple[Graph, list[int], list[int], list[list[int]]]:
+def _columns(
+    function: Function, nodes: Sequence[int] | None = None
+) -> tuple[Graph, list[int], list[int], list[list[int]]]:
     """A graph of data, these, the parameters that they read, and their slopes by each of them."""
-    graph, roots = rebuild(function.graph, function.roots)
+    graph, roots = rebuild(function.graph, function.roots if nodes is None else nodes)
     read = sorted({node[2] for node in graph.nodes if node[0] == "var"})
     return graph, roots, read, directional(graph, roots, [{graph.var("p", k): ONE} for k in read])
 

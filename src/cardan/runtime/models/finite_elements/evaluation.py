@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Hashable, Sequence
 from functools import partial
-from itertools import groupby
 from math import prod
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
@@ -14,6 +12,7 @@ import numpy as np
 from ....arrays import Array
 from ....errors import ModelError
 from ....schema.functions import FUNCTIONS
+from . import summands
 from .elements import State
 from .frames import Frames, node_frames
 from .mesh import Mesh
@@ -97,7 +96,7 @@ class Results:
         blocks: dict[str, Any] = {n: inputs[n][:k] for n, k in sizes if n in inputs and k}
         return State(t=float(inputs["t"][0]) if "t" in inputs else 0.0, **(blocks | more))
 
-    def _small(self, name: str, rows: int) -> None:
+    def check_small(self, name: str, rows: int) -> None:
         """Refuse a full matrix (rows, nu) with more entries than one has of LARGEST speeds."""
         if rows * self.tables.nu > LARGEST**2:
             raise ModelError(
@@ -134,7 +133,7 @@ class Results:
 
     def mass_matrix(self, inputs: Inputs) -> Array:
         """M (nu, nu) [kg m^2, kg m or kg]."""
-        self._small("mass_matrix", self.tables.nu)
+        self.check_small("mass_matrix", self.tables.nu)
         full: Array = self.mesh.tangent(self.state(inputs))["M"].toarray()
         return full
 
@@ -154,7 +153,7 @@ class Results:
 
     def constraint_jacobian(self, inputs: Inputs) -> Array:
         """G (m, nu) [1, m or 1/m]."""
-        self._small("constraint_jacobian", self.tables.m)
+        self.check_small("constraint_jacobian", self.tables.m)
         full: Array = self.mesh.tangent(self.state(inputs))["G"].toarray()
         return full
 
@@ -247,19 +246,7 @@ class Results:
         """The wrench (6,) [N m and N] of a joint of the scene; its multipliers are solved for."""
         udot, lam = self._solved(inputs)
         at = self.state(inputs, udot=udot, lam=lam)
-        joints = self.manifest.elements.tree_joints
-        if joint in joints:
-            return self.tree_reaction(joints.index(joint), at)
-        return self._of_member("reaction", joint, at)
-
-    def tree_reaction(self, joint: int, at: State) -> Array:
-        """The wrench (6,) of a joint of a rigid tree: shares of the elements that it carries."""
-        total, form = np.zeros(6), "reactions"
-        having = [g for g in self.tables.groups if form in g.kind.functions]
-        for group, shares in zip(having, self.mesh.results(form, at), strict=True):
-            assert group.reactions is not None
-            total += shares.reshape(-1, 6)[group.reactions.ravel() == joint].sum(axis=0)
-        return total
+        return summands.of_reaction(self.tables, self.manifest, joint).total(self.mesh, at)
 
     def outputs(self, inputs: Inputs) -> Array:
         """The declared outputs (ny,), in their units."""
@@ -267,33 +254,14 @@ class Results:
 
     def element_forces(self, inputs: Inputs) -> Array:
         """Forces of elements by name (nforces,) [N or N m]."""
-        form, groups = "element_forces", self.tables.groups
-        having = [k for k, group in enumerate(groups) if form in group.kind.functions]
         more: dict[str, Array] = {}
-        if any(groups[k].kind.m for k in having):
-            # what modes hold, and friction by reactions, follow from multipliers
+        if self.forces_solved:
             more["lam"] = self._solved(inputs)[1]
         at = self.state(inputs, **more)
-        results = dict(zip(having, self.mesh.results(form, at), strict=True))
-        places, values = self.manifest.elements.forces, list[float]()
-        taken = Counter[tuple[int, int]]()
-        for name, rows in groupby(self.manifest.element_forces, lambda row: row.element):
-            group, member = places.get(name, (-1, 0))
-            count, first = len(list(rows)), taken[group, member]
-            taken[group, member] += count
-            # elements that never exert any have no function
-            row = results[group][member].tolist() if group in results else [0.0] * (first + count)
-            values += row[first : first + count]
-        return np.array(values)
+        return summands.of_forces(self.tables, self.manifest).total(self.mesh, at)
 
-    def _of_member(self, form: str, name: str, at: State) -> Array:
-        """The result of one element of the scene."""
-        position = self.manifest.elements.reactions.get(name)
-        if position is None:
-            raise ModelError(
-                f"{form}: '{name}' transmits none in model '{self.name}' in absolute coordinates"
-            )
-        having = [g for g in self.tables.groups if form in g.kind.functions]
-        results = self.mesh.results(form, at)
-        row: Array = results[having.index(self.tables.groups[position[0]])][position[1]]
-        return row
+    @property
+    def forces_solved(self) -> bool:
+        """True where forces of elements follow from multipliers: what modes hold, and friction."""
+        having = summands.having_form(self.tables, "element_forces")
+        return any(self.tables.groups[k].kind.m for k in having)

@@ -48,6 +48,10 @@ class Frames:
         self._starts = {row.name: row.node for row in rows}
         self._planes = {row.name: Plane.of(row.plane) for row in rows}
 
+    def place(self, frame: str) -> tuple[Array, Array]:
+        """Axes (3, 3) and origin (3,) of a frame on its place."""
+        return self._rotation[frame], self._position[frame]
+
     @classmethod
     def of(cls, model: LoadedModel) -> Frames:
         """The frames of a model at its parameters."""

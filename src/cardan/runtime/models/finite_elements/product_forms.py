@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Sequence
+from collections.abc import Collection, Hashable, Sequence
 from typing import final
 
 import numpy as np
@@ -17,6 +17,7 @@ from ...calls.lanes import width
 from ...calls.objects import Objects
 from .mesh import Mesh
 from .table_loading import LANE_THRESHOLD
+from .tables import Table
 
 
 @final
@@ -37,23 +38,62 @@ class ProductForms:
     def __init__(self, mesh: Mesh, objects: Objects, parameters: Array) -> None:
         self.mesh, self.objects, self.parameters = mesh, objects, parameters
         self.tables = mesh.tables
-        self._forms: dict[str, ctypes.Array[Form]] = {}
+        self._forms: dict[Hashable, ctypes.Array[Form]] = {}
         self.local = self.work = self.lanes = 0
 
-    def derivatives(self, form: str) -> ctypes.Array[Form]:
-        """Derivatives of every group, made once."""
-        if form not in self._forms:
-            tables, forms = self.tables, (Form * max(1, len(self.tables.groups)))()
-            having = [k for k, g in enumerate(tables.groups) if form in g.kind.derivatives]
-            names = {tables.groups[k].kind.derivatives[form]: tables.groups[k].kind for k in having}
+    def derivatives(self, form: str, groups: Collection[int]) -> ctypes.Array[Form]:
+        """Derivatives of some groups, made once.
+
+        Args:
+            form: Such as ``dynamics_gradient``.
+            groups: Numbers of the groups; those that have none are left out.
+
+        Raises:
+            ModelError: one reads or gives other numbers than the kernels take.
+        """
+        listed, of_elements = self.tables.groups, [*groups]
+        key = form, tuple(of_elements)
+        if key not in self._forms:
+            forms = (Form * max(1, len(listed)))()
+            having = [k for k in of_elements if form in listed[k].kind.derivatives]
+            names = {listed[k].kind.derivatives[form]: listed[k].kind for k in having}
             codes = self._loaded([(form, kind.name) for kind in names.values()], list(names))
             for k in having:
-                group, data = tables.groups[k], self.mesh.data[k]
-                code = codes[group.kind.derivatives[form]]
-                self.mesh.form(forms[k], code, data)
+                code = codes[listed[k].kind.derivatives[form]]
+                self._check(form, listed[k], code)
+                self.mesh.form(forms[k], code, self.mesh.data[k])
                 self.local = max(self.local, int(code.entry.output_size) + len(code.entry.vector))
-            self._forms[form] = forms
-        return self._forms[form]
+            self._forms[key] = forms
+        return self._forms[key]
+
+    def _check(self, form: str, group: Table, code: Code) -> None:
+        """Refuse files whose derivatives have other numbers than the kernels hand over.
+
+        Raises:
+            ModelError: one has.
+        """
+        kind, functions = group.kind, self.objects.manifest.functions
+        quantity, _, mode = form.rpartition("_")
+        read = kind.nq + 2 * kind.nu + kind.m + kind.nz + kind.ns + self.tables.nr + 1
+        if group.common:
+            read += self.objects.function(group.common).outputs[0].shape[-1]
+        if quantity == "dynamics":
+            weights = kind.nu + kind.mp + 2 * kind.m + kind.states[0]
+        elif quantity == "matrices":
+            weights = kind.nu + kind.m
+        else:
+            weights = int(functions[kind.functions[quantity]].output_size)
+        expected = {
+            "gradient": (weights, read),
+            "change": (read, weights),
+            "curvature": (weights + read, read),
+        }
+        sizes = len(code.entry.vector), int(code.entry.output_size)
+        if sizes != expected[mode]:
+            raise ModelError(
+                f"model '{self.objects.manifest.name}': {form} of '{kind.name}' has {sizes} "
+                "numbers, not those of its elements. Compile the scene again"
+            )
 
     def formula(self, formula: str, curved: bool) -> ctypes.Array[Form]:
         """Value of a formula, its slopes, and the changes of these where they are asked for."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
 from math import prod
@@ -16,55 +16,50 @@ from ....errors import ModelError, SolveError
 from ....schema.blocks import ORDER
 from ....schema.c_functions import FunctionRow
 from ....schema.finite_elements import EXPRESSION
-from ....schema.product_records import DataSlopes, ProductRecord
+from ....schema.product_records import DataSlopes, FrameRecord, ProductRecord, SummandRecord
 from ....schema.records import Form, MeshRecord, constants
 from ....schema.request import Request
 from ...calls.abi_ctypes import FUNCTION
 from ...calls.interpreted import SINGULAR, UNSOLVED
+from . import data_slopes, summands
 from .data_slopes import DataByParameters
+from .frame_record import frame_record
 from .massless import contradiction, refusal
 from .mesh import NEEDED
 from .product_columns import ProductColumns
 from .product_forms import ProductForms
+from .summands import Summands
 
 if TYPE_CHECKING:
     from ..loaded_model import LoadedModel
     from .evaluation import Inputs, Results
 
-    Records: TypeAlias = ctypes.Array[Form] | ctypes.Array[DataSlopes]
+    Records: TypeAlias = (
+        ctypes.Array[Form]
+        | ctypes.Array[DataSlopes]
+        | ctypes.Array[SummandRecord]
+        | ctypes.Array[FrameRecord]
+    )
 
-# functions with derivatives, and what these need besides those of the dynamics
-DIRECT = {
-    **dict.fromkeys(
-        (
-            *("inverse_dynamics", "constraints", "constraint_rates", "rhs", "forward_dynamics"),
-            *("multipliers", "close_position", "close_velocity"),
-        ),
-        "",
-    ),
-    "qdot": "",
-    **{name: name for name in ("energy", "momentum", "power", "outputs")},
-    "expression": "outputs",
-    "events": "signs",
-    "transition": "states",
+FRAMES = ("pose", "velocity", "acceleration", "frame_jacobian")
+MATRICES = ("mass_matrix", "constraint_jacobian")
+# derivatives of elements that those of events are made of, by fields of the record
+EVENTS = {
+    "events": {"direct": "signs", "impulse": "impulse", "friction": "friction"},
+    "transition": {"direct": "states", "impulse": "impulse", "jumps": "jumps"},
 }
-# derivatives of elements that those of events take too, by fields of the record
-MORE = {
-    "events": {"impulse": "impulse", "friction": "friction"},
-    "transition": {"impulse": "impulse", "jumps": "jumps"},
-}
-# data of a superelement that say how it is turned, the first ones
-ROTATION = 9
-# what has to be loaded of elements
-BASE = {
-    **{name: NEEDED[name] for name in ("energy", "momentum", "power", "outputs", "qdot", "rhs")},
-    **dict.fromkeys(("forward_dynamics", "multipliers"), NEEDED["accelerations"]),
-    **{name: NEEDED[name] for name in ("close_position", "close_velocity")},
-    "expression": NEEDED["outputs"],
-    **{name: NEEDED[name] for name in MORE},
-}
-# what is solved for
+# what is solved for, and what else the balance of the elements gives
 SOLVED = ("rhs", "forward_dynamics", "multipliers")
+PROJECTIONS = ("close_position", "close_velocity")
+BALANCED = ("inverse_dynamics", "constraints", "constraint_rates", *PROJECTIONS, *SOLVED, *EVENTS)
+# what results of elements add up to
+SUMMED = ("energy", "momentum", "power", "outputs", "expression", "reaction", "element_forces")
+# functions with derivatives, and those with second derivatives
+DIRECT = (*BALANCED, *SUMMED, "qdot", *MATRICES, *FRAMES)
+CURVED = tuple(name for name in DIRECT if name not in (*FRAMES, *EVENTS))
+# what has to be loaded of elements
+LOADED = {"expression": "outputs", "reaction": "accelerations", "element_forces": "accelerations"}
+LOADED |= {"forward_dynamics": "accelerations", "multipliers": "accelerations"}
 
 
 @dataclass(frozen=True)
@@ -123,9 +118,12 @@ class Products:
         # changes of data are always read
         data = forward or row == "hessian"
         data = data or not {"p", *self.columns.parameters}.isdisjoint(request.wrt)
-        mesh.connect("balance", *BASE.get(name, ()))
+        if name in MATRICES:
+            self.results.check_small(name, shape[0])
+        mesh.connect("balance", *NEEDED.get(LOADED.get(name, name), ()))
         modes = ["gradient", "change", "curvature"] if row == "hessian" else ["gradient"]
-        forms = [self._forms_of(request, mode) for mode in (["change"] if forward else modes)]
+        sums, solved = self._summands(request), self._solved(name)
+        forms = [self._forms_of(request, sums, mode) for mode in (["change"] if forward else modes)]
         columns, parts = self.columns.numbers(request, data)
         record_of_mesh = MeshRecord.from_buffer_copy(mesh.record)
         record_of_mesh.local += self.forms.local
@@ -133,9 +131,16 @@ class Products:
         record_of_mesh.lanes = max(record_of_mesh.lanes, self.forms.lanes)
         quaternions = np.array(self.model.manifest.quaternions, dtype=np.intp)
         tables = {"column": columns, "part": parts, "quaternion": quaternions}
+        references: list[object] = [record_of_mesh, forms, tables, sums, self]
+        if sums is not None:
+            forms[0]["summands"] = self._summand_records(sums)
+        if name in FRAMES:
+            frame, more = self._frame(request.of or "", data)
+            forms[0]["frame"] = frame
+            references += more
         if data:
             forms[0]["data"] = self._data_slopes.records
-            self._check_rotations(request)
+            self._check_rotations(request, forms[0])
         if row == "hessian":
             self._data_slopes.curve()
         records = [
@@ -143,6 +148,8 @@ class Products:
                 mesh=ctypes.addressof(record_of_mesh),
                 function=constant[f"CARDAN_OF_{name.upper()}"],
                 results=prod(shape),
+                solved=int(solved),
+                sums=0 if sums is None else sums.count,
                 np=len(self.columns.parameters) if data else 0,
                 quaternions=len(quaternions),
                 columns=len(columns),
@@ -154,8 +161,8 @@ class Products:
             for some in forms
         ]
         record = records[0]
-        for field, more in zip(("change", "curvature"), records[1:], strict=False):
-            setattr(record, field, ctypes.addressof(more))
+        for field, other in zip(("change", "curvature"), records[1:], strict=False):
+            setattr(record, field, ctypes.addressof(other))
         library = mesh.library
         called = "columns" if forward and row == "derivative" else row
         function = getattr(library, f"cardan_mesh_call_{called}")
@@ -165,22 +172,65 @@ class Products:
         work = int(measure(ctypes.byref(record)))
         address = ctypes.cast(function, ctypes.c_void_p).value or 0
         entry = self.columns.entry(row, request, shape, work)
-        return Product(record, entry, address, (record_of_mesh, forms, tables, records, self))
+        return Product(record, entry, address, (*references, records))
 
-    def _forms_of(self, request: Request, mode: str) -> dict[str, Records]:
+    def _forms_of(self, request: Request, sums: Summands | None, mode: str) -> dict[str, Records]:
         """Derivatives of one mode that a function needs."""
-        name = request.function
+        name, every = request.function, range(len(self.tables.groups))
         forms: dict[str, Records] = {"rates": self.forms.rates(f"qdot_{mode}")}
-        if name != "qdot" and DIRECT[name] not in ("energy", "momentum"):
+        if name in BALANCED or self._solved(name):
             self.mesh.connect("balance_tangent", "gamma", "zdot")
-            forms["dynamics"] = self.forms.derivatives(f"dynamics_{mode}")
-        if DIRECT[name]:
-            forms["direct"] = self.forms.derivatives(f"{DIRECT[name]}_{mode}")
-        for field, form in MORE.get(name, {}).items():
-            forms[field] = self.forms.derivatives(f"{form}_{mode}")
+            forms["dynamics"] = self.forms.derivatives(f"dynamics_{mode}", every)
+        if name in MATRICES:
+            forms["direct"] = self.forms.derivatives(f"matrices_{mode}", every)
+        if sums is not None:
+            self.mesh.connect(sums.form)
+            forms["direct"] = self.forms.derivatives(f"{sums.form}_{mode}", [*sums.which])
+        for field, form in EVENTS.get(name, {}).items():
+            forms[field] = self.forms.derivatives(f"{form}_{mode}", every)
         if name == EXPRESSION:
             forms["formula"] = self.forms.formula(request.of or "", mode == "curvature")
         return forms
+
+    def _solved(self, function: str) -> bool:
+        """True when a function follows from accelerations or multipliers."""
+        record = self.mesh.record
+        return {
+            **dict.fromkeys((*SOLVED, "reaction"), True),
+            **dict.fromkeys(("outputs", EXPRESSION), bool(record.solved)),
+            "power": bool(record.driven),
+            "element_forces": self.results.forces_solved,
+        }.get(function, False)
+
+    def _summands(self, request: Request) -> Summands | None:
+        """What adds up to a function, None of others."""
+        name, tables, manifest = request.function, self.tables, self.model.manifest
+        if name == "reaction":
+            return summands.of_reaction(tables, manifest, request.of or "")
+        if name == "element_forces":
+            return summands.of_forces(tables, manifest)
+        if name in SUMMED:
+            return summands.of_scene(tables, "outputs" if name == EXPRESSION else name)
+        if name not in FRAMES:
+            return None
+        place = next(row.tree for row in manifest.frames if row.name == request.of)
+        return None if place is None else summands.of_body(tables, manifest, place)
+
+    def _summand_records(self, sums: Summands) -> Records:
+        """Which sums the elements of every group add to, as C knows it."""
+        records = (SummandRecord * max(1, len(self.tables.groups)))()
+        for k, which in sums.which.items():
+            records[k].size, records[k].which = which.shape[1], which.ctypes.data
+        return records
+
+    def _frame(self, name: str, data: bool) -> tuple[Records, list[object]]:
+        """A frame as C knows it, and what must live as long; `data`: with slopes by parameters."""
+        listed = self.model.manifest.frames
+        number = next(k for k, row in enumerate(listed) if row.name == name)
+        slopes, more = data_slopes.of_frame(self.model, number) if data else (None, [])
+        place = self.results.frames.place(name)
+        frame, references = frame_record(self.tables, listed[number], place, slopes)
+        return frame, [*references, *more]
 
     def _check(self, row: str, function: str) -> None:
         """Refuse what has no derivative.
@@ -190,25 +240,29 @@ class Products:
         """
         where = f"{row} of {function}: model '{self.model.name}' is in absolute coordinates, where"
         if function not in DIRECT:
-            raise ModelError(
-                f"{where} these have derivatives: {', '.join(DIRECT)}. A point of a frame has one "
-                "as an output of the scene"
-            )
-        if row == "hessian" and function in MORE:
+            raise ModelError(f"{where} these have derivatives: {', '.join(DIRECT)}")
+        if row == "hessian" and function in EVENTS:
             raise ModelError(f"{where} events have no second derivatives. Take differences of vjp")
+        if row == "hessian" and function not in CURVED:
+            raise ModelError(
+                f"{where} frames have no second derivatives. Take differences of vjp, or make a "
+                "point of the frame an output of the scene"
+            )
 
-    def _check_rotations(self, request: Request) -> None:
-        """Refuse parameters that turn a superelement on what carries it.
+    def _check_rotations(self, request: Request, forms: Mapping[str, Records]) -> None:
+        """Refuse parameters that turn a superelement on what carries it, where it takes part.
 
         Raises:
             ModelError: one is asked for.
         """
-        names, saved = [*self.columns.parameters], self.model._objects.saved()
-        for group, record in zip(self.tables.groups, self._data_slopes.records, strict=False):
-            # routines of C have no expressions
-            if not record.count or saved.keys() >= {*group.kind.functions.values()}:
+        names = [*self.columns.parameters]
+        called = [forms[name] for name in ("dynamics", "direct") if name in forms]
+        pairs = zip(self.tables.groups, self._data_slopes.records, strict=False)
+        for k, (group, record) in enumerate(pairs):
+            rotations = range(data_slopes.without_slopes(self.model, group.kind))
+            if not rotations or not record.count or not any(listed[k].call for listed in called):
                 continue
-            moving = self._data_slopes.parameters_of(group.common, range(ROTATION), record.count)
+            moving = self._data_slopes.parameters_of(group.common, rotations, record.count)
             for name in (names[k] for k in moving):
                 if "p" in request.wrt or name in request.wrt:
                     raise ModelError(

@@ -19,6 +19,7 @@ from ....schema.finite_elements import (
     GRADIENTS,
     IMPULSE_DERIVATIVES,
 )
+from ...models.finite_elements.data_slopes import without_slopes
 from ..differences import Blocks, missing, slope, ways, worst_of
 from ..joint_motion import Array, times
 from .members import Members
@@ -30,19 +31,25 @@ def _results(members: Members, form: str, blocks: Blocks | None = None) -> Array
     if form in IMPULSE_DERIVATIVES:
         return _impulse(members, blocks)
     read = [name for name in DERIVATIVES[form] if name in kind.functions]
-    if len(DERIVATIVES[form]) == 1:
+    quantity = form.rpartition("_")[0]
+    if quantity not in ("dynamics", "matrices"):
         return call(read[0], blocks)
     at = {**members.inputs, **(blocks or {})}
     n, nu, m = len(at["q"]), kind.nu, kind.m
+    flat = call("balance_tangent", blocks) if "balance_tangent" in read else np.zeros((n, 0))
+
+    def product(name: str, rows: int, block: str, columns: int) -> Array:
+        """A matrix of the tangent times a block, (n, rows)."""
+        if name not in kind.parts:
+            return np.zeros((n, rows))
+        first = kind.parts[name]
+        matrix = flat[:, first : first + rows * columns].reshape(n, rows, columns)
+        return times(matrix, np.broadcast_to(at[block], (n, columns)))
+
+    if quantity == "matrices":
+        return np.concatenate([product("M", nu, "udot", nu), product("G", m, "udot", nu)], axis=1)
     balance = call("balance", blocks) if "balance" in read else np.zeros((n, 0))
-    missed = np.zeros((n, m))
-    flat = call("balance_tangent", blocks) if m and "balance_tangent" in read else np.zeros((n, 0))
-    for name, columns, block in (("G", nu, "udot"), ("H", m, "lam")):
-        if m and name in kind.parts:
-            first = kind.parts[name]
-            matrix = flat[:, first : first + m * columns].reshape(n, m, columns)
-            product = times(matrix, np.broadcast_to(at[block], (n, columns)))
-            missed = missed + (product if name == "G" else -product)
+    missed = product("G", m, "udot", nu) - product("H", m, "lam", m)
     if "gamma" in read:
         missed = missed - call("gamma", blocks)
     levels = np.zeros((n, nu + kind.mp + m))
@@ -139,9 +146,9 @@ def _gradient(form: str, members: Members) -> float | str:
     """A gradient of a weighted sum."""
     value, weights, worst = members.call(form), members.inputs["v"], np.nan
     states = _states(members, form)
-    # NaN: there is none
-    available: Array = np.asarray(np.isfinite(value[:, states:]).all(axis=0))
-    value = np.nan_to_num(value)
+    available, clean = _cleaned(members, value, states)
+    if not clean:
+        return np.inf
     for way, change, off in _slopes(members, form, partial(_results, members, form), available):
         terms = np.abs(change * weights)
         total, expected = (change * weights).sum(axis=-1), (value * way).sum(axis=-1)
@@ -150,15 +157,31 @@ def _gradient(form: str, members: Members) -> float | str:
     return worst
 
 
+def _cleaned(members: Members, value: Array, states: int) -> tuple[Array, bool]:
+    """Of every datum whether there is a derivative by it; others become 0 where they were NaN.
+
+    Args:
+        members: Whose gradient it is.
+        value: The gradient (n, k).
+        states: How many of its entries are not by data.
+
+    Returns:
+        These flags, and whether all that has no derivative was NaN.
+    """
+    available = np.arange(value.shape[1] - states) >= without_slopes(
+        members.model, members.table.kind
+    )
+    nowhere = np.concatenate([np.zeros(states, dtype=bool), ~available])
+    clean = not np.isfinite(value[:, nowhere]).any()
+    value[:, nowhere] = 0.0
+    return available, clean
+
+
 def _change(form: str, members: Members) -> float | str:
     """A change along a direction."""
     worst, states = np.nan, _states(members, form)
     count = members.inputs["v"].shape[1] - states
-    gradient = GRADIENT_OF[form]
-    available: Array = np.ones(count, dtype=bool)
-    if gradient in members.codes:
-        slopes = members.weighed(gradient).call(gradient)[:, states:]
-        available = np.asarray(np.isfinite(slopes).all(axis=0))
+    available = np.arange(count) >= without_slopes(members.model, members.table.kind)
     for way, change, off in _slopes(members, form, partial(_results, members, form), available):
         value = members.call(form, {"v": way})
         worst = worst_of(worst, missing(change, off, value))
@@ -175,9 +198,7 @@ def _curvature(form: str, members: Members) -> float | str:
         here = np.resize(weights, (len(blocks["q"]), count))
         return np.nan_to_num(members.call(gradient, {**blocks, "v": here}))
 
-    # NaN: there is none
-    value = members.call(gradient, {"v": weights})
-    available: Array = np.asarray(np.isfinite(value[:, states:]).all(axis=0))
+    available, _ = _cleaned(members, members.call(gradient, {"v": weights}), states)
     for way, change, off in _slopes(members, form, slopes, available):
         value = np.nan_to_num(members.call(form, {"v": np.hstack([weights, way])}))
         worst = worst_of(worst, missing(change, off, value))
@@ -185,8 +206,7 @@ def _curvature(form: str, members: Members) -> float | str:
 
 
 GRADIENT_OF: Mapping[str, str] = {
-    **dict(zip(CHANGES, GRADIENTS, strict=True)),
-    **{form: form.replace("curvature", "gradient") for form in CURVATURES},
+    form: form.replace("curvature", "gradient") for form in CURVATURES
 }
 LAWS: dict[str, Callable[[Members], float | str]] = {
     **{form: partial(_gradient, form) for form in GRADIENTS},
