@@ -272,11 +272,25 @@ const size_t cardan_data_slopes_layout[11] = {
     offsetof(cardan_data_slopes, second_parameters), offsetof(cardan_data_slopes, second)
 };
 
-extern const size_t cardan_mesh_product_layout[22];
-const size_t cardan_mesh_product_layout[22] = {
+extern const size_t cardan_summands_layout[3];
+const size_t cardan_summands_layout[3] = {
+    sizeof(cardan_summands), offsetof(cardan_summands, size), offsetof(cardan_summands, which)
+};
+
+extern const size_t cardan_frame_layout[9];
+const size_t cardan_frame_layout[9] = {
+    sizeof(cardan_frame), offsetof(cardan_frame, q), offsetof(cardan_frame, u),
+    offsetof(cardan_frame, home), offsetof(cardan_frame, to_space), offsetof(cardan_frame, local),
+    offsetof(cardan_frame, data), offsetof(cardan_frame, speeds), offsetof(cardan_frame, speed)
+};
+
+extern const size_t cardan_mesh_product_layout[26];
+const size_t cardan_mesh_product_layout[26] = {
     sizeof(cardan_mesh_product), offsetof(cardan_mesh_product, mesh), offsetof(cardan_mesh_product,
-    function), offsetof(cardan_mesh_product, results), offsetof(cardan_mesh_product, dynamics),
-    offsetof(cardan_mesh_product, direct), offsetof(cardan_mesh_product, impulse),
+    function), offsetof(cardan_mesh_product, results), offsetof(cardan_mesh_product, solved),
+    offsetof(cardan_mesh_product, dynamics), offsetof(cardan_mesh_product, direct),
+    offsetof(cardan_mesh_product, summands), offsetof(cardan_mesh_product, sums),
+    offsetof(cardan_mesh_product, frame), offsetof(cardan_mesh_product, impulse),
     offsetof(cardan_mesh_product, jumps), offsetof(cardan_mesh_product, friction),
     offsetof(cardan_mesh_product, rates), offsetof(cardan_mesh_product, formula),
     offsetof(cardan_mesh_product, data), offsetof(cardan_mesh_product, np),
