@@ -18,7 +18,7 @@ from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, near
 from ...runtime.models.derivatives import has_columns
 from ...runtime.models.loaded_model import LoadedModel
-from ...schema.blocks import COORDINATES, DIRECTIONS, STATE
+from ...schema.blocks import COORDINATES, DIRECTIONS, STATE, Blocks
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
 from ...schema.rows import column
 
@@ -81,7 +81,7 @@ class ArrayFunction:
         if model.manifest.absolute:
             # not every function has products over elements: that too is told here
             for wrt in plain._groups(plain.moving)[:1]:
-                model.prepare(("vjp", model.vjp(plain._key, wrt=tuple(map(_stored, wrt))).request))
+                model.prepare(("vjp", model.vjp(plain._key, wrt=Blocks(map(_stored, wrt))).request))
         return plain
 
     @property
@@ -168,7 +168,7 @@ class ArrayFunction:
         values["weights"] = weights.reshape(*weights.shape[:-1], *self.shape)
         by_block: dict[str, Array] = {}
         for wrt in self._groups(along):
-            product = self.model.vjp(self._key, wrt=tuple(map(_stored, wrt)))
+            product = self.model.vjp(self._key, wrt=Blocks(map(_stored, wrt)))
             ends = [*accumulate(self.sizes[block] for block in wrt)]
             call = partial(_joined, product, wrt, lead, {**values, "parameters": parameters})
             flat = _filled(call, (*lead, ends[-1]), (ends[-1],))
@@ -195,7 +195,7 @@ class ArrayFunction:
         moves = {b: direction[..., e - self.sizes[b] : e] for b, e in zip(along, ends, strict=True)}
         total = np.zeros((*lead, self.size))
         for wrt in self._groups(along):
-            product: Callable[..., Array] = self.model.jvp(self._key, wrt=tuple(map(_stored, wrt)))
+            product: Callable[..., Array] = self.model.jvp(self._key, wrt=Blocks(map(_stored, wrt)))
             # what stands still costs little beside another C function for every choice of blocks
             parts = [moves.get(block, np.zeros(self.sizes[block])) for block in wrt]
             parts = [x if has_columns(b) else x[..., 0] for b, x in zip(wrt, parts, strict=True)]

@@ -16,6 +16,7 @@ from ...arrays import Array
 from ...runtime.calls.methods import ByName
 from ...runtime.models.constraint_projection import columns_of
 from ...runtime.models.loaded_model import LoadedModel
+from ...schema.blocks import Blocks
 from ..simulation.driving import RunSetup
 from ..simulation.settings import start
 from .start_by_differences import StartByDifferences
@@ -87,7 +88,11 @@ class NamedStart:
         model = setup.model
         q, u, z = model.parts_of(setup.begin.x)
         at: ByName = {"t": setup.over.start, "r": steps.inputs_at(setup.over.start)[0]}
-        N = model.derivative("qdot", wrt="u")(q, u, **at) if model.nu else np.zeros((model.nq, 0))
+        (N,) = (
+            model.derivative("qdot", wrt=Blocks("u"))(q, u, **at)
+            if model.nu
+            else (np.zeros((model.nq, 0)),)
+        )
         closing, levels = steps.runner.closing, dict[str, Level]()
         units = columns_of(model, closing.size)
         blocks = ["r"] * (model.nr > 0) + ["p"] * (wide and len(model.parameters) > 0)
@@ -98,7 +103,7 @@ class NamedStart:
             if not function:
                 continue
             speeds = letter == "u"
-            wrt = ("q", *["u"] * speeds, *blocks)
+            wrt = Blocks(("q", *["u"] * speeds, *blocks))
             states: ByName = {"u": u, "z": z, "s": s} if speeds else {}
             columns = dict(
                 zip(wrt, model.derivative(function, wrt=wrt)(q=q, **states, **at), strict=True)

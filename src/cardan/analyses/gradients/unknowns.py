@@ -151,6 +151,7 @@ def unknowns(model: LoadedModel, wrt: object, values: Mapping[str, object]) -> U
         raise ArgumentError(
             f"gradient: wrt={brief(wrt)}: give names, such as ('x0', 'p', 'elbow.damping', 'tau')"
         )
+    refuse_two_meanings("gradient: wrt", model, names)
     available = [*BLOCKS, *start_places(model), *model.parameters, *model.inputs]
     for name in names:
         if name not in available:
@@ -160,3 +161,20 @@ def unknowns(model: LoadedModel, wrt: object, values: Mapping[str, object]) -> U
                 f"{near(name, available)}"
             )
     return Unknowns(model, tuple(dict.fromkeys(names)), values)
+
+
+def refuse_two_meanings(what: str, model: LoadedModel, names: Sequence[str]) -> None:
+    """Refuse names that a start, or all parameters, and a parameter or input have.
+
+    Raises:
+        ModelError: with the cure.
+    """
+    starts = {*BLOCKS, *start_places(model)}
+    for listed, kind in ((model.parameters, "parameter"), (model.inputs, "input")):
+        for name in names:
+            if name in starts and name in listed:
+                other = "all parameters" if name == "p" else "a start of the motion"
+                raise ModelError(
+                    f"{what}: '{name}' is {other} and {kind} of '{model.name}', and cannot be told "
+                    f"from it: rename the {kind}"
+                )
