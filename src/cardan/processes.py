@@ -122,19 +122,29 @@ def _close_folder_locks() -> None:
 after_fork(_close_folder_locks)
 
 
-@contextmanager
-def on_interrupt(action: Callable[[], object]) -> Iterator[bool]:
+# the plain functions below those that look for names of signals and handlers, which takes longer
+# than what many runs do
+_HANDLER = getattr(signal.getsignal, "__wrapped__", signal.getsignal)
+_SET_HANDLER = getattr(signal.signal, "__wrapped__", signal.signal)
+
+
+class on_interrupt:
     """Let Ctrl-C do something instead of raising KeyboardInterrupt.
 
-    Yields whether it does: not in other threads than the first, nor where a handler of the caller's
-    is in place.
+    Entered, it tells whether it does: not in other threads than the first, nor where a handler of
+    the caller's is in place.
     """
-    usual = signal.getsignal(signal.SIGINT) is signal.default_int_handler
-    if not usual or threading.current_thread() is not threading.main_thread():
-        yield False
-        return
-    signal.signal(signal.SIGINT, lambda *_: action())
-    try:
-        yield True
-    finally:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
+
+    def __init__(self, action: Callable[[], object]) -> None:
+        self._action, self._set = action, False
+
+    def __enter__(self) -> bool:
+        usual = _HANDLER(signal.SIGINT) is signal.default_int_handler
+        if usual and threading.current_thread() is threading.main_thread():
+            self._set = True
+            _SET_HANDLER(signal.SIGINT, lambda *_: self._action())
+        return self._set
+
+    def __exit__(self, *_: object) -> None:
+        if self._set:
+            _SET_HANDLER(signal.SIGINT, signal.default_int_handler)

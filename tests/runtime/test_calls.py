@@ -192,6 +192,33 @@ def test_one_state_without_result_raises_a_batch_warns(model):
     assert np.array_equal(found[:, 0], [2.0, np.nan, np.nan], equal_nan=True)
 
 
+def test_a_few_states_have_the_bits_of_each(model):
+    rng = np.random.default_rng(4)
+    q, u = rng.uniform(-1, 1, (2, 7, 1))
+    times = np.linspace(0, 1, 7)
+    expected = np.array([model.forward_dynamics(*pair) for pair in zip(q, u, strict=True)])
+    assert model.forward_dynamics(q, u).tobytes() == expected.tobytes()
+    # one of them for all states, as an array or as a list, and a time for each
+    for one in (u[0], u[0].tolist()):
+        rows = model.forward_dynamics(q, one, t=times)
+        assert rows.tobytes() == np.array([model.forward_dynamics(x, u[0]) for x in q]).tobytes()
+    assert model.rhs(times, np.hstack([q, u])).shape == (7, 2)
+    # whatever is no plain batch
+    assert model.forward_dynamics(q[:1], u).tobytes() == model.forward_dynamics(q[0], u).tobytes()
+    assert np.array_equal(model.forward_dynamics(q[::2], u[::2]), expected[::2])
+    assert model.forward_dynamics(np.asfortranarray(q), u.astype(">f8")).shape == (7, 1)
+
+
+@pytest.mark.parametrize("number", [2, np.int64(2), True, np.float64(2.0), 2.0])
+def test_numbers_of_any_kind(model, number):
+    for value in ([number], (number,), {"swing": number}):
+        assert model.forward_dynamics(value, [0], t=number) == udot(float(number))
+    with pytest.raises(SolveError, match="swing is inf"):
+        model.forward_dynamics([np.inf], [0])
+    with pytest.raises(ArgumentError, match="real numbers"):
+        model.forward_dynamics([10**400], [0])
+
+
 def test_long_batches_run_in_pieces(model, monkeypatch):
     q = np.linspace(-1, 1, 50)[:, None]
     expected = model.forward_dynamics(q, [0.0], tau=q)

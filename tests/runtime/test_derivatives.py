@@ -53,6 +53,23 @@ def test_leading_axes_broadcast(model: Any) -> None:
         np.testing.assert_array_equal(one[1], by_q[k, 1])
 
 
+def test_arguments_by_place_and_by_name_give_the_same(model: Any, state: Any) -> None:
+    (q, u), v = state, np.linspace(0.5, 1.5, model.nu)
+    for ask, more in ((model.derivative, ()), (model.vjp, (v,))):
+        for wrt in (("u", "q"), ("q", "q"), ("q",), "u"):
+            function = ask("forward_dynamics", wrt=wrt)
+            assert function is ask("forward_dynamics", wrt=wrt)
+            named = {"weights": v} if more else {}
+            results = function(q, u, *more), function(q=q, u=u, **named)
+            lists = [np.ravel(x).tolist() for x in (q, u, *more)]
+            results += (function(*lists), function(q, u, *more, t=0.0))
+            for other in results[1:]:
+                np.testing.assert_array_equal(np.array(other), np.array(results[0]))
+    heavy = model.with_parameters({name: 2.0 for name in model.parameters if "mass" in name})
+    changed = heavy.derivative("forward_dynamics", wrt="q")(q, u)
+    assert not np.array_equal(changed, model.derivative("forward_dynamics", wrt="q")(q, u))
+
+
 def test_results_go_where_they_are_wanted(model: Any, state: Any) -> None:
     nu = model.nu
     out = np.zeros((nu, nu)), np.zeros((nu, nu))

@@ -875,6 +875,7 @@ class CompiledModel(LoadedModel):
         vary: Plan | Mapping[str, object] | None = None,
         runs: Count | None = None,
         seed: Seed = 0,
+        memory: float = 1000000000.0,
         progress: bool | Callable[[float], None] | None = None,
     ) -> Gradient:
         """The gradient of a cost of a motion, through its events, by whatever many unknowns.
@@ -891,6 +892,8 @@ class CompiledModel(LoadedModel):
                 :meth:`simulate` takes them.
             vary, runs, seed: What differs between several runs, as :meth:`ensemble` takes it; then x0,
                 q, u, z, parameters and inputs may have values per run too.
+            memory: Bytes for the rows of the steps. Where they do not fit, checkpoints are made and
+                steps are repeated, to the same bits; ``note`` of the result says how often.
             method: As :meth:`simulate` takes it, but Rosenbrock; ``"auto"`` takes DOP853, of
                 elements Radau.
 
@@ -902,8 +905,8 @@ class CompiledModel(LoadedModel):
 
         Raises:
             ModelError, ArgumentError: as :meth:`simulate`, and a method or an input whose derivative is
-                not known. SolveError: the run ends early, or has no derivative: two events at one time,
-                an event that happens by a touch.
+                not known; memory= that holds nothing. SolveError: the run ends early, or has no
+                derivative: two events at one time, an event that happens by a touch.
         """
     def cycle(
         self,

@@ -260,23 +260,28 @@ const size_t cardan_state_layout[16] = {
     offsetof(cardan_state, gift)
 };
 
-extern const size_t cardan_data_slopes_layout[6];
-const size_t cardan_data_slopes_layout[6] = {
+extern const size_t cardan_data_slopes_layout[11];
+const size_t cardan_data_slopes_layout[11] = {
     sizeof(cardan_data_slopes), offsetof(cardan_data_slopes, count), offsetof(cardan_data_slopes,
     shared), offsetof(cardan_data_slopes, start), offsetof(cardan_data_slopes, parameter),
-    offsetof(cardan_data_slopes, slope)
+    offsetof(cardan_data_slopes, slope), offsetof(cardan_data_slopes, first_row),
+    offsetof(cardan_data_slopes, rows), offsetof(cardan_data_slopes, second_start),
+    offsetof(cardan_data_slopes, second_parameters), offsetof(cardan_data_slopes, second)
 };
 
-extern const size_t cardan_mesh_product_layout[16];
-const size_t cardan_mesh_product_layout[16] = {
+extern const size_t cardan_mesh_product_layout[22];
+const size_t cardan_mesh_product_layout[22] = {
     sizeof(cardan_mesh_product), offsetof(cardan_mesh_product, mesh), offsetof(cardan_mesh_product,
     function), offsetof(cardan_mesh_product, results), offsetof(cardan_mesh_product, dynamics),
-    offsetof(cardan_mesh_product, direct), offsetof(cardan_mesh_product, rates),
-    offsetof(cardan_mesh_product, formula), offsetof(cardan_mesh_product, data),
-    offsetof(cardan_mesh_product, np), offsetof(cardan_mesh_product, quaternion),
-    offsetof(cardan_mesh_product, quaternions), offsetof(cardan_mesh_product, columns),
-    offsetof(cardan_mesh_product, column), offsetof(cardan_mesh_product, parts),
-    offsetof(cardan_mesh_product, part)
+    offsetof(cardan_mesh_product, direct), offsetof(cardan_mesh_product, impulse),
+    offsetof(cardan_mesh_product, jumps), offsetof(cardan_mesh_product, friction),
+    offsetof(cardan_mesh_product, rates), offsetof(cardan_mesh_product, formula),
+    offsetof(cardan_mesh_product, data), offsetof(cardan_mesh_product, np),
+    offsetof(cardan_mesh_product, quaternion), offsetof(cardan_mesh_product, quaternions),
+    offsetof(cardan_mesh_product, columns), offsetof(cardan_mesh_product, column),
+    offsetof(cardan_mesh_product, parts), offsetof(cardan_mesh_product, part),
+    offsetof(cardan_mesh_product, change), offsetof(cardan_mesh_product, curvature),
+    offsetof(cardan_mesh_product, data_rows)
 };
 
 extern const size_t cardan_sparse_layout[27];

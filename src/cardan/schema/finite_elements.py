@@ -26,13 +26,32 @@ GRADIENTS = {
     "power_gradient": ("power",),
     "outputs_gradient": ("outputs",),
 }
+# of events, which have no Hessians: M udot - Gᵀ lam and G udot - H lam, which impulses obey, values of
+# events, impulses that these ask for, states behind them, and friction by reactions
+EVENT_GRADIENTS = {
+    "impulse_gradient": ("balance_tangent",),
+    "signs_gradient": ("signs",),
+    "jumps_gradient": ("jumps",),
+    "states_gradient": ("change",),
+    "friction_gradient": ("reaction_friction",),
+}
+# changes of these gradients along a direction, at fixed weights
+CURVATURES = {name.replace("gradient", "curvature"): sums for name, sums in GRADIENTS.items()}
+GRADIENTS |= EVENT_GRADIENTS
 # changes of these results along a direction
 CHANGES = {name.replace("gradient", "change"): sums for name, sums in GRADIENTS.items()}
-DERIVATIVES = GRADIENTS | CHANGES
+DERIVATIVES = GRADIENTS | CHANGES | CURVATURES
+# derivatives that are also by what events read besides: speeds behind them, how certain friction is
+# that follows from reactions, and responses
+EVENT_DERIVATIVES = tuple(
+    f"{name}_{mode}" for name in ("signs", "jumps", "states") for mode in ("gradient", "change")
+)
+IMPULSE_DERIVATIVES = ("impulse_gradient", "impulse_change")
 # those of the rates of coordinates of a place, by q and u
-RATES_GRADIENT, RATES_CHANGE = RATES = ("qdot_gradient", "qdot_change")
-# a formula in the names of the model with outputs in v, and its derivatives
-EXPRESSION, EXPRESSION_GRADIENT = "expression", "expression_gradient"
+RATES = ("qdot_gradient", "qdot_change", "qdot_curvature")
+# a formula in the names of the model with outputs in v, its gradient, and changes of that
+FORMULAS = ("expression", "expression_gradient", "expression_curvature")
+EXPRESSION, EXPRESSION_GRADIENT, EXPRESSION_CURVATURE = FORMULAS
 
 
 def requested_name(form: str, of: str) -> str:
@@ -42,7 +61,7 @@ def requested_name(form: str, of: str) -> str:
         form: Such as ``dynamics_gradient``.
         of: The kind of element or place, or the formula.
     """
-    if form in (EXPRESSION, EXPRESSION_GRADIENT):
+    if form in FORMULAS:
         return f"{form}__{hashlib.sha256(of.encode()).hexdigest()[:16]}"
     return f"{of}__{form}"
 
@@ -119,8 +138,12 @@ class ElementKind(Record):
         return {
             form: requested_name(form, self.name)
             for form, sums in DERIVATIVES.items()
-            if not self.functions.keys().isdisjoint(sums)
+            if not self.functions.keys().isdisjoint(sums) and self._has(form)
         }
+
+    def _has(self, form: str) -> bool:
+        """False of impulses where nothing has mass or is held."""
+        return form not in IMPULSE_DERIVATIVES or not {"M", "G"}.isdisjoint(self.parts)
 
     @property
     def released(self) -> int:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 
 from .functions import FUNCTIONS
 
@@ -51,12 +52,13 @@ class Request:
         return f"{self.function}{of}: {' '.join(map(_quoted, self.wrt))}"
 
 
-def reads(function: str, of: str | None) -> list[str]:
+@lru_cache(maxsize=1024)
+def reads(function: str, of: str | None) -> tuple[str, ...]:
     """Names of the arguments of a function; of a derivative those of its function come first."""
     row = FUNCTIONS[function]
     if row.of != "function":
-        return row.arguments
-    return [*FUNCTIONS[Request.read(of or "").function].arguments, *row.arguments]
+        return (*row.arguments,)
+    return (*FUNCTIONS[Request.read(of or "").function].arguments, *row.arguments)
 
 
 def _quoted(name: str) -> str:

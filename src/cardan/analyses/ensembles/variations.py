@@ -233,7 +233,7 @@ def varied(
         _named(reader, name, column)
     total = reader.total()
     input_signals = signals(model.manifest.inputs, shared, sample_time, over)
-    start, _ = initial_state(model.manifest, {}, {})
+    start, _ = initial_state(model._layout, {}, {})
     base = dict(zip("quz", np.split(start, ends), strict=True))
     base |= {"p": model._parameters.vector, "r": input_signals.constants}
     variations = Varied(total, base, tuple(model.manifest.quaternions), tuple(reader.columns))

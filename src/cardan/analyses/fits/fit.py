@@ -12,6 +12,7 @@ from ...arguments import Inputs, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
+from ...schema.blocks import DIRECTIONS
 from ..gradients.unknowns import refuse_two_meanings, start_blocks, start_places
 from ..identification.base_parameters import circuits
 from ..identification.result import IdentificationRecord
@@ -148,7 +149,8 @@ def _unknowns(
 ) -> tuple[tuple[str, ...], Places, tuple[str, ...]]:
     """Names of parameters, places of unknown starts along the speeds, and names of these."""
     names = (unknown,) if isinstance(unknown, str) else tuple(unknown)
-    refuse_two_meanings("fit: unknown", model, names)
+    # measured formulas have derivatives by blocks and by these names together
+    refuse_two_meanings("fit: unknown", model, names, DIRECTIONS)
     blocks = start_blocks(model)
     places = start_places(model) | blocks
     chosen, starts, start_names = list[str](), set[int](), list[str]()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple, final
 
 import numpy as np
@@ -27,9 +28,10 @@ class Slopes(NamedTuple):
     @classmethod
     def of(cls, model: LoadedModel, flat: Array) -> Slopes:
         """Parts of a product along the time and everything else."""
-        ends = np.cumsum([1, model.nx, model.ns, model.nr])
-        by_t, *parts = np.split(flat, ends)
-        return cls(float(by_t[0]), *parts)
+        s = 1 + model.nx
+        r = s + model.ns
+        p = r + model.nr
+        return cls(float(flat[0]), flat[1:s], flat[s:r], flat[r:p], flat[p:])
 
 
 @final
@@ -52,6 +54,7 @@ class Sweep(StepsAgain):
         """
         super().__init__(runner)
         model, record = runner.model, Adjoint()
+        self.purpose = cost.running, parameters
         self.record, self.parameters = record, parameters and len(model.parameters) > 0
         self.lam, self.by_s, self.by_r = np.zeros(model.nx), np.zeros(model.ns), np.zeros(model.nr)
         self.by_p = np.zeros(len(model.parameters) if self.parameters else 0)
@@ -59,6 +62,11 @@ class Sweep(StepsAgain):
         ends = np.cumsum(self.segment_counts)[:-1]
         self.by_coefficients = np.split(coefficients, ends) if len(coefficients) else []
         self._cost = np.zeros(1)
+        # formula -> the cost at the end and its product, of the last one
+        self._finals: dict[str, list[Callable[..., Array]]] = {}
+        # what is added up
+        self.totals = (self.lam, self.by_s, self.by_r, self.by_p, coefficients, self._cost)
+        self._since: tuple[float, Array] | None = None
         # products backward, so that parameters cost nothing more
         closing = runner.closing
         keys: dict[str, tuple[str, str | None]] = {"rates": ("vjp", self.request("rhs"))}
@@ -80,6 +88,22 @@ class Sweep(StepsAgain):
         }  # fmt: skip
         for name, room in rooms.items():
             setattr(record, name, self.pointer(room))
+
+    @classmethod
+    def of(cls, runner: Runner, cost: Cost, parameters: bool) -> Sweep:
+        """A sweep as good as new: that which an earlier gradient has made with the same runner, if
+        it is for the same.
+
+        Args: as the sweep itself takes them.
+        """
+        last = runner.sweep
+        if not isinstance(last, cls) or last.purpose != (cost.running, parameters):
+            runner.sweep = sweep = cls(runner, cost, parameters)
+            return sweep
+        for total in last.totals:
+            total.fill(0.0)
+        last.jumped()
+        return last
 
     def request(self, function: str, of: str | None = None, time: bool = False) -> str:
         """Product with the derivative of a function along state, modes, inputs and parameters.
@@ -104,16 +128,17 @@ class Sweep(StepsAgain):
         """
         model = self.model
         q, u, z = model.parts_of(x)
-        inputs = self.inputs_at(t)[0]
-        request = self.request("expression", formula, time=True)
-        cost, product = model._load([("expression", formula), ("vjp", request)])
-        states = (t, q, u, inputs, z, s)
-        flat = product.caller(None, *states, np.ones(1))
-        slopes = Slopes.of(model, flat)
+        states = (t, q, u, self.inputs_at(t)[0], z, s)
+        if formula not in self._finals:
+            request = self.request("expression", formula, time=True)
+            listed = model._load([("expression", formula), ("vjp", request)])
+            self._finals = {formula: [function.fast for function in listed]}
+        cost, product = self._finals[formula]
+        slopes = Slopes.of(model, product(None, *states, np.ones(1)))
         self.lam[:], self.by_s[:] = slopes.by_x, slopes.by_s
         self.add_inputs(t, slopes.by_r)
         self.by_p += slopes.by_p
-        return float(cost.caller(None, *states)), slopes.by_t
+        return float(cost(None, *states)), slopes.by_t
 
     def add_inputs(self, t: float, by_r: Array) -> None:
         """Add a gradient by the inputs (nr,) at a time."""
@@ -128,6 +153,13 @@ class Sweep(StepsAgain):
             SolveError: a function has no value at a stage of a step, or derivatives grow beyond
                 all use.
         """
-        before = self.lam.copy()
+        # growth counts from the last event on, over how many sweeps it may be
+        if self._since is None:
+            self._since = float(rows[-1, 0]), self.lam.copy()
         self.swept(rows, self.runner.library.cardan_adjoint_sweep, self.record)
-        check_growth(before, self.lam, rows[:, 0])
+        begin, before = self._since
+        check_growth(before, self.lam, np.array([begin, rows[0, 0]]))
+
+    def jumped(self) -> None:
+        """An event has changed the gradients: growth counts anew."""
+        self._since = None

@@ -55,6 +55,8 @@ def event_instants(log: Array, events: EventTable, nx: int, ns: int) -> list[Eve
         events: What may happen.
         nx, ns: Sizes of x and s.
     """
+    if not len(log):
+        return []
     ne = len(events.rows)
     kinds = np.array(events.kinds, dtype=int)
     changing = (log[:, 1 : 1 + ne] != 0) & (kinds != abi.MARK)
@@ -172,6 +174,7 @@ class Jumps:
             SolveError: two events at one time that are not one, or one that happens by a touch.
         """
         lam, ended = self.sweep.lam, final_rate is not None
+        self.sweep.jumped()
         root = root_of(at, self.events, self.start)
         inputs, rates = self._inputs(at.t)
         by_time = final_rate or 0.0

@@ -17,6 +17,7 @@ from ...runtime.calls.methods import ByName
 from ...runtime.models.constraint_projection import columns_of
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.blocks import Blocks
+from ...schema.request import reads
 from ..simulation.driving import RunSetup
 from ..simulation.settings import start
 from .start_by_differences import StartByDifferences
@@ -88,12 +89,9 @@ class NamedStart:
         model = setup.model
         q, u, z = model.parts_of(setup.begin.x)
         at: ByName = {"t": setup.over.start, "r": steps.inputs_at(setup.over.start)[0]}
-        (N,) = (
-            model.derivative("qdot", wrt=Blocks("u"))(q, u, **at)
-            if model.nu
-            else (np.zeros((model.nq, 0)),)
-        )
-        closing, levels = steps.runner.closing, dict[str, Level]()
+        N, closing, levels = _kinematic(model, q, u, at), steps.runner.closing, dict[str, Level]()
+        if not closing.functions:
+            return cls(model, N, None, None)
         units = columns_of(model, closing.size)
         blocks = ["r"] * (model.nr > 0) + ["p"] * (wide and len(model.parameters) > 0)
         empty = {"r": model.nr, "p": len(model.parameters) if wide else 0}
@@ -168,6 +166,8 @@ def named_start(
     if setup.model.manifest.absolute:
         return StartByDifferences.of(setup, steps, state, s, unknowns)
     begin = NamedStart.of(setup, steps, state, s, wide)
+    if not (begin.positions or begin.speeds):
+        return begin
     by_names = state["x0"] is None and all(
         state[letter] is None or isinstance(state[letter], Mapping) for letter in "qu"
     )
@@ -180,6 +180,15 @@ def named_start(
         # which of many starts it is depends on distances, and these on more than constraints
         return StartByDifferences.of(setup, steps, state, s, unknowns)
     return begin
+
+
+def _kinematic(model: LoadedModel, q: Array, u: Array, at: ByName) -> Array:
+    """N (nq, nu): rates of the coordinates by the speeds."""
+    if not model.nu:
+        return np.zeros((model.nq, 0))
+    values, key = {"q": q, "u": u, **at}, ("derivative", "qdot: u")
+    listed = tuple(values.get(name) for name in reads(*key))
+    return model._evaluate(key, listed, None, None)
 
 
 def _named(model: LoadedModel, letter: str, values: object) -> list[int]:

@@ -163,8 +163,15 @@ def unknowns(model: LoadedModel, wrt: object, values: Mapping[str, object]) -> U
     return Unknowns(model, tuple(dict.fromkeys(names)), values)
 
 
-def refuse_two_meanings(what: str, model: LoadedModel, names: Sequence[str]) -> None:
+def refuse_two_meanings(
+    what: str, model: LoadedModel, names: Sequence[str], blocks: Sequence[str] = ()
+) -> None:
     """Refuse names that a start, or all parameters, and a parameter or input have.
+
+    Args:
+        what: Who asks.
+        model, names: Whose names.
+        blocks: Names of blocks of functions that are taken too.
 
     Raises:
         ModelError: with the cure.
@@ -172,9 +179,10 @@ def refuse_two_meanings(what: str, model: LoadedModel, names: Sequence[str]) -> 
     starts = {*BLOCKS, *start_places(model)}
     for listed, kind in ((model.parameters, "parameter"), (model.inputs, "input")):
         for name in names:
-            if name in starts and name in listed:
-                other = "all parameters" if name == "p" else "a start of the motion"
+            if (name in starts or name in blocks) and name in listed:
+                other = "a start of the motion" if name in starts else "a block of all functions"
+                other = "all parameters" if name == "p" else other
                 raise ModelError(
-                    f"{what}: '{name}' is {other} and {kind} of '{model.name}', and cannot be told "
-                    f"from it: rename the {kind}"
+                    f"{what}: '{name}' is {other} and a {kind} of '{model.name}', and cannot be "
+                    f"told from it: rename the {kind}"
                 )

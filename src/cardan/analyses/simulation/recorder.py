@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -85,10 +85,10 @@ class Recorder:
             milliseconds: What it took.
         """
         self.logs.append(self.runner.drained())
-        log = np.concatenate(self.logs)
-        table = np.concatenate(self.rows) if self.rows else np.empty((0, 0))
+        log = _joined(self.logs)
+        table = _joined(self.rows) if self.rows else np.empty((0, 0))
         has_spreads = over.times is None and any(map(len, self.spreads))
-        spreads = np.concatenate(self.spreads) if has_spreads else None
+        spreads = _joined(self.spreads) if has_spreads else None
         if not len(table):
             table, spreads = self._first_row(over, begin), None
         event_log = EventLog(np.empty((0, 0)), self.runner.event_table.rows, log)
@@ -168,3 +168,9 @@ class Recorder:
             stored={"multipliers": lam.copy()} if runner.record.nlam else {},
             event_log=replace(event_log, s=s.copy()),
         )
+
+
+def _joined(parts: Sequence[Array]) -> Array:
+    """Arrays one behind the other; one alone is not copied."""
+    filled = [part for part in parts if len(part)]
+    return np.concatenate(filled) if len(filled) > 1 else [*filled, *parts][0]

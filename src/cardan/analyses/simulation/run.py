@@ -7,7 +7,6 @@ import math
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -27,6 +26,7 @@ from .discontinuities import FEW, jumps, stops_of
 from .events import NOTHING, EventTable
 from .input_functions import CEntry, InputFunctions
 from .run_record import INPUTS, WATCH, Numbers
+from .run_state import Saved
 from .settings import Settings
 from .signals import Signals
 
@@ -35,24 +35,6 @@ SLICE = 0.01  # seconds between two looks at signals and progress
 ROWS = 2048
 MOST_PASSES = 256  # steps over singular positions that are noted
 LOG, ROOM = 256, 32  # rows of the log of events, and more per event
-
-
-@dataclass(frozen=True)
-class Saved:
-    """A checkpoint of a run.
-
-    Attributes:
-        record, memory: Of the run, to the bit.
-        owner: Whose they are.
-        ticks: When the next samples are due.
-        over: What ended it, in words; "" if it may go on.
-    """
-
-    record: Any
-    memory: bytes
-    owner: int
-    ticks: bytes = b""
-    over: str = ""
 
 
 class Runner:
@@ -94,13 +76,16 @@ class Runner:
         self.sources: tuple[str, ...] = tuple(outputs[0].entries or ()) if outputs else ()
         self.n = model.nx + len(self.sources)
         self.error: BaseException | None = None
-        called = [*self.functions, *self.closers, *self.needed]
         self.in_c: InputFunctions | None = None
-        self.interpreted = any(function.interpreted for function in called)
+        # what the last gradient has made for it, see adjoint.py
+        self.sweep: object = None
+        self.called = [*self.functions, *self.closers, *self.needed]
+        self.interpreted = any(function.interpreted for function in self.called)
         self._references: list[Any] = []
         self.passes = np.zeros((MOST_PASSES if self.closing.rates else 0, 3))
         self.method = abi.method(self.library, settings.method.kernel)
-        self.rows, self.spreads = np.empty((0, 0)), np.empty((0, self.method.dense_rows, self.n))
+        self.dense_room = self.spreads = np.empty((0, self.method.dense_rows, self.n))
+        self.rows = np.empty((0, 0))
         self.record = Run()
         self._size()
         self._allocate()
@@ -138,9 +123,9 @@ class Runner:
 
     def _allocate(self) -> None:
         """One block of numbers for everything but output rows."""
-        run, called = self.record, [*self.functions, *self.closers, *self.needed]
+        run = self.record
         parts = sum(len(body.parts) for body in self.model.manifest.bodies)
-        rooms = max(self.model.nu, 6 * parts), max(function.work_size for function in called)
+        rooms = max(self.model.nu, 6 * parts), max(function.work_size for function in self.called)
         self.memory = np.zeros(self.library.cardan_run_length(run, *rooms))
         first = self.memory.ctypes.data
         self.library.cardan_run_lay(run, first, *rooms)
@@ -261,31 +246,28 @@ class Runner:
 
     def aim(self, stops: Sequence[float]) -> None:
         """Set the times at which steps must end; the last one is the end."""
-        self._stops = np.array(stops, dtype=np.float64)
+        self.stops = np.array(stops, dtype=np.float64)
         self.event_table.distinguish_ticks(max(map(abs, (self.record.t, *stops))))
-        self.record.stops = self._stops.ctypes.data
-        self.record.stop_count, self.record.next_stop = len(self._stops), 0
+        self.record.stops = self.stops.ctypes.data
+        self.record.stop_count, self.record.next_stop = len(self.stops), 0
 
-    @property
-    def stops(self) -> Array:
-        """The times at which steps must end."""
-        return self._stops
-
-    def want(self, times: Array | None, dense: bool) -> None:
+    def want(self, times: Array | None, dense: bool, most: int = ROWS) -> None:
         """Say which rows to write: at ``times``, or at every step.
 
         Args:
             times: Output times, in the direction of the run.
             dense: Keep the dense output of every step.
+            most: Rows of steps until somebody takes them.
 
         Raises:
             SolveError: there is no memory for the rows.
         """
         run = self.record
-        run.capacity = ROWS if times is None else len(times)
+        run.capacity = most if times is None else len(times)
         width = 1 + self.n + self.model.nr + self.model.ns + run.nlam
         try:
-            self.rows = np.empty((run.capacity, width))
+            if self.rows.shape != (run.capacity, width):
+                self.rows = np.empty((run.capacity, width))
         except MemoryError:
             raise SolveError(
                 f"there is no memory for {run.capacity} rows of {width} numbers. Give fewer "
@@ -295,9 +277,10 @@ class Runner:
         if times is not None:
             self._times = np.ascontiguousarray(times)
             run.times, run.time_count = self._times.ctypes.data, len(times)
-        if dense:
-            self.spreads = np.empty((ROWS, self.method.dense_rows, self.n))
-            run.spreads = self.spreads.ctypes.data
+        if dense and len(self.dense_room) < most:
+            self.dense_room = np.empty((most, self.method.dense_rows, self.n))
+        self.spreads = self.dense_room[: most if dense else 0]
+        run.spreads = self.spreads.ctypes.data if dense else None
 
     def drive(self, budget: int) -> int:
         """Go on for at most ``budget`` steps. Returns the answer of the kernels."""
@@ -352,10 +335,25 @@ class Runner:
 
     def save(self) -> Saved:
         """A checkpoint."""
-        return Saved(bytes(self.record), self.memory.tobytes(), id(self), bytes(self.ticks))
+        segments = tuple(row.where for row in self.tabulated)
+        return Saved(
+            bytes(self.record), self.memory.tobytes(), id(self), bytes(self.ticks), "", segments
+        )
 
     def restore(self, saved: Saved) -> None:
-        """Go back to a checkpoint of this run.
+        """Go back to a checkpoint of this run, from where it goes to another time.
+
+        Raises:
+            ModelError: it belongs to another one.
+        """
+        stops = self.record.stops
+        self.resume(saved)
+        # the stops were those of a step that is over
+        run = self.record
+        run.stops, run.stop_count, run.next_stop = stops, 1, 0
+
+    def resume(self, saved: Saved) -> None:
+        """Go back to a checkpoint in the middle of this run, from where it takes the same steps.
 
         Raises:
             ModelError: it belongs to another one.
@@ -363,12 +361,11 @@ class Runner:
         run, memory = self.record, self.memory
         if saved.owner != id(self) or len(saved.memory) != memory.nbytes:
             raise ModelError("this checkpoint was made by another stepper")
-        stops = run.stops
         ctypes.memmove(ctypes.addressof(run), saved.record, ctypes.sizeof(run))
-        # the stops were those of a step that is over
-        run.stops, run.stop_count, run.next_stop = stops, 1, 0
         memory[:] = np.frombuffer(saved.memory)
         ctypes.memmove(self.ticks, saved.ticks, ctypes.sizeof(self.ticks))
+        for row, segment in zip(self.tabulated, saved.segments, strict=False):
+            row.where = segment
 
     def check(self) -> None:
         """Raise what an input function raised."""

@@ -22,7 +22,7 @@ from ...errors import (
     warn,
 )
 from ...runtime.calls.calling import numbers
-from ...runtime.models.initial import followers, start_of
+from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.integrators import INTEGRATORS, Integrator
 from ...schema.rows import having
@@ -217,8 +217,7 @@ def start(model: LoadedModel, x0: object, q: object, u: object, z: object = None
         for letter, value, entries in (("q", q, coordinates), ("u", u, speeds), ("z", z, internals))
     }
     dependents: dict[str, Values] = {}
-    for letter in "qu":
-        places = followers(model.manifest, letter)
+    for letter, places in model._layout.followers.items():
         if places:
             dependents[letter] = {k: v for k, v in names[letter].items() if k in places}
             names[letter] = {k: v for k, v in names[letter].items() if k not in places}

@@ -10,7 +10,8 @@ from .run import Runner
 from .settings import Settings
 from .signals import Signals
 
-SMALL = 1 << 20  # bytes that a runner may hold between two runs
+SMALL = 1 << 20  # bytes of its state that a runner may hold between two runs
+ROOM = 1 << 22  # and of the room for its rows
 
 
 def spare(
@@ -50,5 +51,7 @@ def put_aside(runner: Runner) -> None:
         or runner.interpreted
     )
     if not has_inputs and not run.mesh and runner.memory.nbytes < SMALL:
-        runner.rows, runner.spreads = runner.rows[:0].copy(), runner.spreads[:0].copy()
+        if runner.rows.nbytes + runner.dense_room.nbytes > ROOM:
+            runner.rows, runner.dense_room = runner.rows[:0].copy(), runner.dense_room[:0].copy()
+        runner.spreads = runner.dense_room[:0]
         runner.model._derived[Runner, runner.settings.method.name] = runner

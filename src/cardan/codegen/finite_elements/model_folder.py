@@ -20,8 +20,7 @@ from ...ir.function import Function
 from ...schema.entries import MultiplierRow, OutputRow
 from ...schema.finite_elements import (
     DERIVATIVES,
-    EXPRESSION,
-    EXPRESSION_GRADIENT,
+    FORMULAS,
     RATES,
     ElementKind,
     FiniteElements,
@@ -188,7 +187,7 @@ def add_requested(
             cannot be read.
     """
     for form, _ in keys:
-        if form not in (*DERIVATIVES, *RATES, EXPRESSION, EXPRESSION_GRADIENT):
+        if form not in (*DERIVATIVES, *RATES, *FORMULAS):
             raise DerivationError(f"'{form}' is not written for elements in tables")
     symbols = [requested_name(form, of or "") for form, of in keys]
     missing = {*layout.missing(folder, symbols)}
@@ -203,7 +202,7 @@ def add_requested(
 
 
 def _requested(absolute: FiniteElementRecord, form: str, of: str, symbol: str) -> Function:
-    if form in (EXPRESSION, EXPRESSION_GRADIENT):
+    if form in FORMULAS:
         return expression_of(absolute, form, of, symbol)
     if form in RATES:
         return rates_derivative_of(next(k for k in absolute.places.kinds if k.name == of), form)

@@ -6,7 +6,7 @@ import json
 import keyword
 import sys
 
-from ...schema.blocks import ARGUMENTS, ORDER
+from ...schema.blocks import ARGUMENTS, ORDER, SLOT
 from ...schema.c_functions import FunctionRow, ResultRow
 from ...schema.manifest import Manifest
 from ..program.naming import mangle
@@ -30,9 +30,16 @@ are (w, x, y, z), 6-vectors have the angular part first, units are SI and radian
 is a mapping of names to new values, or None for those of the model.
 """
 
+from cpython.buffer cimport PyBUF_C_CONTIGUOUS, PyBUF_FORMAT, PyBuffer_Release
+from cpython.exc cimport PyErr_Clear
 from libc.stdlib cimport free, malloc
+from libc.string cimport memset
 
 import numpy as np
+
+cdef extern from "Python.h":
+    int PyObject_GetBuffer(object exporter, Py_buffer *view, int flags) noexcept
+
 
 cdef extern from "functions.h" nogil:
     ctypedef struct cardan_in:
@@ -66,6 +73,14 @@ _VECTORS = {vectors}
 
 cdef enum:
     BLOCKS = {blocks}
+    # of all blocks, and those of a state
+    PLACES = {places}
+    W = {w}
+    SMALL_WORK = 512
+
+cdef object ndarray = np.ndarray
+cdef object empty = np.empty
+cdef int NUMBERS = PyBUF_C_CONTIGUOUS | PyBUF_FORMAT
 
 
 '''
@@ -125,7 +140,6 @@ def write(manifest: Manifest) -> str:
     names = listed_names(manifest)
     lengths = block_sizes(manifest) | {"wrench": 6 * len(names["bodies"])}
     sizes = {name: lengths[name] for name in SIZED} | {"e": len(manifest.events)}
-    nq, nu = sizes["q"], sizes["u"]
     head = HEAD.format(
         title=plain(f"{manifest.name}: C functions of a multibody model."),
         about=plain(summary(manifest)),
@@ -133,15 +147,17 @@ def write(manifest: Manifest) -> str:
         sizes=literal(sizes),
         slots=literal({block: k for k, block in enumerate(ORDER)}),
         blocks=len(ORDER),
+        places=len(ORDER) + 2,
+        w=SLOT["w"],
         vectors=literal({k: len(f.vector) for k, f in manifest.functions.items() if f.vector}),
         **{key: literal(value) for key, value in names.items()},
     )
     functions = manifest.functions.items()
-    parts = [_function(name, entry, nq, nu, sizes["z"]) for name, entry in functions]
+    parts = [_function(name, entry) for name, entry in functions]
     return "\n\n".join([head + source("package.pyx"), *parts])
 
 
-def _function(name: str, entry: FunctionRow, nq: int, nu: int, nz: int) -> str:
+def _function(name: str, entry: FunctionRow) -> str:
     """The Python function of one C function."""
     takes = arguments(name, entry)
     # solvers call rhs(t, x)
@@ -155,25 +171,17 @@ def _function(name: str, entry: FunctionRow, nq: int, nu: int, nz: int) -> str:
     outputs = entry.outputs
     shape = tuple(outputs[0].shape) if len(outputs) == 1 else (entry.output_size,)
     entries = [text for o in outputs for text in _named(o)]
-    lines = [f"def {name}({signature}):", f'    """{plain(entry.about or name)}.', "", "    Args:"]
+    # no function of C begins with an underscore
+    call = f"_{name}"
+    quoted = "".join(f'"{block}", ' for block in takes)
+    lines = [f'cdef _Function {call} = _Function(b"{name}", ({quoted}), {shape!r})', "", ""]
+    lines += [f"def {name}({signature}):", f'    """{plain(entry.about or name)}.', "", "    Args:"]
     lines += [f"        {block}: {about(block, entry)}" for block in takes]
     lines += ["", "    Returns:", f"        Array (..., {', '.join(map(str, shape))})"]
     lines[-1] += f": {plain(', '.join(entries))}" if len(entries) <= 12 else ""
     lines += ['    """']
-    blocks, values = list(takes), list(takes)
-    if "x" in takes:
-        lines += ["    x = np.asarray(x, dtype=float)"]
-        at = takes.index("x")
-        speeds = f"x[..., {nq}:{nq + nu}]" if nz else f"x[..., {nq}:]"
-        parts = {"q": f"x[..., :{nq}]", "u": speeds} | ({"z": f"x[..., {nq + nu}:]"} if nz else {})
-        blocks[at : at + 1], values[at : at + 1] = [*parts], [*parts.values()]
-    row = ", ".join(f'"{block}"' for block in blocks)
-    lines += [
-        "    return _call(",
-        f'        b"{name}", ({row},), ({", ".join(values)},), parameters, {shape!r},',
-        "    )",
-        "",
-    ]
+    row = "".join(f"{block}, " for block in takes)
+    lines += [f"    return {call}.call(({row}), parameters)", ""]
     return "\n".join(lines)
 
 

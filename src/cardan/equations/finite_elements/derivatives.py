@@ -1,9 +1,10 @@
-"""Derivatives of what elements give by everything that they read, in reverse and forward.
+"""Derivatives of what elements give by everything that they read: in reverse, forward, and both.
 
 Of forces, of constraints on all levels and of internal states together, of energies, momenta,
-powers and outputs: gradients of weighted sums, and changes along a direction.
+powers and outputs, of events and what they change: gradients of weighted sums, changes along a
+direction, and changes of those gradients.
 
-Source: Griewank and Walther, Evaluating Derivatives (2008), sections 3.1 and 3.2.
+Source: Griewank and Walther, Evaluating Derivatives (2008), sections 3.1, 3.2 and 5.1.
 """
 
 from __future__ import annotations
@@ -19,15 +20,24 @@ from ...ir.matrix import Matrix, inner
 from ...ir.rewrite import rebuild
 from ...ir.routine import Routine
 from ...schema.blocks import ORDER
-from ...schema.finite_elements import DERIVATIVES, requested_name
+from ...schema.finite_elements import (
+    DERIVATIVES,
+    EVENT_DERIVATIVES,
+    IMPULSE_DERIVATIVES,
+    requested_name,
+)
 from .record import BlockKind, Group, Kind
-from .superelements import superelement_derivative
+from .superelement_derivatives import superelement_derivative
 
-ABOUT = {"gradient": "gradient of a weighted sum of results", "change": "change along a direction"}
+ABOUT = {
+    "gradient": "gradient of a weighted sum of results",
+    "change": "change along a direction",
+    "curvature": "change of the gradient of a weighted sum along a direction",
+}
 
 
 def derivative_of(kind: Kind, form: str, group: Group, inputs: int) -> Function:
-    """A gradient or a change of a kind of element.
+    """A gradient, a change or a curvature of a kind of element.
 
     Args:
         kind: The kind.
@@ -38,9 +48,12 @@ def derivative_of(kind: Kind, form: str, group: Group, inputs: int) -> Function:
     Returns:
         What is multiplied by the derivative is the block v. Of a gradient it has weights: of
         ``dynamics_gradient`` those of the balance (nu), of g (mp), of the rates (m), of
-        G udot - H lam - gamma (m) and of its own internal states, else those of the results of the
-        function. The results are derivatives by q as it is stored, u, udot, lam, z, s, r, t and the
-        data that parameters change. Of a change v and the results are the other way round.
+        G udot - H lam - gamma (m) and of its own internal states, of ``impulse_gradient`` those of
+        M udot - Gᵀ lam (nu) and G udot - H lam (m), else those of the results of the function. The
+        results are derivatives by q as it is stored, u, udot, lam, z, s, r, t, of events by du and
+        tau too, then by the data that parameters change. Of a change v and the results are the
+        other way round. Of a curvature v has the weights, then a direction; the results are those
+        of the gradient.
 
     Raises:
         DerivationError: it is one of superelements, which have others.
@@ -49,20 +62,27 @@ def derivative_of(kind: Kind, form: str, group: Group, inputs: int) -> Function:
     read = {name: kind.functions[name] for name in DERIVATIVES[form] if name in kind.functions}
     if any(isinstance(function, Routine) for function in read.values()):
         return superelement_derivative(kind, form, inputs)
-    roots = _dynamics(graph, kind, read) if len(DERIVATIVES[form]) > 1 else _all(graph, read)
+    if form in IMPULSE_DERIVATIVES:
+        roots = _impulse(graph, kind, read)
+    elif len(DERIVATIVES[form]) > 1:
+        roots = _dynamics(graph, kind, read)
+    else:
+        roots = _all(graph, read)
     fixed = 0 if group.attributes is None else group.attributes.shape[1]
     sizes = {
         **{"q": kind.nq, "u": kind.nu, "udot": kind.nu, "lam": kind.m},
         **{"z": _width(group.z), "s": _width(group.s), "r": inputs, "t": 1},
-        "p": len(kind.data) - fixed,
     }
     blocks = {block.name: block for f in read.values() for block in f.inputs}
+    if form in EVENT_DERIVATIVES:
+        sizes |= {"du": kind.nu, "tau": len(blocks["tau"].entries)}
+    sizes["p"] = len(kind.data) - fixed
     owners = next((f.owners for f in read.values()), ())
     return _derivative(kind.c_name(form), graph, roots, blocks, sizes, owners)
 
 
 def rates_derivative_of(kind: BlockKind, form: str) -> Function:
-    """Gradient or change of the rates of the coordinates of a place: by its q and u."""
+    """Gradient, change or curvature of the rates of the coordinates of a place: by its q and u."""
     rates, graph = kind.functions["qdot"], Graph()
     blocks = {block.name: block for block in rates.inputs}
     roots = _all(graph, {"qdot": rates})
@@ -82,20 +102,22 @@ def _derivative(
     """Derivatives of a weighted sum of the roots by blocks of known sizes, or their changes."""
     mode = name.rpartition("_")[2]
     leaves = [graph.var(letter, k) for letter, n in sizes.items() for k in range(n)]
-    count, word = (len(roots), "weight") if mode == "gradient" else (len(leaves), "direction")
-    weights = [graph.var("v", k) for k in range(count)]
-    if mode == "gradient":
-        slopes = iter(gradient(graph, inner(graph, weights, roots), leaves))
-        outputs = tuple(
-            Output(f"d_{letter}", (n,), tuple(islice(slopes, n)))
-            for letter, n in sizes.items()
-            if n
-        )
+    counts = {"weight": len(roots), "direction": len(leaves)}
+    if mode != "curvature":
+        del counts["direction" if mode == "gradient" else "weight"]
+    entries = tuple(f"{word}{k + 1}" for word, count in counts.items() for k in range(count))
+    v = [graph.var("v", k) for k in range(len(entries))]
+    along = dict(zip(leaves, v[-len(leaves) :], strict=True)) if "direction" in counts else {}
+    if mode == "change":
+        changes = forward(graph, roots, along)
+        outputs: tuple[Output, ...] = (Output("change", (len(roots),), tuple(changes)),)
     else:
-        changes = forward(graph, roots, dict(zip(leaves, weights, strict=True)))
-        outputs = (Output("change", (len(roots),), tuple(changes)),)
-    v = Block("v", tuple(f"{word}{k + 1}" for k in range(count)), ("",) * count)
-    read = {**blocks, "v": v}
+        slopes = gradient(graph, inner(graph, v[: len(roots)], roots), leaves)
+        nodes = iter(forward(graph, slopes, along) if mode == "curvature" else slopes)
+        outputs = tuple(
+            Output(f"d_{letter}", (n,), tuple(islice(nodes, n))) for letter, n in sizes.items() if n
+        )
+    read = {**blocks, "v": Block("v", entries, ("",) * len(entries))}
     inputs = tuple(read[letter] for letter in ORDER if letter in read)
     return Function(name, graph, inputs, outputs, owners, ABOUT[mode])
 
@@ -140,3 +162,22 @@ def _dynamics(graph: Graph, kind: Kind, read: Mapping[str, Function]) -> list[in
     if gamma:
         missed = missed - Matrix(graph, m, 1, gamma)
     return [*balance, *[ZERO] * (levels - len(balance)), *missed.nodes, *zdot]
+
+
+def _impulse(graph: Graph, kind: Kind, read: Mapping[str, Function]) -> list[int]:
+    """M udot - Gᵀ lam and G udot - H lam: without forces, which would round beside masses."""
+    nu, m = kind.nu, kind.m
+    tangent = _copied(graph, read["balance_tangent"])
+    udot, lam = (
+        Matrix(graph, n, 1, [graph.var(letter, k) for k in range(n)])
+        for letter, n in (("udot", nu), ("lam", m))
+    )
+    balance, missed = Matrix.zeros(graph, nu), Matrix.zeros(graph, m)
+    if "M" in tangent:
+        balance = Matrix(graph, nu, nu, tangent["M"]) @ udot
+    if "G" in tangent:
+        G = Matrix(graph, m, nu, tangent["G"])
+        balance, missed = balance - G.T @ lam, G @ udot
+    if "H" in tangent:
+        missed = missed - Matrix(graph, m, m, tangent["H"]) @ lam
+    return [*balance.nodes, *missed.nodes]

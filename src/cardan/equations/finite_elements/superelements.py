@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -26,13 +26,6 @@ MORE_HEADERS = {
     "tangent": ("superelement_terms.h", "superelement_drift.h", "superelement_tangent.h"),
     "generalized_momenta": ("superelement_momenta.h",),
 }
-MORE_HEADERS["derivatives"] = (
-    *MORE_HEADERS["generalized_momenta"],
-    *MORE_HEADERS["tangent"],
-    "superelement_derivatives.h",
-)
-# what derivatives read besides weights or directions
-DERIVATIVE_READS = {"dynamics": ("q", "u", "udot", "p"), "energy": ("q", "u", "p")}
 # pairs of axes in the order of the header
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1))
 NAMES = ("xx", "yy", "zz", "yz", "zx", "xy")
@@ -325,46 +318,6 @@ def _kind(name: str, blocks: tuple[BlockKind, ...], member: _Member) -> Kind:
         symbol_shapes=_shapes(n),
         element="superelement",
         part="superelement",
-    )
-
-
-def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
-    """A gradient or a change of a kind of superelement, like those of other kinds.
-
-    Args:
-        kind: The kind.
-        form: Which; forces and energies have one.
-        inputs: How many the scene has.
-
-    Raises:
-        DerivationError: there is none of that form.
-    """
-    quantity, _, mode = form.rpartition("_")
-    if quantity not in DERIVATIVE_READS:
-        raise DerivationError(
-            f"superelements have derivatives of forces and energies, none of {quantity}. Take "
-            "differences of that"
-        )
-    tangent = kind.functions["balance_tangent"]
-    assert isinstance(tangent, Routine)
-    n, on_node, drifting = tangent.sizes
-    N, graph = n + 6 * on_node, tangent.graph
-    weights = N if quantity == "dynamics" else 2
-    sizes = {"q": N + on_node, "u": N, "udot": N, "r": inputs, "t": 1, "p": len(DATA)}
-    count, slopes = weights, {f"d_{letter}": k for letter, k in sizes.items() if k}
-    if mode == "change":
-        count, slopes = sum(sizes.values()), {"change": weights}
-    v = Block("v", tuple(f"{mode}{k + 1}" for k in range(count)), ("",) * count)
-    return replace(
-        tangent,
-        name=kind.c_name(form),
-        inputs=(*(one for one in tangent.inputs if one.name in DERIVATIVE_READS[quantity]), v),
-        outputs=tuple(result(graph, name, (k,)) for name, k in slopes.items()),
-        about="derivative of forces or energies",
-        call=f"cardan_superelement_{form}",
-        headers=(*HEADERS, *MORE_HEADERS["derivatives"]),
-        sizes=(n, on_node, drifting, inputs),
-        work=3 * N * N + 8 * N + inputs + len(DATA) + TANGENT_ROOM * n + 2,
     )
 
 

@@ -32,8 +32,7 @@ static int enter_outputs(const cardan_in *in, real *work, cardan_place *here)
     return here->mesh->outputs > 0 ? cardan_mesh_call_outputs(&of_mesh, here->direct, work) : 0;
 }
 
-/* Solve for what the functions need at a state. */
-static int enter(const cardan_in *in, real *work, cardan_place *here)
+int cardan_mesh_enter(const cardan_in *in, real *work, cardan_place *here)
 {
     const cardan_mesh_product *product = (const cardan_mesh_product *)(const void *)in->w;
     const cardan_mesh *mesh = product->mesh;
@@ -58,6 +57,10 @@ static int enter(const cardan_in *in, real *work, cardan_place *here)
         here->at.udot = solution;
         here->at.lam = solution + mesh->nu;
     }
+    if (function == CARDAN_OF_EVENTS || function == CARDAN_OF_TRANSITION)
+        status = cardan_mesh_enter_event(in, solution, work, here);
+    if (mesh->frictions > 0)
+        (void)cardan_mesh_friction_lay(mesh, cardan_mesh_certainty(mesh, work), &here->friction);
     /* projections are differentiated at their factors, as if all gaps were closed */
     if (function == CARDAN_OF_CLOSE_POSITION || function == CARDAN_OF_CLOSE_VELOCITY) {
         missing = work + cardan_mesh_lay(mesh, work, &here->system);
@@ -96,7 +99,7 @@ int cardan_mesh_call_expression(const cardan_in *in, real *out, real *work)
 int cardan_mesh_call_vjp(const cardan_in *in, real *out, real *work)
 {
     cardan_place here;
-    int status = enter(in, work, &here);
+    int status = cardan_mesh_enter(in, work, &here);
 
     if (status == 0)
         status = cardan_mesh_pull(&here, in->v);
@@ -108,7 +111,7 @@ int cardan_mesh_call_vjp(const cardan_in *in, real *out, real *work)
 int cardan_mesh_call_jvp(const cardan_in *in, real *out, real *work)
 {
     cardan_place here;
-    const int status = enter(in, work, &here);
+    const int status = cardan_mesh_enter(in, work, &here);
 
     return status != 0 ? status : cardan_mesh_push(&here, in->v, out);
 }
@@ -116,7 +119,7 @@ int cardan_mesh_call_jvp(const cardan_in *in, real *out, real *work)
 int cardan_mesh_call_derivative(const cardan_in *in, real *out, real *work)
 {
     cardan_place here;
-    int status = enter(in, work, &here);
+    int status = cardan_mesh_enter(in, work, &here);
     const cardan_mesh_product *product = here.product;
 
     for (ptrdiff_t k = 0; k < product->results && status == 0; k++) {
@@ -134,7 +137,7 @@ int cardan_mesh_call_derivative(const cardan_in *in, real *out, real *work)
 int cardan_mesh_call_columns(const cardan_in *in, real *out, real *work)
 {
     cardan_place here;
-    int status = enter(in, work, &here);
+    int status = cardan_mesh_enter(in, work, &here);
     const cardan_mesh_product *product = here.product;
     real *direction = here.column, *change = direction + product->columns;
 

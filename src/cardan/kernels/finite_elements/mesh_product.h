@@ -29,7 +29,9 @@ enum {
     CARDAN_OF_MULTIPLIERS,
     CARDAN_OF_CLOSE_POSITION,
     CARDAN_OF_CLOSE_VELOCITY,
-    CARDAN_OF_EXPRESSION
+    CARDAN_OF_EXPRESSION,
+    CARDAN_OF_EVENTS,
+    CARDAN_OF_TRANSITION
 };
 
 /* Slopes of the data of the elements of a group by the parameters, row by row: those of one element,
@@ -40,6 +42,12 @@ typedef struct cardan_data_slopes {
     const ptrdiff_t *start;     /* (rows + 1) */
     const ptrdiff_t *parameter; /* of every slope */
     const real *slope;
+    /* of Hessians: where rows begin among those of all groups, and second derivatives by two
+     * parameters, in both orders where these differ */
+    ptrdiff_t first_row, rows;
+    const ptrdiff_t *second_start;      /* (rows + 1) */
+    const ptrdiff_t *second_parameters; /* of every second derivative, 2 each */
+    const real *second;
 } cardan_data_slopes;
 
 /* What a product is made of; it is the `w` of its functions. */
@@ -48,7 +56,11 @@ typedef struct cardan_mesh_product {
     ptrdiff_t function;            /* CARDAN_OF_... */
     ptrdiff_t results;             /* numbers of that function */
     const cardan_form *dynamics;   /* (groups) gradients of balances, of constraints and of zdot */
-    const cardan_form *direct;     /* (groups) of energies, momenta, powers or outputs; NULL */
+    const cardan_form *direct;     /* (groups) of energies, momenta, powers, outputs, values of events, or
+                                      states behind events; NULL */
+    const cardan_form *impulse;    /* (groups) of M udot - G^T lam (nu) and G udot - H lam (m); NULL */
+    const cardan_form *jumps;      /* (groups) of impulses at events; NULL */
+    const cardan_form *friction;   /* (groups) of friction that follows from reactions; NULL */
     const cardan_form *rates;      /* (movers) of qdot by q and u; NULL calls: speeds are rates */
     const cardan_form *formula;    /* value of an expression by states and outputs (in v), and its slopes
                                       by t q u z r p and outputs */
@@ -60,6 +72,10 @@ typedef struct cardan_mesh_product {
     const ptrdiff_t *column;       /* (columns) which derivative, see mesh_product.c */
     ptrdiff_t parts;               /* blocks and names that it is by */
     const ptrdiff_t *part;         /* (parts + 1) where each begins among the columns */
+    /* of Hessians, whose forms are gradients: the same with changes, and with changes of gradients; NULL
+     * else */
+    const struct cardan_mesh_product *change, *curvature;
+    ptrdiff_t data_rows;           /* of all groups */
 } cardan_mesh_product;
 
 /* numbers of work memory that these need */
@@ -75,5 +91,8 @@ int cardan_mesh_call_jvp(const cardan_in *in, real *out, real *work);
 /* (results, columns of the part), part after part: row by row, or column by column, by changes */
 int cardan_mesh_call_derivative(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_columns(const cardan_in *in, real *out, real *work);
+/* mesh_hessian.c: (columns, columns): second derivatives of the sum with weights v */
+int cardan_mesh_call_hessian(const cardan_in *in, real *out, real *work);
+ptrdiff_t cardan_mesh_hessian_work(const cardan_mesh_product *product);
 
 #endif

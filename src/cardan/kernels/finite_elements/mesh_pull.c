@@ -5,7 +5,7 @@
 #include "mesh_pull.h"
 #include <string.h>
 
-static ptrdiff_t lay_slopes(const cardan_mesh_product *product, real *block, cardan_slopes *by)
+ptrdiff_t cardan_mesh_lay_slopes(const cardan_mesh_product *product, real *block, cardan_slopes *by)
 {
     const cardan_mesh *mesh = product->mesh;
     ptrdiff_t used = 0;
@@ -21,6 +21,9 @@ static ptrdiff_t lay_slopes(const cardan_mesh_product *product, real *block, car
     by->udot = cardan_reserve(block, &used, mesh->nu);
     by->tau = cardan_reserve(block, &used, mesh->nu);
     by->lam = cardan_reserve(block, &used, mesh->m);
+    by->behind = cardan_reserve(block, &used, mesh->nu);
+    by->certainty = cardan_reserve(block, &used, mesh->frictions);
+    by->responses = cardan_reserve(block, &used, mesh->responses);
     by->count = used;
     return used;
 }
@@ -35,21 +38,25 @@ ptrdiff_t cardan_mesh_lay_place(const cardan_mesh_product *product, real *block,
     here->direct = cardan_reserve(block, &used, mesh->outputs + 2);
     here->unit = cardan_reserve(block, &used, product->results + mesh->outputs);
     here->column = cardan_reserve(block, &used, product->columns + product->results);
-    used += lay_slopes(product, block ? block + used : NULL, &here->by);
-    used += lay_slopes(product, block ? block + used : NULL, &here->way);
+    used += cardan_mesh_lay_slopes(product, block ? block + used : NULL, &here->by);
+    used += cardan_mesh_lay_slopes(product, block ? block + used : NULL, &here->way);
+    here->stretch = cardan_reserve(block, &used, product->quaternions);
+    used += cardan_mesh_lay_event(product, block ? block + used : NULL, &here->event);
     here->room = cardan_reserve(block, &used, cardan_mesh_room(mesh));
     return used;
 }
 
-/* Derivatives by data become those by parameters. */
+/* Derivatives by data become those by parameters; `by_data` (rows), if it is not NULL, gets them too. */
 static void add_data(const cardan_data_slopes *data, const cardan_element_lanes *some,
-                     const real *out, real *by_p)
+                     const real *out, real *by_p, real *by_data)
 {
     for (ptrdiff_t i = 0; i < data->count; i++, out += some->lanes)
         for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
             const ptrdiff_t row = (data->shared ? 0 : some->element[lane] * data->count) + i;
             for (ptrdiff_t k = data->start[row]; k < data->start[row + 1]; k++)
                 by_p[data->parameter[k]] += data->slope[k] * out[lane];
+            if (by_data)
+                by_data[data->first_row + row] += out[lane];
         }
 }
 
@@ -73,8 +80,11 @@ static void take_gradient(const cardan_mesh *mesh, const cardan_group *g,
             by->r[i] += next[lane];
     for (ptrdiff_t lane = 0; lane < some->filled; lane++)
         *by->t += next[lane];
+    next += some->lanes;
+    if (here->at.behind)
+        next = cardan_mesh_add_events(mesh, g, some, next, by);
     if (here->product->data)
-        add_data(here->product->data + (g - mesh->groups), some, next + some->lanes, by->p);
+        add_data(here->product->data + (g - mesh->groups), some, next, by->p, here->by_data);
 }
 
 /* Weights of the results of elements: of a balance with what belongs to it those of the balance (nu), g
@@ -106,87 +116,48 @@ static real *give_weights(const cardan_mesh *mesh, const cardan_group *g, const 
     return to;
 }
 
-/* Add the gradient of a sum of results of elements at the state. */
-static int sweep(cardan_place *here, const cardan_form *forms, int form, const real *weights)
+/* The same, and then the direction along which their gradient changes. */
+static real *give_both(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
+                       ptrdiff_t lanes, const cardan_gift *gift, real *to)
 {
-    const cardan_gift gift = {give_weights, form, weights, NULL};
+    return cardan_mesh_give_direction(mesh, g, element, lanes, gift,
+                                      give_weights(mesh, g, element, lanes, gift, to));
+}
+
+int cardan_mesh_pull_with(cardan_place *here, const cardan_form *forms, const cardan_gift *gift)
+{
     cardan_state at = here->at;
     int status = 0;
 
-    at.gift = &gift;
+    at.gift = gift;
     for (ptrdiff_t k = 0; k < here->mesh->group_count && status == 0; k++)
         status = cardan_mesh_group(here->mesh, here->mesh->groups + k, forms + k, &at, take_gradient,
                                    here, here->room);
     return status;
 }
 
-/* v . qdot of a pose by q (7) and u (6). */
-static void pull_pose(const real *q, const real *u, const real *v, real *by_q, real *by_u)
+int cardan_mesh_pull_elements(cardan_place *here, const cardan_form *forms, int form,
+                              const real *weights, int along)
 {
-    by_u[0] += 0.5 * (-q[1] * v[0] + q[0] * v[1] + q[3] * v[2] - q[2] * v[3]);
-    by_u[1] += 0.5 * (-q[2] * v[0] - q[3] * v[1] + q[0] * v[2] + q[1] * v[3]);
-    by_u[2] += 0.5 * (-q[3] * v[0] + q[2] * v[1] - q[1] * v[2] + q[0] * v[3]);
-    for (int i = 0; i < 3; i++)
-        by_u[3 + i] += v[4 + i];
-    if (!u)
-        return;
-    by_q[0] += 0.5 * (u[0] * v[1] + u[1] * v[2] + u[2] * v[3]);
-    by_q[1] += 0.5 * (-u[0] * v[0] - u[2] * v[2] + u[1] * v[3]);
-    by_q[2] += 0.5 * (-u[1] * v[0] + u[2] * v[1] - u[0] * v[3]);
-    by_q[3] += 0.5 * (-u[2] * v[0] - u[1] * v[1] + u[0] * v[2]);
+    const cardan_gift gift = {along ? give_both : give_weights, form, weights, here};
+
+    return cardan_mesh_pull_with(here, forms, &gift);
 }
 
-/* Add v . qdot by q and u; u may be NULL: by u alone, which are speeds that q moves along. */
-static int pull_rates(const cardan_place *here, const real *u, const real *v, real *by_q, real *by_u)
-{
-    const cardan_mesh *mesh = here->mesh;
-    int status = 0;
-
-    for (ptrdiff_t k = 0; k < mesh->nodes; k++) {
-        const ptrdiff_t q = mesh->q[mesh->node[k]], n = mesh->u[mesh->node[k]];
-        pull_pose(here->at.q + q, u ? u + n : NULL, v + q, by_q + q, by_u + n);
-    }
-    /* the other kinds of places by gradients of their own, if speeds are not rates there */
-    for (ptrdiff_t n = 0; n < mesh->mover_count; n++) {
-        const cardan_movers *movers = mesh->movers + n;
-        const cardan_form *form = here->product->rates + n;
-        for (ptrdiff_t k = 0; k < movers->count && status == 0; k++) {
-            const ptrdiff_t q = mesh->q[movers->place[k]], at = mesh->u[movers->place[k]];
-            real *out = here->room;
-            cardan_in in = {0};
-            if (!form->call) {
-                for (ptrdiff_t i = 0; i < movers->nq; i++)
-                    by_u[at + i] += v[q + i];
-                continue;
-            }
-            in.q = here->at.q + q;
-            in.u = (u ? u : here->at.q) + (u ? at : q);
-            in.v = v + q;
-            in.w = form->w;
-            status = form->call(&in, out, out + movers->nq + movers->nu);
-            for (ptrdiff_t i = 0; i < movers->nq && u; i++)
-                by_q[q + i] += out[i];
-            for (ptrdiff_t i = 0; i < movers->nu; i++)
-                by_u[at + i] += out[movers->nq + i];
-        }
-    }
-    return status;
-}
-
-/* Weights of the dynamics by which what was solved for has derivatives `by_udot` and `by_lam`. */
-static int pull_solution(cardan_place *here, const real *by_udot, const real *by_lam)
+int cardan_mesh_pull_solution(cardan_place *here, const real *by_udot, const real *by_lam)
 {
     const cardan_mesh *mesh = here->mesh;
     cardan_mesh_system *system = &here->system;
     real *missed = here->weights + mesh->nu + mesh->mp + mesh->m;
     int status;
 
-    /* without friction that follows from reactions the matrix is symmetric */
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         system->right[i] = by_udot ? by_udot[i] : 0;
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         system->right[mesh->unknown[k]] = by_lam ? -by_lam[k] : 0;
-    status = cardan_mesh_solve(mesh, system);
+    /* without friction that follows from reactions the matrix is symmetric */
+    status = mesh->frictions > 0 ? cardan_mesh_friction_solve(mesh, system, &here->friction, 1)
+                                 : cardan_mesh_solve(mesh, system);
     for (ptrdiff_t i = 0; i < mesh->nu; i++) {
         here->weights[i] -= system->solution[i];
         here->by.tau[i] += system->solution[i];
@@ -200,12 +171,12 @@ static int pull_solution(cardan_place *here, const real *by_udot, const real *by
 static int pull_direct(cardan_place *here, int form, const real *weights, int solved)
 {
     cardan_slopes *by = &here->by;
-    int status = sweep(here, here->product->direct, form, weights);
+    int status = cardan_mesh_pull_elements(here, here->product->direct, form, weights, 0);
 
     if (status == 0 && solved)
-        status = pull_solution(here, by->udot, by->lam);
+        status = cardan_mesh_pull_solution(here, by->udot, by->lam);
     if (status == 0 && solved)
-        status = sweep(here, here->product->dynamics, CARDAN_BALANCE, here->weights);
+        status = cardan_mesh_pull_balance(here, here->weights, 0);
     return status;
 }
 
@@ -256,8 +227,12 @@ static int pull_closing(cardan_place *here, const real *moved, real *weights, pt
     status = cardan_mesh_solve(mesh, system);
     for (ptrdiff_t k = 0; k < rows; k++)
         weights[k] -= system->solution[mesh->unknown[k]];
-    return status != 0 ? status
-                       : sweep(here, here->product->dynamics, CARDAN_BALANCE, here->weights);
+    /* those of the equations of the increment, which is 0 itself */
+    for (ptrdiff_t i = 0; i < mesh->nu && here->closing; i++)
+        here->closing[i] = -system->solution[i];
+    for (ptrdiff_t k = 0; k < mesh->m && here->closing; k++)
+        here->closing[mesh->nu + mesh->mp + mesh->m + k] = -system->solution[mesh->unknown[k]];
+    return status != 0 ? status : cardan_mesh_pull_balance(here, here->weights, 0);
 }
 
 /* Copy n weights. */
@@ -288,24 +263,22 @@ static int pull_dynamics(cardan_place *here, const real *v)
         break;
     /* what was solved for counts by its equations */
     case CARDAN_OF_RHS:
-        status = pull_rates(here, here->at.u, v, here->by.q, here->by.u);
+        status = cardan_mesh_pull_rates(here, here->at.u, v, here->by.q, here->by.u);
         copy(mesh->nz, v + mesh->nq + nu, rates + 2 * mesh->m);
         if (status == 0)
-            status = pull_solution(here, v + mesh->nq, NULL);
+            status = cardan_mesh_pull_solution(here, v + mesh->nq, NULL);
         break;
     case CARDAN_OF_FORWARD_DYNAMICS:
-        status = pull_solution(here, v, NULL);
+        status = cardan_mesh_pull_solution(here, v, NULL);
         break;
     case CARDAN_OF_MULTIPLIERS:
-        status = pull_solution(here, NULL, v);
+        status = cardan_mesh_pull_solution(here, NULL, v);
         break;
     }
-    return status != 0 ? status
-                       : sweep(here, here->product->dynamics, CARDAN_BALANCE, here->weights);
+    return status != 0 ? status : cardan_mesh_pull_balance(here, here->weights, 0);
 }
 
-/* Derivatives by everything of the results with weights v. */
-static int pull(cardan_place *here, const real *v)
+int cardan_mesh_pull_stored(cardan_place *here, const real *v)
 {
     const cardan_mesh *mesh = here->mesh;
     const ptrdiff_t nq = mesh->nq, nu = mesh->nu;
@@ -317,25 +290,29 @@ static int pull(cardan_place *here, const real *v)
     memset(by->t, 0, (size_t)by->count * sizeof(real));
     switch (here->product->function) {
     case CARDAN_OF_QDOT:
-        return pull_rates(here, here->at.u, v, by->q, by->u);
+        return cardan_mesh_pull_rates(here, here->at.u, v, by->q, by->u);
     case CARDAN_OF_ENERGY:
         /* the third result is the sum of the others */
         here->direct[0] = v[0] + v[2];
         here->direct[1] = v[1] + v[2];
-        return sweep(here, here->product->direct, CARDAN_ENERGY, here->direct);
+        return cardan_mesh_pull_elements(here, here->product->direct, CARDAN_ENERGY, here->direct, 0);
     case CARDAN_OF_MOMENTUM:
-        return sweep(here, here->product->direct, CARDAN_MOMENTUM, v);
+        return cardan_mesh_pull_elements(here, here->product->direct, CARDAN_MOMENTUM, v, 0);
     case CARDAN_OF_POWER:
         return pull_direct(here, CARDAN_POWER, v, mesh->driven != 0);
     case CARDAN_OF_OUTPUTS:
         return pull_direct(here, CARDAN_OUTPUTS, v, mesh->solved != 0);
     case CARDAN_OF_EXPRESSION:
         return pull_expression(here, v[0]);
+    case CARDAN_OF_EVENTS:
+        return cardan_mesh_pull_events(here, v);
+    case CARDAN_OF_TRANSITION:
+        return cardan_mesh_pull_transition(here, v);
     case CARDAN_OF_CLOSE_POSITION:
         copy(nq, v, by->q);
         copy(mesh->mp, v + nq, gaps);
         /* an increment moves q along the speeds */
-        status = pull_rates(here, NULL, v, NULL, by->tau);
+        status = cardan_mesh_pull_rates(here, NULL, v, NULL, by->tau);
         return status != 0 ? status : pull_closing(here, by->tau, gaps, mesh->mp);
     case CARDAN_OF_CLOSE_VELOCITY:
         copy(nu, v, by->u);
@@ -350,7 +327,7 @@ static int pull(cardan_place *here, const real *v)
 static int finish(const cardan_place *here)
 {
     const cardan_slopes *by = &here->by;
-    const int status = pull_rates(here, NULL, by->q, NULL, by->along);
+    const int status = cardan_mesh_pull_rates(here, NULL, by->q, NULL, by->along);
 
     for (ptrdiff_t k = 0; k < here->product->quaternions; k++) {
         const real *q = here->at.q + here->product->quaternion[k];
@@ -364,7 +341,7 @@ static int finish(const cardan_place *here)
 
 int cardan_mesh_pull(cardan_place *here, const real *v)
 {
-    const int status = pull(here, v);
+    const int status = cardan_mesh_pull_stored(here, v);
 
     return status != 0 ? status : finish(here);
 }

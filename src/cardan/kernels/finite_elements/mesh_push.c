@@ -5,9 +5,10 @@
 #include "mesh_pull.h"
 #include <string.h>
 
-/* Directions of what elements read, their data included. */
-static real *give_direction(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
-                            ptrdiff_t lanes, const cardan_gift *gift, real *to)
+/* Their data included. */
+real *cardan_mesh_give_direction(const cardan_mesh *mesh, const cardan_group *g,
+                                 const ptrdiff_t *element, ptrdiff_t lanes,
+                                 const cardan_gift *gift, real *to)
 {
     const cardan_place *here = gift->more;
     const cardan_slopes *way = &here->way;
@@ -25,6 +26,8 @@ static real *give_direction(const cardan_mesh *mesh, const cardan_group *g, cons
             *to++ = way->r[i];
     for (ptrdiff_t lane = 0; lane < lanes; lane++)
         *to++ = *way->t;
+    if (here->at.behind)
+        to = cardan_mesh_give_events(mesh, g, element, lanes, way, to);
     /* changes of parameters become those of data */
     for (ptrdiff_t i = 0; i < data->count; i++)
         for (ptrdiff_t lane = 0; lane < lanes; lane++) {
@@ -71,20 +74,26 @@ static void take_change(const cardan_mesh *mesh, const cardan_group *g,
     }
 }
 
-/* Changes of what elements give, summed up in `to`. */
-static int sweep(cardan_place *here, const cardan_form *forms, int form, ptrdiff_t size, real *to)
+int cardan_mesh_push_with(cardan_place *here, const cardan_form *forms, cardan_taker *take, void *to)
 {
-    const cardan_gift gift = {give_direction, form, NULL, here};
-    taken change = {form, to};
+    const cardan_gift gift = {cardan_mesh_give_direction, 0, NULL, here};
     cardan_state at = here->at;
     int status = 0;
 
-    memset(to, 0, (size_t)size * sizeof(real));
     at.gift = &gift;
     for (ptrdiff_t k = 0; k < here->mesh->group_count && status == 0; k++)
-        status = cardan_mesh_group(here->mesh, here->mesh->groups + k, forms + k, &at, take_change,
-                                   &change, here->room);
+        status = cardan_mesh_group(here->mesh, here->mesh->groups + k, forms + k, &at, take, to,
+                                   here->room);
     return status;
+}
+
+/* Changes of what elements give, summed up in `to`. */
+static int sweep(cardan_place *here, const cardan_form *forms, int form, ptrdiff_t size, real *to)
+{
+    taken change = {form, to};
+
+    memset(to, 0, (size_t)size * sizeof(real));
+    return cardan_mesh_push_with(here, forms, take_change, &change);
 }
 
 /* Changes of a balance and of all that belongs to it. */
@@ -96,8 +105,7 @@ static int sweep_dynamics(cardan_place *here)
                  mesh->nu + mesh->mp + 2 * mesh->m + mesh->nz, here->weights);
 }
 
-/* Changes of accelerations and multipliers, which become parts of the direction. */
-static int push_solution(cardan_place *here)
+int cardan_mesh_push_solution(cardan_place *here)
 {
     const cardan_mesh *mesh = here->mesh;
     const real *missed = here->weights + mesh->nu + mesh->mp + mesh->m;
@@ -109,7 +117,8 @@ static int push_solution(cardan_place *here)
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         system->right[mesh->unknown[k]] = -missed[k];
     if (status == 0)
-        status = cardan_mesh_solve(mesh, system);
+        status = mesh->frictions > 0 ? cardan_mesh_friction_solve(mesh, system, &here->friction, 0)
+                                     : cardan_mesh_solve(mesh, system);
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         here->way.udot[i] = system->solution[i];
     for (ptrdiff_t k = 0; k < mesh->m; k++)
@@ -117,48 +126,9 @@ static int push_solution(cardan_place *here)
     return status;
 }
 
-/* Change of the rates of a unit quaternion that turns with w while it changes by d. */
-static void push_quaternion(const real *d, const real *w, real *rate)
+int cardan_mesh_push_direct(cardan_place *here, int form, ptrdiff_t size, int solved, real *to)
 {
-    rate[0] -= 0.5 * (d[1] * w[0] + d[2] * w[1] + d[3] * w[2]);
-    rate[1] += 0.5 * (d[0] * w[0] + d[2] * w[2] - d[3] * w[1]);
-    rate[2] += 0.5 * (d[0] * w[1] + d[3] * w[0] - d[1] * w[2]);
-    rate[3] += 0.5 * (d[0] * w[2] + d[1] * w[1] - d[2] * w[0]);
-}
-
-/* Changes of qdot. */
-static int push_rates(cardan_place *here, real *out)
-{
-    const cardan_mesh *mesh = here->mesh;
-    const cardan_slopes *way = &here->way;
-    int status = cardan_mesh_rates(mesh, here->at.q, way->u, out, here->room);
-
-    for (ptrdiff_t k = 0; k < mesh->nodes; k++) {
-        const ptrdiff_t q = mesh->q[mesh->node[k]];
-        push_quaternion(way->q + q, here->at.u + mesh->u[mesh->node[k]], out + q);
-    }
-    /* the other kinds of places by functions of their own, where speeds are not rates */
-    for (ptrdiff_t n = 0; n < mesh->mover_count; n++) {
-        const cardan_movers *movers = mesh->movers + n;
-        const cardan_form *form = here->product->rates + n;
-        for (ptrdiff_t k = 0; form->call && k < movers->count && status == 0; k++) {
-            const ptrdiff_t q = mesh->q[movers->place[k]], u = mesh->u[movers->place[k]];
-            real *direction = here->room, *change = direction + movers->nq + movers->nu;
-            const cardan_in in = {.q = here->at.q + q, .u = here->at.u + u, .v = direction,
-                                  .w = form->w};
-            memcpy(direction, way->q + q, (size_t)movers->nq * sizeof(real));
-            memcpy(direction + movers->nq, way->u + u, (size_t)movers->nu * sizeof(real));
-            status = form->call(&in, change, change + movers->nq);
-            memcpy(out + q, change, (size_t)movers->nq * sizeof(real));
-        }
-    }
-    return status;
-}
-
-/* Change of outputs or powers. */
-static int push_direct(cardan_place *here, int form, ptrdiff_t size, int solved, real *to)
-{
-    const int status = solved ? push_solution(here) : 0;
+    const int status = solved ? cardan_mesh_push_solution(here) : 0;
 
     return status != 0 ? status : sweep(here, here->product->direct, form, size, to);
 }
@@ -177,7 +147,7 @@ static int push_expression(cardan_place *here, real *out)
     int status = 0;
 
     if (mesh->outputs > 0)
-        status = push_direct(here, CARDAN_OUTPUTS, mesh->outputs, mesh->solved != 0, here->unit);
+        status = cardan_mesh_push_direct(here, CARDAN_OUTPUTS, mesh->outputs, mesh->solved != 0, here->unit);
     if (status == 0)
         status = form->call(&in, here->room, here->room + form->size);
     out[0] = 0;
@@ -199,6 +169,16 @@ static int push_closing(cardan_place *here, const real *gaps, ptrdiff_t rows)
     return cardan_mesh_solve(mesh, system);
 }
 
+int cardan_mesh_push_increment(cardan_place *here, int speeds)
+{
+    const cardan_mesh *mesh = here->mesh;
+    const int status = sweep_dynamics(here);
+
+    return status != 0 ? status
+                       : push_closing(here, here->weights + mesh->nu + (speeds ? mesh->mp : 0),
+                                      speeds ? mesh->m : mesh->mp);
+}
+
 /* Changes of projected positions or speeds, and of the gaps before. */
 static int push_projection(cardan_place *here, int speeds, real *out)
 {
@@ -206,10 +186,8 @@ static int push_projection(cardan_place *here, int speeds, real *out)
     const real *gaps = here->weights + mesh->nu + (speeds ? mesh->mp : 0);
     const ptrdiff_t rows = speeds ? mesh->m : mesh->mp, count = speeds ? mesh->nu : mesh->nq;
     const real *before = speeds ? here->way.u : here->way.q, *moved = here->system.solution;
-    int status = sweep_dynamics(here);
+    int status = cardan_mesh_push_increment(here, speeds);
 
-    if (status == 0)
-        status = push_closing(here, gaps, rows);
     /* an increment moves coordinates along the speeds */
     if (status == 0 && !speeds) {
         status = cardan_mesh_rates(mesh, here->at.q, moved, here->by.q, here->room);
@@ -221,8 +199,7 @@ static int push_projection(cardan_place *here, int speeds, real *out)
     return status;
 }
 
-/* Everything that a direction changes: coordinates along the speeds and as they are stored. */
-static int direction_of(cardan_place *here, const real *v)
+int cardan_mesh_direction(cardan_place *here, const real *v)
 {
     const cardan_mesh_product *product = here->product;
     const cardan_mesh *mesh = here->mesh;
@@ -242,6 +219,7 @@ static int direction_of(cardan_place *here, const real *v)
         const real along = cardan_dot(q, change, 4) / cardan_dot(q, q, 4);
         for (int i = 0; i < 4; i++)
             change[i] -= along * q[i];
+        here->stretch[k] = along;
     }
     return status;
 }
@@ -251,7 +229,7 @@ int cardan_mesh_push(cardan_place *here, const real *v, real *out)
     const cardan_mesh *mesh = here->mesh;
     const ptrdiff_t function = here->product->function, nq = mesh->nq, nu = mesh->nu;
     const real *gaps = here->weights + nu, *rates = gaps + mesh->mp;
-    int status = direction_of(here, v);
+    int status = cardan_mesh_direction(here, v);
 
     if (status != 0)
         return status;
@@ -274,24 +252,28 @@ int cardan_mesh_push(cardan_place *here, const real *v, real *out)
     case CARDAN_OF_MOMENTUM:
         return sweep(here, here->product->direct, CARDAN_MOMENTUM, 6, out);
     case CARDAN_OF_POWER:
-        return push_direct(here, CARDAN_POWER, mesh->powers, mesh->driven != 0, out);
+        return cardan_mesh_push_direct(here, CARDAN_POWER, mesh->powers, mesh->driven != 0, out);
     case CARDAN_OF_OUTPUTS:
-        return push_direct(here, CARDAN_OUTPUTS, mesh->outputs, mesh->solved != 0, out);
+        return cardan_mesh_push_direct(here, CARDAN_OUTPUTS, mesh->outputs, mesh->solved != 0, out);
     case CARDAN_OF_EXPRESSION:
         return push_expression(here, out);
     case CARDAN_OF_QDOT:
-        return push_rates(here, out);
+        return cardan_mesh_push_rates(here, out);
+    case CARDAN_OF_EVENTS:
+        return cardan_mesh_push_events(here, out);
+    case CARDAN_OF_TRANSITION:
+        return cardan_mesh_push_transition(here, out);
     /* what is solved for */
     case CARDAN_OF_RHS:
-        status = push_rates(here, out);
+        status = cardan_mesh_push_rates(here, out);
         if (status == 0)
-            status = push_solution(here);
+            status = cardan_mesh_push_solution(here);
         memcpy(out + nq, here->way.udot, (size_t)nu * sizeof(real));
         memcpy(out + nq + nu, rates + 2 * mesh->m, (size_t)mesh->nz * sizeof(real));
         return status;
     case CARDAN_OF_FORWARD_DYNAMICS:
     case CARDAN_OF_MULTIPLIERS:
-        status = push_solution(here);
+        status = cardan_mesh_push_solution(here);
         memcpy(out, function == CARDAN_OF_MULTIPLIERS ? here->way.lam : here->way.udot,
                (size_t)here->product->results * sizeof(real));
         return status;

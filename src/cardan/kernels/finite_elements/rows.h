@@ -10,7 +10,7 @@
 
 #include "cardan.h"
 
-#if CARDAN_LANES == 1 && CARDAN_PACK > 1
+#if CARDAN_LANES == 1 && CARDAN_PACK > 1 && !defined CARDAN_COMPLEX
 #define CARDAN_QUAD 4
 typedef double cardan_quad __attribute__((vector_size(32), aligned(8), may_alias));
 #else
@@ -177,7 +177,7 @@ CARDAN_APART void cardan_set_matrix(int count, int n, const double *constants, c
 }
 
 /* out (n) += C^T x with C of states, from zeros where `set` */
-#if CARDAN_LANES > 1
+#if CARDAN_LANES > 1 || defined CARDAN_COMPLEX
 CARDAN_APART void cardan_rows(int set, int rows, int n, const real *C, const real *x, real *out)
 {
     CARDAN_PRODUCT(rows, n, n, C, x, set ? CARDAN_REAL(0.0) : out[j], out)
@@ -222,7 +222,7 @@ CARDAN_APART void cardan_dots(int rows, int n, const real *A, const real *x, rea
 }
 
 /* The same with A of constants. */
-#if CARDAN_LANES > 1
+#if CARDAN_LANES > 1 || defined CARDAN_COMPLEX
 CARDAN_APART void cardan_dots_constants(int rows, int n, const double *A, const real *x, real *out)
 {
     for (int k = 0; k < rows; ++k) CARDAN_SUM_OF_PRODUCTS(n, A + k * n, x, out[k]);

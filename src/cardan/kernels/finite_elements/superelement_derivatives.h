@@ -226,13 +226,71 @@ CARDAN_INLINE int cardan_superelement_dynamics_change(int n, int on_node, int dr
     return status;
 }
 
+/* Numbers of a direction, or of derivatives, by all that a superelement reads. */
+CARDAN_INLINE int cardan_superelement_reads(int n, int on_node, int nr)
+{
+    return n + 7 * on_node + 2 * (n + 6 * on_node) + nr + 1 + 15;
+}
+
+/* What an impulse is to a superelement: M udot, the forces at rest less those without acceleration.
+ * There is no stiffness among the constants, which would round beside masses. */
+CARDAN_INLINE int cardan_superelement_impulse_gradient(int n, int on_node, int drifts, int nr,
+                                                       const double *constants, const cardan_in *in,
+                                                       real *CARDAN_RESTRICT out,
+                                                       real *CARDAN_RESTRICT work)
+{
+    const int N = n + 6 * on_node, nq = N + on_node, count = cardan_superelement_reads(n, on_node, nr);
+    real *const still = work, *const other = still + N, *const scratch = other + count;
+    cardan_in there = *in;
+    int status;
+
+    for (int i = 0; i < N; ++i) still[i] = CARDAN_REAL(0.0);
+    there.u = still;
+    status = cardan_superelement_dynamics_gradient(n, on_node, drifts, nr, constants, &there, out, scratch);
+    there.udot = still;
+    if (status == CARDAN_OK)
+        status = cardan_superelement_dynamics_gradient(n, on_node, drifts, nr, constants, &there, other,
+                                                       scratch);
+    /* by accelerations both are the masses */
+    for (int i = 0; i < count; ++i)
+        if (i < nq + N || i >= nq + 2 * N) out[i] -= other[i];
+    for (int i = nq; i < nq + N; ++i) out[i] = CARDAN_REAL(0.0);
+    return status;
+}
+
+CARDAN_INLINE int cardan_superelement_impulse_change(int n, int on_node, int drifts, int nr,
+                                                     const double *constants, const cardan_in *in,
+                                                     real *CARDAN_RESTRICT out,
+                                                     real *CARDAN_RESTRICT work)
+{
+    const int N = n + 6 * on_node, nq = N + on_node, count = cardan_superelement_reads(n, on_node, nr);
+    real *const still = work, *const other = still + N, *const way = other + N;
+    real *const scratch = way + count;
+    cardan_in there = *in;
+    int status;
+
+    for (int i = 0; i < N; ++i) still[i] = CARDAN_REAL(0.0);
+    for (int i = 0; i < count; ++i)
+        way[i] = i >= nq && i < nq + N ? CARDAN_REAL(0.0) : in->v[i];
+    there.u = still;
+    there.v = way;
+    status = cardan_superelement_dynamics_change(n, on_node, drifts, nr, constants, &there, out, scratch);
+    there.udot = still;
+    for (int i = nq + N; i < nq + 2 * N; ++i) way[i] = CARDAN_REAL(0.0);
+    if (status == CARDAN_OK)
+        status = cardan_superelement_dynamics_change(n, on_node, drifts, nr, constants, &there, other,
+                                                     scratch);
+    for (int i = 0; i < N; ++i) out[i] -= other[i];
+    return status;
+}
+
 /* Of the kinetic and the potential energy along a direction. */
 CARDAN_INLINE int cardan_superelement_energy_change(int n, int on_node, int drifts, int nr,
                                                     const double *constants, const cardan_in *in,
                                                     real *CARDAN_RESTRICT out,
                                                     real *CARDAN_RESTRICT work)
 {
-    const int states = n + 7 * on_node + 2 * (n + 6 * on_node) + nr + 1, count = states + 15;
+    const int count = cardan_superelement_reads(n, on_node, nr), states = count - 15;
     real weights[2];
     cardan_in there = *in;
 

@@ -7,8 +7,7 @@ build serves every Python from 3.11 on: of Python.h it uses the limited API alon
 
 cimport cython
 from cpython.buffer cimport PyBUF_C_CONTIGUOUS, PyBUF_FORMAT, PyBUF_WRITABLE, PyBuffer_Release
-from cpython.exc cimport PyErr_Clear
-from cpython.float cimport PyFloat_AsDouble, PyFloat_CheckExact
+from cpython.exc cimport PyErr_Clear, PyErr_Occurred
 from libc.stdint cimport uintptr_t
 from libc.stdlib cimport free, malloc
 from libc.string cimport memset
@@ -22,6 +21,10 @@ BLOCK_COUNT = BLOCKS
 cdef extern from "Python.h":
     # without "except": in the limited API entering a ``try`` takes longer than this call
     int PyObject_GetBuffer(object exporter, Py_buffer *view, int flags) noexcept
+    bint PyFloat_Check(object value) noexcept
+    bint PyLong_CheckExact(object value) noexcept
+    double PyFloat_AsDouble(object value) noexcept
+    double PyLong_AsDouble(object value) noexcept
 
 cdef extern from "map.h" nogil:
     ctypedef struct cardan_in:
@@ -41,6 +44,8 @@ cdef enum:
     PLACES = 3
     SMALL_WORK = 512
     LONG = 20000
+    # numbers of lists that are not worth more ado
+    LISTED = 128
 
 cdef object ndarray = np.ndarray
 cdef object empty = np.empty
@@ -107,9 +112,23 @@ def first_bad(x):
     return answer
 
 
+cdef inline bint read(value, double *number) noexcept:
+    """Whether a value is a finite number, and the number."""
+    if PyFloat_Check(value):
+        number[0] = PyFloat_AsDouble(value)
+    elif PyLong_CheckExact(value):
+        number[0] = PyLong_AsDouble(value)
+        if number[0] == -1 and PyErr_Occurred():
+            PyErr_Clear()
+            return False
+    else:
+        return False
+    return number[0] - number[0] == 0
+
+
 @cython.final
 cdef class Fast:
-    """One function for one state in contiguous arrays; everything else goes to the caller."""
+    """One function for one state or a few of them; everything else goes to the caller."""
 
     cdef function f
     cdef int count
@@ -121,7 +140,7 @@ cdef class Fast:
     cdef const double *fallback[ARGUMENTS]
     cdef const double *w
     cdef int w_slot
-    cdef bint is_long
+    cdef Py_ssize_t operations, few
     cdef Py_ssize_t out_size, work_size
     cdef object caller, shape, held
     cdef tuple empty_arguments
@@ -134,7 +153,8 @@ cdef class Fast:
         self.count, self.w_slot = len(caller.arguments), w_slot
         self.out_size, self.work_size, self.shape = caller.size, caller.work_size, caller.shape
         self.empty_arguments = (self.shape,)
-        self.is_long = caller.operations > LONG
+        self.operations = caller.operations
+        self.few = caller.few
         self.w = self.hold(caller.w)
         for i, argument in enumerate(caller.arguments):
             self.size[i], self.axes[i] = argument.size, len(argument.shape)
@@ -153,16 +173,20 @@ cdef class Fast:
 
     def __call__(self, out, *values):
         cdef const double *at[BLOCKS]
-        cdef double number[ARGUMENTS]
+        cdef size_t step[BLOCKS]
+        cdef double number[ARGUMENTS + LISTED]
         cdef Py_buffer views[ARGUMENTS]
-        cdef int used = 0, i, ready
-        cdef Py_ssize_t k
+        cdef int used = 0, listed = 0, i, ready
+        # of a batch
+        cdef Py_ssize_t states = -1, rows
         cdef Py_ssize_t given = len(values)
         if given > self.count:
             return self.caller(out, *values)
         memset(at, 0, sizeof(at))
+        memset(step, 0, sizeof(step))
         at[self.w_slot] = self.w
         ready = 1
+        result = None
         try:
             # every argument becomes a pointer, or the call is not a plain one
             for i in range(self.count):
@@ -173,36 +197,49 @@ cdef class Fast:
                         ready = 0
                         break
                     self.point(at, i, self.fallback[i])
-                elif self.axes[i] == 0:
-                    if not PyFloat_CheckExact(value):
-                        ready = 0
-                        break
-                    number[i] = PyFloat_AsDouble(value)
-                    if number[i] - number[i] != 0:
-                        ready = 0
-                        break
-                    self.point(at, i, &number[i])
-                else:
-                    if type(value) is not ndarray or self.axes[i] != 1:
-                        ready = 0
-                        break
+                elif type(value) is ndarray:
                     if PyObject_GetBuffer(value, &views[used], NUMBERS):
                         PyErr_Clear()
                         ready = 0
                         break
                     used += 1
-                    if not self.fits(&views[used - 1], self.size[i]):
+                    rows = self.rows(&views[used - 1], i)
+                    if rows < 0 or (rows > 0 and states >= 0 and rows != states):
                         ready = 0
                         break
+                    if rows:
+                        states = rows
+                        self.walk(step, i)
                     self.point(at, i, <const double *>views[used - 1].buf)
-            if ready:
+                elif self.axes[i] == 0:
+                    if not read(value, &number[listed]):
+                        ready = 0
+                        break
+                    self.point(at, i, &number[listed])
+                    listed += 1
+                elif self.axes[i] == 1 and (type(value) is list or type(value) is tuple):
+                    if listed + self.size[i] > LISTED or len(value) != self.size[i]:
+                        ready = 0
+                        break
+                    self.point(at, i, &number[listed])
+                    for one in value:
+                        if listed >= ARGUMENTS + LISTED or not read(one, &number[listed]):
+                            ready = 0
+                            break
+                        listed += 1
+                    if not ready:
+                        break
+                else:
+                    ready = 0
+                    break
+            if ready and states < 0:
                 result = self.evaluate(at, out)
+            elif ready and out is None and states <= self.few:
+                result = self.evaluate_few(at, step, states)
         finally:
             for i in range(used):
                 PyBuffer_Release(&views[i])
-        if not ready or result is None:
-            return self.caller(out, *values)
-        return result
+        return self.caller(out, *values) if result is None else result
 
     cdef inline void point(self, const double **at, int i, const double *start) noexcept:
         """Let the blocks of argument i start there."""
@@ -210,11 +247,30 @@ cdef class Fast:
         for k in range(self.places[i]):
             at[self.slot[i][k]] = start + self.offset[i][k] if start != NULL else NULL
 
-    cdef inline bint fits(self, const Py_buffer *view, Py_ssize_t size) noexcept:
-        """Whether a buffer is a vector of so many finite doubles."""
-        if view.ndim != 1 or view.shape[0] != size or not is_double(view):
-            return False
-        return cardan_first_bad(<const double *>view.buf, <size_t>size) < 0
+    cdef inline void walk(self, size_t *step, int i) noexcept:
+        """Let the blocks of argument i go on from state to state."""
+        cdef int k
+        for k in range(self.places[i]):
+            step[self.slot[i][k]] = <size_t>self.size[i]
+
+    cdef inline Py_ssize_t rows(self, const Py_buffer *view, int i) noexcept:
+        """States of a buffer of finite doubles as argument i has them.
+
+        0 if it has no leading axis; negative if it fits in no simple way.
+        """
+        cdef int lead = view.ndim - self.axes[i]
+        cdef Py_ssize_t count = 1
+        if lead < 0 or lead > 1 or self.axes[i] > 1 or not is_double(view):
+            return -1
+        if lead:
+            count = view.shape[0]
+            if count < 1:
+                return -1
+        if self.axes[i] and view.shape[lead] != self.size[i]:
+            return -1
+        if cardan_first_bad(<const double *>view.buf, <size_t>(count * self.size[i])) >= 0:
+            return -1
+        return count if lead else 0
 
     cdef object evaluate(self, const double **at, out):
         """The result as an array; None where ``out`` or the numbers want a closer look."""
@@ -241,7 +297,7 @@ cdef class Fast:
             except MemoryError:
                 PyBuffer_Release(&view)
                 raise
-        if self.is_long:
+        if self.operations > LONG:
             with nogil:
                 status = self.f(<const cardan_in *>at, <double *>view.buf, work)
         else:
@@ -249,6 +305,25 @@ cdef class Fast:
         bad = cardan_first_bad(<const double *>view.buf, <size_t>self.out_size)
         if work != small:
             free(work)
+        PyBuffer_Release(&view)
+        return result if status == 0 and bad < 0 else None
+
+    cdef object evaluate_few(self, const double **at, const size_t *step, Py_ssize_t states):
+        """The results at some states, (states, ...); None where the numbers want a closer look."""
+        cdef Py_buffer view
+        cdef int status
+        cdef Py_ssize_t bad, failed = -1
+        cdef double *work = memory(self.work_size)
+        result = empty((states, *self.shape))
+        if PyObject_GetBuffer(result, &view, NUMBERS | PyBUF_WRITABLE):
+            PyErr_Clear()
+            free(work)
+            return None
+        with nogil:
+            status = cardan_map(self.f, at, step, <size_t>states, <double *>view.buf,
+                                <size_t>self.out_size, work, &failed)
+            bad = cardan_first_bad(<const double *>view.buf, <size_t>(states * self.out_size))
+        free(work)
         PyBuffer_Release(&view)
         return result if status == 0 and bad < 0 else None
 

@@ -14,10 +14,11 @@ from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, near, warn
 from ...schema.blocks import ORDER, SLOT
 from . import abi
-from .batch import Batch
+from .batch import FEW, Batch
 from .interpreted import Interpreted
 
 MAX_PRINTED = 12
+LITTLE = 200_000  # operations that take no longer than a look at all arguments
 LARGEST = np.iinfo(np.intp).max // 8  # numbers that can be addressed
 
 
@@ -69,6 +70,7 @@ class Caller:
         work_size: Numbers of work memory it needs.
         w: Prepared parameters.
         operations: How many it does: long ones release the GIL for one state too.
+        few: States that are done one by one, with nothing prepared for many.
         evaluator: What stands in for the C function where there is no compiler.
         batch: What goes through many states.
         w_slot: Where w stands in cardan_in.
@@ -96,6 +98,7 @@ class Caller:
         self.work_size = work_size
         self.w = w
         self.operations = operations
+        self.few = min(FEW - 1, LITTLE // max(1, operations))
         self.evaluator = evaluator
         self.batch = Batch(name, None) if batch is None else batch
         self.w_slot = SLOT["w"]

@@ -41,6 +41,7 @@ class Evaluation(ABC):
     """
 
     _calls: Mapping[Key, Any]
+    _derived: dict[object, Any]
 
     @abstractmethod
     def _evaluate(

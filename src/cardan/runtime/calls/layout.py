@@ -15,7 +15,7 @@ from ...schema.functions import FUNCTIONS
 from ...schema.manifest import Manifest
 from ...schema.mechanism import JointRow
 from ...schema.request import reads
-from ...schema.rows import column
+from ...schema.rows import column, having
 from .calling import Argument
 
 AXES = ("mx", "my", "mz", "fx", "fy", "fz")
@@ -107,6 +107,45 @@ class Layout:
             return np.zeros(len(self.names(block)))
         defaults = column(self.manifest.block(block), "default")
         return np.array([x or 0.0 for x in defaults], dtype=np.float64)
+
+    @cached_property
+    def slots(self) -> Mapping[str, Mapping[str, slice]]:
+        """``"q"``, ``"u"``, ``"z"`` -> entries by name; joints stand for all of theirs."""
+        return {letter: self.manifest.slots(letter) for letter in "quz"}
+
+    @cached_property
+    def starts(self) -> Mapping[str, Array]:
+        """``"q"``, ``"u"``, ``"z"`` -> where a run starts unless told: as joints have it, else as
+        coordinates and elements do.
+        """
+        starts = {}
+        for letter in "quz":
+            defaults = column(self.manifest.block(letter), "default")
+            starts[letter] = np.array([x or 0.0 for x in defaults], dtype=np.float64)
+        for letter in "qu":
+            for joint in having(self.manifest.joints, f"{letter}0"):
+                first, size = joint.slot(letter)
+                if size:
+                    values = joint.q0 if letter == "q" else joint.u0
+                    starts[letter][first : first + size] = values
+        return starts
+
+    @cached_property
+    def followers(self) -> Mapping[str, Mapping[str, slice]]:
+        """``"q"``, ``"u"`` -> joints and entries that follow from loops in closed form, and their
+        places among all that follow.
+        """
+        slices: dict[str, dict[str, slice]] = {"q": {}, "u": {}}
+        for letter, places in slices.items():
+            at = 0
+            for joint in having(self.manifest.joints, "solved"):
+                names = joint.solved.names(letter) if joint.solved else ()
+                if names:
+                    places[joint.name] = slice(at, at + len(names))
+                for name in names:
+                    places.setdefault(name, slice(at, at + 1))
+                    at += 1
+        return slices
 
     @cached_property
     def arguments(self) -> dict[str, Argument]:

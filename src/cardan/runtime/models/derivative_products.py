@@ -45,7 +45,7 @@ class DerivativeProducts(Derivatives, ABC):
         Raises:
             ModelError, ArgumentError: as :meth:`derivative`.
         """
-        return Vjp(self, *self._request_of("vjp", function, wrt), isinstance(wrt, str))
+        return self._cached(Vjp, function, wrt)
 
     @checked
     def jvp(self, function: str | tuple[str, str], wrt: str | Sequence[str] = STANDARD) -> Jvp:
@@ -63,7 +63,7 @@ class DerivativeProducts(Derivatives, ABC):
         Raises:
             ModelError, ArgumentError: as :meth:`derivative`.
         """
-        return Jvp(self, *self._request_of("jvp", function, wrt), isinstance(wrt, str))
+        return self._cached(Jvp, function, wrt)
 
     @checked
     def hessian(
@@ -85,7 +85,7 @@ class DerivativeProducts(Derivatives, ABC):
         Raises:
             ModelError, ArgumentError: as :meth:`derivative`.
         """
-        return Hessian(self, *self._request_of("hessian", function, wrt), isinstance(wrt, str))
+        return self._cached(Hessian, function, wrt)
 
 
 @dataclass(frozen=True)
@@ -93,6 +93,17 @@ class Weighted(Derivative):
     """A derivative of a weighted sum of results; its attributes are those of a derivative."""
 
     added: ClassVar[tuple[str, ...]] = ("weights",)
+
+    @cached_property
+    def _of_one_state(self) -> tuple[int, ...] | None:
+        """Shape of the weights of a vector of results; None of others."""
+        axes = len(FUNCTIONS[self.function].shape.split())
+        return (len(self._loaded.entry.vector),) if axes == 1 else None
+
+    def _by_place(self, states: Sequence[object]) -> bool:
+        size = self._of_one_state
+        fits = size is not None and getattr(states[-1], "shape", None) == size if states else False
+        return fits and super()._by_place(states)
 
     def _with_weights(self, states: Sequence[object], keywords: Mapping[str, object]) -> ByName:
         """Arguments by name, the weights as the block v."""
@@ -142,6 +153,9 @@ class Vjp(Weighted):
         Raises:
             ArgumentError, ModelError, SolveError: as the function itself.
         """
+        named = keywords or wrenches is not None or parameters is not None or out is not None
+        if not named and self._by_place(states):
+            return self._at(states)
         values = self._with_weights(states, keywords)
         if wrenches is None:
             results = self._results(values, parameters)

@@ -6,8 +6,9 @@ from abc import ABC
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import accumulate
 from math import prod
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -25,9 +26,28 @@ from .wrenches import generalized, read_wrenches
 if TYPE_CHECKING:
     from ..calls.loaded_function import LoadedFunction
 
+D = TypeVar("D", bound="Derivative")
+
+
 STANDARD = ("q", "u", "r", "p")
 # what a wrench on a frame can be felt through
 PUSHED = ("forward_dynamics", "inverse_dynamics")
+
+
+class Plain(NamedTuple):
+    """What a call needs that hands over what is required, by place, and nothing else.
+
+    Attributes:
+        key: Of the C among the functions of the model.
+        arguments: Their number.
+        places: Of every argument of the C among these, None and the time 0.
+        parts: Where every result lies and its shape; none if there is only one.
+    """
+
+    key: tuple[str, str]
+    arguments: int
+    places: tuple[int, ...]
+    parts: tuple[tuple[slice, tuple[int, ...]], ...]
 
 
 class Derivatives(Functions, ABC):
@@ -60,9 +80,22 @@ class Derivatives(Functions, ABC):
             ModelError: no such function, block, parameter or input.
             ArgumentError: the function does not read what it is to be differentiated by.
         """
-        return Derivative(
-            self, *self._request_of("derivative", function, wrt), isinstance(wrt, str)
-        )
+        return self._cached(Derivative, function, wrt)
+
+    def _cached(
+        self, kind: type[D], function: str | tuple[str, str], wrt: str | Sequence[str]
+    ) -> D:
+        """What is asked for, made once: whoever asks in a loop waits for the C alone."""
+        key = kind, function, wrt if isinstance(wrt, str) else tuple(wrt), wrt is STANDARD
+        try:
+            existing = self._derived.get(key)
+        except TypeError:
+            # something in it is no name: the request says what
+            existing = None
+        if existing is None:
+            request = self._request_of(kind.row, function, wrt)
+            existing = self._derived[key] = kind(self, *request, isinstance(wrt, str))
+        return existing
 
     def _request_of(
         self, what: str, function: str | tuple[str, str], wrt: str | Sequence[str]
@@ -98,15 +131,9 @@ class Derivatives(Functions, ABC):
         return name, of, entries
 
     def _check_one_meaning(self, what: str, entries: tuple[str, ...]) -> None:
-        """Refuse names of blocks that parameters or inputs have too.
-
-        Raises:
-            ModelError: with the cure.
-        """
-        for rows, kind in (
-            (self.manifest.parameters, "parameter"),
-            (self.manifest.inputs, "input"),
-        ):
+        """Refuse names of blocks that parameters or inputs have too, with the cure."""
+        listed = {"parameter": self.manifest.parameters, "input": self.manifest.inputs}
+        for kind, rows in listed.items():
             both = [row.name for row in rows if row.name in entries and row.name in DIRECTIONS]
             if both:
                 raise ModelError(
@@ -188,6 +215,9 @@ class Derivative:
         Raises:
             ArgumentError, ModelError, SolveError: as the function itself.
         """
+        named = keywords or wrenches is not None or parameters is not None or out is not None
+        if not named and self._by_place(states):
+            return self._at(states)
         values = self._named(states, keywords)
         if wrenches is None:
             results = self._results(values, parameters)
@@ -195,7 +225,22 @@ class Derivative:
             results = self._pushed(values, wrenches, parameters)
         return self._delivered(results, out)
 
-    def _delivered(self, results: Mapping[str, Array], out: Any) -> Any:
+    def _by_place(self, states: Sequence[object]) -> bool:
+        """Whether arguments by place are all that is needed."""
+        return len(states) == self._plain.arguments
+
+    def _at(self, states: Sequence[object]) -> Array | tuple[Array, ...]:
+        """The same where all that is needed stands by place, and nothing else: no names."""
+        key, _, places, parts = self._plain
+        row = (*states, None, 0.0)
+        flat: Array = self.model._calls[key](None, *[row[k] for k in places])
+        if self.single:
+            return flat
+        if parts and flat.ndim == 1:
+            return tuple([flat[part].reshape(shape) for part, shape in parts])
+        return self._delivered(self._by_part(flat), None)
+
+    def _delivered(self, results: Mapping[str, Array], out: Any) -> Array | tuple[Array, ...]:
         """Results in the order in which they were asked for."""
         listed = [results[name] for name in self.wrt]
         if out is not None:
@@ -238,25 +283,55 @@ class Derivative:
         self, named_values: Mapping[str, object], parameters: Values | None
     ) -> dict[str, Array]:
         """One array per block or name."""
-        flat = self._value(named_values, parameters)
-        outputs, results, start = self._loaded.outputs, {}, 0
-        if len(outputs) == 1:
+        return self._by_part(self._value(named_values, parameters))
+
+    def _by_part(self, flat: Array) -> dict[str, Array]:
+        """One array per block or name, of all numbers as the C gives them."""
+        parts = self._parts
+        if len(parts) == 1:
             return {self.wrt[0]: flat}
-        for output in outputs:
-            shape = tuple(output.shape)
-            end = start + prod(shape)
-            part = flat[..., start:end]
-            results[output.name.removeprefix("d_")] = part.reshape(part.shape[:-1] + shape)
-            start = end
-        return results
+        lead = flat.shape[:-1]
+        return {
+            name: flat[..., start:end].reshape(lead + shape) for name, start, end, shape in parts
+        }
+
+    @cached_property
+    def _parts(self) -> tuple[tuple[str, int, int, tuple[int, ...]], ...]:
+        """Name, first and last number and shape of every result."""
+        shapes = [(row.name.removeprefix("d_"), tuple(row.shape)) for row in self._loaded.outputs]
+        ends = [*accumulate(prod(shape) for _, shape in shapes)]
+        return tuple(
+            (name, end - prod(shape), end, shape)
+            for (name, shape), end in zip(shapes, ends, strict=True)
+        )
 
     def _value(self, named_values: Mapping[str, object], parameters: Values | None) -> Array:
         """What the C gives."""
-        values = tuple(
-            named_values.get(name, 0.0 if name == "t" else None)
-            for name in reads(self.row, self.request)
-        )
-        return self.model._evaluate((self.row, self.request), values, parameters, None)
+        values = tuple(named_values.get(name, 0.0 if name == "t" else None) for name in self._reads)
+        return self.model._evaluate(self._key, values, parameters, None)
+
+    @cached_property
+    def _key(self) -> tuple[str, str]:
+        """Of its C among the functions of the model."""
+        return self.row, self.request
+
+    @cached_property
+    def _reads(self) -> tuple[str, ...]:
+        """Arguments of its C."""
+        return tuple(reads(*self._key))
+
+    @cached_property
+    def _plain(self) -> Plain:
+        """What a call by place alone needs."""
+        order = {name: place for place, name in enumerate(self._order[0])}
+        absent = len(order)
+        if self.added:
+            order["v"] = absent - 1
+        places = [order.get(name, absent + (name == "t")) for name in self._reads]
+        lies = {name: (slice(start, end), shape) for name, start, end, shape in self._parts}
+        # one result comes in its shape
+        parts = [lies[name] for name in self.wrt] if len(lies) > 1 else []
+        return Plain(self._key, absent, tuple(places), tuple(parts))
 
     @cached_property
     def _order(self) -> tuple[tuple[str, ...], tuple[str, ...]]:

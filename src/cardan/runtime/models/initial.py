@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from math import isfinite
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,10 +11,8 @@ from numpy.typing import ArrayLike
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, miscounted, near
-from ...schema.entries import Entry
 from ...schema.manifest import Manifest
-from ...schema.mechanism import JointRow
-from ...schema.rows import column, having
+from ..calls.layout import Layout
 from ..verification.rotations import unit
 from .named_rotations import check_units, component, refuse_components
 
@@ -45,7 +44,7 @@ def _with_nodes(
     u: Mapping[str, ArrayLike],
     z: Mapping[str, ArrayLike] | None,
 ) -> tuple[Array, tuple[str, ...]]:
-    x, defaulted = initial_state(model.manifest, q, u, z)
+    x, defaulted = initial_state(model._layout, q, u, z)
     if not model.manifest.absolute:
         return x, defaulted
     from .finite_elements.joint_driven_nodes import follow_joints
@@ -54,7 +53,7 @@ def _with_nodes(
 
 
 def initial_state(
-    manifest: Manifest,
+    layout: Layout,
     q: Mapping[str, ArrayLike],
     u: Mapping[str, ArrayLike],
     z: Mapping[str, ArrayLike] | None = None,
@@ -62,7 +61,7 @@ def initial_state(
     """State x = [q, u, z] from values by joint (``"elbow"``, ``"base"``) or entry (``"base.px"``).
 
     Args:
-        manifest: Of the model.
+        layout: Of the model.
         q, u: Values; a joint with several coordinates takes all of them at once.
         z: Internal states by their names.
 
@@ -77,84 +76,52 @@ def initial_state(
         ArgumentError: the wrong number of values.
         SolveError: a value that is not finite, or a quaternion whose length is not 1.
     """
-    joints = manifest.joints
-    values, defaulted = [], []
-    for letter, rows, named in (
-        ("q", manifest.coordinates, q),
-        ("u", manifest.speeds, u),
-        ("z", manifest.z, z or {}),
+    manifest = layout.manifest
+    values, defaulted = [], list[str]()
+    for letter, names, named in (
+        ("q", layout.coordinates, q),
+        ("u", layout.speeds, u),
+        ("z", layout.internals, z),
     ):
-        block = _defaults(letter, rows, joints)
-        named_here = _fill(letter, block, rows, manifest, named)
+        block = layout.starts[letter].copy()
         values.append(block)
-        names = column(rows, "name")
-        defaulted.append(
-            names
-            if not named_here
-            else [n for n, k in zip(names, named_here, strict=True) if not k]
-        )
-    check_units(manifest, values[0])
-    values[0][:] = unit(values[0], manifest.quaternions)
-    return np.concatenate(values), (*defaulted[0], *defaulted[1], *defaulted[2])
-
-
-def _defaults(letter: str, rows: Sequence[Entry], joints: Sequence[JointRow]) -> Array:
-    """q0 or u0 where a joint has them, else what the coordinates start from."""
-    block = np.array([x or 0.0 for x in column(rows, "default")], dtype=np.float64)
-    for joint in having(joints, f"{letter}0"):
-        start, size = joint.slot(letter)
-        if size:
-            block[start : start + size] = joint.q0 if letter == "q" else joint.u0
-    return block
+        if not named:
+            defaulted += names
+            continue
+        covered = _fill(letter, block, names, layout, named)
+        defaulted += [name for name, is_named in zip(names, covered, strict=True) if not is_named]
+    if manifest.quaternions:
+        check_units(manifest, values[0])
+        values[0][:] = unit(values[0], manifest.quaternions)
+    return np.concatenate(values), tuple(defaulted)
 
 
 def _fill(
-    letter: str,
-    block: Array,
-    rows: Sequence[Entry],
-    manifest: Manifest,
-    named: Mapping[str, ArrayLike],
+    letter: str, block: Array, names: Sequence[str], layout: Layout, named: Mapping[str, ArrayLike]
 ) -> list[bool]:
-    """Write named values into a block; which entries they cover, none where nothing is named."""
-    if not named:
-        return []
-    places = manifest.slots(letter)
-    covered = [False] * len(rows)
+    """Write named values into a block; which entries they cover."""
+    manifest, places = layout.manifest, layout.slots[letter]
+    covered = [False] * len(names)
     for name, value in named.items():
-        where = f"{letter}={{'{name}': ...}}"
         place = places.get(name)
         if place is None:
-            raise ModelError(f"{where}: {missing(manifest, letter, name, places)}")
-        entries = [row.name for row in rows[place]]
+            problem = missing(manifest, letter, name, places)
+            raise ModelError(f"{letter}={{'{name}': ...}}: {problem}")
         if any(covered[place]):
             raise ModelError(
-                f"{where}: '{entries[0]}' is given twice, once by joint, once by entry"
+                f"{letter}={{'{name}': ...}}: '{names[place.start]}' is given twice, once by "
+                "joint, once by entry"
             )
-        block[place] = _numbers(where, value, entries)
-        covered[place] = [True] * len(entries)
-    if letter == "q":
+        size = place.stop - place.start
+        if size == 1 and type(value) is float and isfinite(value):
+            block[place.start] = value
+        else:
+            block[place] = _numbers(f"{letter}={{'{name}': ...}}", value, [*names[place]])
+        covered[place] = [True] * size
+    if letter == "q" and manifest.quaternions:
         named_here = {k for k, is_covered in enumerate(covered) if is_covered}
         refuse_components(manifest, "q=", named_here)
     return covered
-
-
-def followers(manifest: Manifest, letter: str) -> dict[str, slice]:
-    """Joints and entries that follow from loops -> their places among all that follow.
-
-    Args:
-        manifest: Of the model.
-        letter: ``"q"`` or ``"u"``.
-    """
-    slices: dict[str, slice] = {}
-    at = 0
-    for joint in having(manifest.joints, "solved"):
-        names = joint.solved.names(letter) if joint.solved else ()
-        if names:
-            slices[joint.name] = slice(at, at + len(names))
-        for name in names:
-            slices.setdefault(name, slice(at, at + 1))
-            at += 1
-    return slices
 
 
 def missing(manifest: Manifest, letter: str, name: str, available: Iterable[str]) -> str:

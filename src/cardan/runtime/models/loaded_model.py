@@ -87,7 +87,7 @@ class LoadedModel(Description):
         # of the mechanism with these parameters, once it is known
         self._size: float | None = None
         # what has been found out about it, by what it is
-        self._derived: dict[object, Any] = {}
+        self._derived = {}
         self._calls = _Calls(self._function)
         self._source = self._source_of()
 

@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from ....arrays import Array
 from ....errors import ArgumentError, ModelError, SolveError, brief, miscounted
-from ....runtime.models.initial import followers
 from ....runtime.models.loaded_model import LoadedModel
 from ....runtime.verification.closed_states import dependents
 from ...mechanisms.mechanism import Mechanism
@@ -115,7 +114,7 @@ def place(
     Raises:
         ModelError: a loop gives another value, or does not close; names it.
     """
-    places = followers(m.model.manifest, "q")
+    places = m.model._layout.followers["q"]
     count = max(part.stop for part in places.values())
     goals = read(m, named)
     prescribed = [
@@ -158,7 +157,7 @@ def _softly(one: Follower) -> Follower:
 def _starts(model: LoadedModel, count: int) -> Array:
     """Initial values of dependent joints: q0 as declared, else in the reference position."""
     values = np.zeros(count)
-    places = followers(model.manifest, "q")
+    places = model._layout.followers["q"]
     for joint in model.manifest.joints:
         if joint.name in places and joint.solved and joint.q0:
             values[places[joint.name]] = joint.q0
@@ -190,7 +189,7 @@ def speed(
     Raises:
         ModelError: inconsistent speeds.
     """
-    places = followers(m.model.manifest, "u")
+    places = m.model._layout.followers["u"]
     r = m.model._layout.start("r") if m.r is None else m.r
     # rates of dependent joints are affine in the speeds: evaluate at 0 and unit speeds
     basis = np.concatenate([np.zeros((1, m.model.nu)), np.eye(m.model.nu)])

@@ -11,9 +11,7 @@ import numpy as np
 from ....arguments import checked
 from ....arrays import Array
 from ....errors import ModelError
-from ....runtime.models.initial import followers
 from ....runtime.models.loaded_model import LoadedModel
-from ....schema.manifest import Manifest
 from ...mechanisms.assembly_diagnosis import reversed_axis_message
 from ...mechanisms.branches import refuse_singular
 from ...mechanisms.consistent_rates import speeds
@@ -49,8 +47,8 @@ def closed_start(
     manifest = model.manifest
     if manifest.absolute:
         return replace(begin, x=meshed_start(model, begin.x, q, u, t, r))
-    if followers(manifest, "q"):
-        q, u = (_independent(manifest, letter, block) for letter, block in (("q", q), ("u", u)))
+    if model._layout.followers["q"]:
+        q, u = (_independent(model, letter, block) for letter, block in (("q", q), ("u", u)))
         begin = _followed(model, begin, q, u, t, r)
     always = [row for row in manifest.multipliers if not row.switched]
     if not always or "constraints" not in manifest.available:
@@ -64,11 +62,11 @@ def closed_start(
     return replace(begin, x=np.concatenate([place, speed, internal]), closure_tol=m.closure_tol)
 
 
-def _independent(manifest: Manifest, letter: str, values: object) -> Any:
+def _independent(model: LoadedModel, letter: str, values: object) -> Any:
     """The named values without joints that follow from loops."""
     if not isinstance(values, Mapping):
         return values
-    places = followers(manifest, letter)
+    places = model._layout.followers[letter]
     return {name: value for name, value in values.items() if name not in places}
 
 

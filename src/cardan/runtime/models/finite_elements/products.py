@@ -3,36 +3,36 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, partial
 from math import prod
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, TypeAlias, final
 
 import numpy as np
 
 from ....arrays import Array, Integers
 from ....errors import ModelError, SolveError
-from ....schema.blocks import COORDINATES, DIRECTIONS, ORDER
-from ....schema.c_functions import FunctionRow, ResultRow
-from ....schema.finite_elements import EXPRESSION, EXPRESSION_GRADIENT, requested_name
+from ....schema.blocks import ORDER
+from ....schema.c_functions import FunctionRow
+from ....schema.finite_elements import EXPRESSION
 from ....schema.product_records import DataSlopes, ProductRecord
 from ....schema.records import Form, MeshRecord, constants
 from ....schema.request import Request
 from ...calls.abi_ctypes import FUNCTION
-from ...calls.code import Code
 from ...calls.interpreted import SINGULAR, UNSOLVED
-from ...calls.lanes import width
 from .data_slopes import DataByParameters
 from .massless import contradiction, refusal
 from .mesh import NEEDED
-from .table_loading import LANE_THRESHOLD
+from .product_columns import ProductColumns
+from .product_forms import ProductForms
 
 if TYPE_CHECKING:
     from ..loaded_model import LoadedModel
     from .evaluation import Inputs, Results
 
-ROWS = ("derivative", "vjp", "jvp")
+    Records: TypeAlias = ctypes.Array[Form] | ctypes.Array[DataSlopes]
+
 # functions with derivatives, and what these need besides those of the dynamics
 DIRECT = {
     **dict.fromkeys(
@@ -45,6 +45,13 @@ DIRECT = {
     "qdot": "",
     **{name: name for name in ("energy", "momentum", "power", "outputs")},
     "expression": "outputs",
+    "events": "signs",
+    "transition": "states",
+}
+# derivatives of elements that those of events take too, by fields of the record
+MORE = {
+    "events": {"impulse": "impulse", "friction": "friction"},
+    "transition": {"impulse": "impulse", "jumps": "jumps"},
 }
 # data of a superelement that say how it is turned, the first ones
 ROTATION = 9
@@ -54,6 +61,7 @@ BASE = {
     **dict.fromkeys(("forward_dynamics", "multipliers"), NEEDED["accelerations"]),
     **{name: NEEDED[name] for name in ("close_position", "close_velocity")},
     "expression": NEEDED["outputs"],
+    **{name: NEEDED[name] for name in MORE},
 }
 # what is solved for
 SOLVED = ("rhs", "forward_dynamics", "multipliers")
@@ -88,8 +96,8 @@ class Products:
     def __init__(self, results: Results, model: LoadedModel) -> None:
         self.results, self.model, self.mesh = results, model, results.mesh
         self.tables = results.tables
-        self._forms: dict[str, ctypes.Array[Form]] = {}
-        self._local = self._work = self._lanes = 0
+        self.forms = ProductForms(self.mesh, model._objects, model.parameters.vector)
+        self.columns = ProductColumns(self.mesh, model._layout)
 
     # what is loaded
 
@@ -97,7 +105,7 @@ class Products:
         """A derivative as it is asked for.
 
         Args:
-            row: One of ``ROWS``.
+            row: A derivative, a product with one, or an expression.
             of: The function, and what it is differentiated by.
 
         Raises:
@@ -109,54 +117,70 @@ class Products:
         self._check(row, name)
         mesh, constant = self.mesh, constants("mesh_product.h")
         shape = () if name == EXPRESSION else self.results.shape(name)[0]
-        by_parameters = not {"p", *self._parameters}.isdisjoint(request.wrt)
         # whatever is less: rows by gradients, or columns by changes
-        count = sum(prod(width) for width in self._widths(request).values())
+        count = sum(prod(width) for width in self.columns.widths(request).values())
         forward = row == "jvp" or (row == "derivative" and count < prod(shape))
-        mode = "change" if forward else "gradient"
-        mesh.connect("balance", *BASE.get(name, ()))
-        forms: dict[str, ctypes.Array[Form] | ctypes.Array[DataSlopes]] = {
-            "rates": self._rates(f"qdot_{mode}")
-        }
-        if name != "qdot" and DIRECT[name] not in ("energy", "momentum"):
-            mesh.connect("balance_tangent", "gamma", "zdot")
-            forms["dynamics"] = self._derivatives(f"dynamics_{mode}")
-        if DIRECT[name]:
-            forms["direct"] = self._derivatives(f"{DIRECT[name]}_{mode}")
-        if name == EXPRESSION:
-            forms["formula"] = self._formula(request.of or "")
         # changes of data are always read
-        columns, parts = self._columns(request, by_parameters or forward)
+        data = forward or row == "hessian"
+        data = data or not {"p", *self.columns.parameters}.isdisjoint(request.wrt)
+        mesh.connect("balance", *BASE.get(name, ()))
+        modes = ["gradient", "change", "curvature"] if row == "hessian" else ["gradient"]
+        forms = [self._forms_of(request, mode) for mode in (["change"] if forward else modes)]
+        columns, parts = self.columns.numbers(request, data)
         record_of_mesh = MeshRecord.from_buffer_copy(mesh.record)
-        record_of_mesh.local += self._local
-        record_of_mesh.work = max(record_of_mesh.work, self._work)
-        record_of_mesh.lanes = max(record_of_mesh.lanes, self._lanes)
+        record_of_mesh.local += self.forms.local
+        record_of_mesh.work = max(record_of_mesh.work, self.forms.work)
+        record_of_mesh.lanes = max(record_of_mesh.lanes, self.forms.lanes)
         quaternions = np.array(self.model.manifest.quaternions, dtype=np.intp)
         tables = {"column": columns, "part": parts, "quaternion": quaternions}
-        if by_parameters or forward:
-            forms["data"] = self._data_slopes.records
+        if data:
+            forms[0]["data"] = self._data_slopes.records
             self._check_rotations(request)
-        record = ProductRecord(
-            mesh=ctypes.addressof(record_of_mesh),
-            function=constant[f"CARDAN_OF_{name.upper()}"],
-            results=prod(shape),
-            np=len(self._parameters) if by_parameters or forward else 0,
-            quaternions=len(quaternions),
-            columns=len(columns),
-            parts=len(parts) - 1,
-        )
-        for field, table in tables.items():
-            setattr(record, field, table.ctypes.data)
-        for field, records in forms.items():
-            setattr(record, field, ctypes.addressof(records))
+        if row == "hessian":
+            self._data_slopes.curve()
+        records = [
+            ProductRecord(
+                mesh=ctypes.addressof(record_of_mesh),
+                function=constant[f"CARDAN_OF_{name.upper()}"],
+                results=prod(shape),
+                np=len(self.columns.parameters) if data else 0,
+                quaternions=len(quaternions),
+                columns=len(columns),
+                parts=len(parts) - 1,
+                data_rows=self._data_slopes.rows if row == "hessian" else 0,
+                **{field: table.ctypes.data for field, table in tables.items()},
+                **{field: ctypes.addressof(x) for field, x in {**forms[0], **some}.items()},
+            )
+            for some in forms
+        ]
+        record = records[0]
+        for field, more in zip(("change", "curvature"), records[1:], strict=False):
+            setattr(record, field, ctypes.addressof(more))
         library = mesh.library
-        library.cardan_mesh_product_work.restype = ctypes.c_ssize_t
         called = "columns" if forward and row == "derivative" else row
         function = getattr(library, f"cardan_mesh_call_{called}")
-        work = int(library.cardan_mesh_product_work(ctypes.byref(record)))
+        measured = "hessian" if row == "hessian" else "product"
+        measure = getattr(library, f"cardan_mesh_{measured}_work")
+        measure.restype = ctypes.c_ssize_t
+        work = int(measure(ctypes.byref(record)))
         address = ctypes.cast(function, ctypes.c_void_p).value or 0
-        entry = self._entry(row, request, shape, work)
-        return Product(record, entry, address, (record_of_mesh, forms, tables, self))
+        entry = self.columns.entry(row, request, shape, work)
+        return Product(record, entry, address, (record_of_mesh, forms, tables, records, self))
+
+    def _forms_of(self, request: Request, mode: str) -> dict[str, Records]:
+        """Derivatives of one mode that a function needs."""
+        name = request.function
+        forms: dict[str, Records] = {"rates": self.forms.rates(f"qdot_{mode}")}
+        if name != "qdot" and DIRECT[name] not in ("energy", "momentum"):
+            self.mesh.connect("balance_tangent", "gamma", "zdot")
+            forms["dynamics"] = self.forms.derivatives(f"dynamics_{mode}")
+        if DIRECT[name]:
+            forms["direct"] = self.forms.derivatives(f"{DIRECT[name]}_{mode}")
+        for field, form in MORE.get(name, {}).items():
+            forms[field] = self.forms.derivatives(f"{form}_{mode}")
+        if name == EXPRESSION:
+            forms["formula"] = self.forms.formula(request.of or "", mode == "curvature")
+        return forms
 
     def _check(self, row: str, function: str) -> None:
         """Refuse what has no derivative.
@@ -165,21 +189,13 @@ class Products:
             ModelError: with the cure.
         """
         where = f"{row} of {function}: model '{self.model.name}' is in absolute coordinates, where"
-        if row not in (*ROWS, EXPRESSION):
-            raise ModelError(
-                f"{where} there are {', '.join(ROWS)}. Take differences of vjp for second "
-                "derivatives"
-            )
         if function not in DIRECT:
             raise ModelError(
                 f"{where} these have derivatives: {', '.join(DIRECT)}. A point of a frame has one "
                 "as an output of the scene"
             )
-        if any(group.kind.frictions for group in self.tables.groups):
-            raise ModelError(
-                f"{where} friction that follows from reactions has no derivatives. Leave it out, "
-                "or take differences"
-            )
+        if row == "hessian" and function in MORE:
+            raise ModelError(f"{where} events have no second derivatives. Take differences of vjp")
 
     def _check_rotations(self, request: Request) -> None:
         """Refuse parameters that turn a superelement on what carries it.
@@ -187,7 +203,7 @@ class Products:
         Raises:
             ModelError: one is asked for.
         """
-        names, saved = [*self._parameters], self.model._objects.saved()
+        names, saved = [*self.columns.parameters], self.model._objects.saved()
         for group, record in zip(self.tables.groups, self._data_slopes.records, strict=False):
             # routines of C have no expressions
             if not record.count or saved.keys() >= {*group.kind.functions.values()}:
@@ -205,144 +221,6 @@ class Products:
     def _data_slopes(self) -> DataByParameters:
         return DataByParameters(self.model, self.tables)
 
-    @cached_property
-    def _parameters(self) -> dict[str, int]:
-        return {row.name: k for k, row in enumerate(self.model.manifest.parameters)}
-
-    def _derivatives(self, form: str) -> ctypes.Array[Form]:
-        """Derivatives of every group, made once."""
-        if form not in self._forms:
-            tables, forms = self.tables, (Form * max(1, len(self.tables.groups)))()
-            having = [k for k, g in enumerate(tables.groups) if form in g.kind.derivatives]
-            names = {tables.groups[k].kind.derivatives[form]: tables.groups[k].kind for k in having}
-            codes = self._loaded([(form, kind.name) for kind in names.values()], list(names))
-            for k in having:
-                group, data = tables.groups[k], self.mesh.data[k]
-                code = codes[group.kind.derivatives[form]]
-                self.mesh.form(forms[k], code, data)
-                self._local = max(self._local, int(code.entry.output_size) + len(code.entry.vector))
-            self._forms[form] = forms
-        return self._forms[form]
-
-    def _formula(self, formula: str) -> ctypes.Array[Form]:
-        """Value of a formula and its slopes."""
-        forms, keys = (Form * 2)(), [(EXPRESSION, formula), (EXPRESSION_GRADIENT, formula)]
-        symbols = [requested_name(*key) for key in keys]
-        codes = self._loaded(keys, symbols)
-        for form, symbol in zip(forms, symbols, strict=True):
-            self.mesh.form(form, codes[symbol], self.model.parameters.vector[None])
-            self._local = max(self._local, int(codes[symbol].entry.output_size))
-        return forms
-
-    def _rates(self, form: str) -> ctypes.Array[Form]:
-        """Derivatives of the rates of places that move by functions of their own."""
-        if form not in self._forms:
-            kinds = [kind for kind in self.tables.kinds if kind.name != "node"]
-            forms = (Form * max(1, len(kinds)))()
-            having = {k: kind for k, kind in enumerate(kinds) if kind.derivatives}
-            keys = [(form, kind.name) for kind in having.values()]
-            symbols = [kind.derivatives[form] for kind in having.values()]
-            codes = self._loaded(keys, symbols)
-            for (k, _), symbol in zip(having.items(), symbols, strict=True):
-                self.mesh.form(forms[k], codes[symbol], np.zeros((1, 0)))
-                entry = codes[symbol].entry
-                self._local = max(self._local, int(entry.output_size) + len(entry.vector))
-            self._forms[form] = forms
-        return self._forms[form]
-
-    def _loaded(self, keys: Sequence[tuple[str, str]], symbols: Sequence[str]) -> dict[str, Code]:
-        """Functions that are written when they are asked for, checked."""
-        objects = self.model._objects
-        with objects.lock:
-            missing = [
-                key
-                for key, symbol in zip(keys, symbols, strict=True)
-                if symbol not in objects.manifest.functions
-            ]
-            if missing and objects._provide is None:
-                raise ModelError(
-                    f"model '{self.model.name}' was saved without the derivatives of its elements. "
-                    "Use them once before saving it, or compile the scene again"
-                )
-            if missing:
-                objects.symbols(missing)
-            self._side_by_side(symbols)
-            codes = self.mesh.loaded(symbols)
-        self._work = max([self._work, *(code.entry.work_size for code in codes.values())])
-        self._lanes = max([self._lanes, *(code.lanes for code in codes.values())])
-        return codes
-
-    def _side_by_side(self, symbols: Sequence[str]) -> None:
-        """Functions of many elements are compiled for several of them side by side."""
-        objects, lanes = self.model._objects, width()
-        many = [group.kind for group in self.tables.groups if len(group) >= LANE_THRESHOLD]
-        for kind in many if lanes > 1 else ():
-            for symbol in {*kind.derivatives.values()}.intersection(symbols):
-                if lanes in objects.manifest.functions[symbol].lanes:
-                    objects.lanes[symbol] = lanes
-
-    # columns
-
-    def _columns(self, request: Request, by_parameters: bool) -> tuple[Integers, Integers]:
-        """Which derivative every column is, and where the columns of every part begin."""
-        record = ProductRecord(mesh=ctypes.addressof(self.mesh.record), np=len(self._parameters))
-        starts = np.zeros(10, dtype=np.intp)
-        self.mesh.library.cardan_mesh_product_starts(ctypes.byref(record), _pointer(starts))
-        names = ("t", "q", COORDINATES, "u", "z", "s", "r", "p", "udot", "tau")
-        first = dict(zip(names, starts.tolist(), strict=True))
-        if not by_parameters:
-            # nothing stands for them
-            first |= {n: first[n] - len(self._parameters) for n in ("udot", "tau")}
-        inputs = {row.name: k for k, row in enumerate(self.model.manifest.inputs)}
-        columns, parts = list[int](), [0]
-        for name in request.wrt:
-            if name in first:
-                columns += range(first[name], first[name] + self._count(name))
-            elif name in self._parameters:
-                columns.append(first["p"] + self._parameters[name])
-            else:
-                columns.append(first["r"] + inputs[name])
-            parts.append(len(columns))
-        return np.array(columns, dtype=np.intp), np.array(parts, dtype=np.intp)
-
-    def _widths(self, request: Request) -> dict[str, tuple[int, ...]]:
-        """Axis of columns by every block or name; none of single ones."""
-        return {
-            n: () if n == "t" or n not in DIRECTIONS else (self._count(n),) for n in request.wrt
-        }
-
-    def _count(self, name: str) -> int:
-        if name == "t":
-            return 1
-        if name == "p":
-            return len(self._parameters)
-        return len(self.model._layout.names({"q": "u", COORDINATES: "q"}.get(name, name)))
-
-    def _entry(self, row: str, request: Request, shape: tuple[int, ...], work: int) -> FunctionRow:
-        """What is said of it as of other functions."""
-        widths = self._widths(request)
-        if row == EXPRESSION:
-            outputs = {"expression": shape}
-        elif row == "jvp":
-            outputs = {"change": shape}
-        else:
-            lead = shape if row == "derivative" else ()
-            outputs = {f"d_{name}": (*lead, *size) for name, size in widths.items()}
-        entries = {"vjp": prod(shape), "jvp": sum(prod(x) for x in widths.values())}
-        return FunctionRow(
-            file="",
-            symbol=row,
-            work_size=work,
-            prepared_size=0,
-            output_size=sum(prod(x) for x in outputs.values()),
-            outputs=[ResultRow(name=name, shape=list(x)) for name, x in outputs.items()],
-            vector=[f"v{k + 1}" for k in range(entries.get(row, 0))],
-            operations={},
-            inputs=[],
-            lanes=[1],
-            sha256="",
-        )
-
     # calls
 
     def evaluator(self, product: Product, of: str) -> Callable[[Inputs], Array]:
@@ -358,7 +236,8 @@ class Products:
         at = self.results.state(inputs)
         state, _arrays = self.mesh.state(at)
         blocks = {name: getattr(state, name) for name in ("q", "u", "udot", "lam", "z", "s", "r")}
-        time, sizes = np.array([at.t]), {"tau": self.tables.nu, "v": len(product.row.vector)}
+        time, sizes = np.array([at.t]), {"tau": self.tables.nu, "e": self.tables.ne}
+        sizes["v"] = len(product.row.vector)
         more = {"t": time}
         more |= {n: np.ascontiguousarray(inputs[n][:k]) for n, k in sizes.items() if n in inputs}
         blocks |= {name: x.ctypes.data for name, x in more.items()}
