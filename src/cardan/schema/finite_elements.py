@@ -26,8 +26,8 @@ GRADIENTS = {
     "power_gradient": ("power",),
     "outputs_gradient": ("outputs",),
 }
-# of events, which have no Hessians: M udot - Gᵀ lam and G udot - H lam, which impulses obey, values of
-# events, impulses that these ask for, states behind them, and friction by reactions
+# of events, which have no Hessians: M udot - Gᵀ lam and G udot - H lam, which impulses obey, values
+# of events, impulses that these ask for, states behind them, and friction by reactions
 EVENT_GRADIENTS = {
     "impulse_gradient": ("balance_tangent",),
     "signs_gradient": ("signs",),
