@@ -17,6 +17,8 @@ from analyses.gradients.test_gradients import TIGHT, ball, double_pendulum
 from analyses.gradients.test_passes import UP, windows
 from cardan.analyses.gradients.checkpoints import StepStore
 from cardan.analyses.gradients.schedule import Action, repeated_steps, repeats, schedule
+from cardan.analyses.simulation import run_record as abi
+from cardan.analyses.simulation.run import Runner
 from cardan.errors import ArgumentError, SolveError
 from table import each
 
@@ -220,6 +222,14 @@ def test_ctrl_c_is_heard_while_steps_are_repeated(monkeypatch: pytest.MonkeyPatc
         assert number[0] == last
     last = 0
     np.testing.assert_array_equal(model.gradient(t, cost, **given).slope["p"], expected.slope["p"])
+
+
+def test_ctrl_c_is_heard_before_the_first_row(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As in a model in Python, whose first call it may come in."""
+    model, t, cost, given = tree()
+    monkeypatch.setattr(Runner, "start", lambda *_: abi.STOPPED)
+    with pytest.raises(KeyboardInterrupt):
+        model.gradient(t, cost, **given)
 
 
 def test_several_runs_say_each() -> None:
