@@ -18,7 +18,7 @@ from .binding import names as listed_names
 from .binding import sizes as block_sizes
 
 SUFFIX = ".pyx"
-SIZED = ("q", "q0", "r", "wrench", "u", "udot", "tau", "du", "z", "s")
+SIZED = ("q", "q0", "r", "wrench", "u", "udot", "lam", "tau", "du", "z", "s")
 NEEDED = ("numpy", "cython", "setuptools", "setup", "cardan")
 
 HEAD = '''\
@@ -140,7 +140,8 @@ def files(model: BoundModel) -> dict[str, str | bytes]:
 def write(manifest: Manifest, swept: Sequence[str] = ()) -> str:
     """The ``.pyx`` of a model; ``swept``: methods of runs that have a gradient."""
     names = listed_names(manifest)
-    lengths = block_sizes(manifest) | {"wrench": 6 * len(names["bodies"])}
+    lengths = block_sizes(manifest) | {"lam": len(manifest.multipliers)}
+    lengths["wrench"] = 6 * len(names["bodies"])
     sizes = {name: lengths[name] for name in SIZED} | {"e": len(manifest.events)}
     head = HEAD.format(
         title=plain(f"{manifest.name}: C functions of a multibody model."),
