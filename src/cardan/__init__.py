@@ -58,7 +58,7 @@ _PUBLIC: dict[str, str] = {
     "load_motion": "runtime.trajectory.storage",
     "load_ensemble": "analyses.ensembles.ensemble_file",
     "load_linear": "analyses.linear.linear_file",
-    "cost": "analyses.gradients.cost",
+    "cost": "schema.cost",
     **dict.fromkeys(
         (
             "CardanError",

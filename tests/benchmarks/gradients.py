@@ -19,7 +19,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
-from time import perf_counter
+from time import process_time
 from typing import Any
 
 # the zoo stands in the folder above
@@ -60,8 +60,9 @@ The cost is a sum of squares of all coordinates and speeds at the end. Errors ar
 entries of the gradient, of its largest entry, against a run of cardan's DOP853 at rtol 1e-13.
 cardan runs DOP853 at rtol {ours:.0e}; of CVODES each way of stepping is shown with the loosest
 tolerance whose error is not larger than ours, or the tightest where none is. All run in turn in one
-process, {rounds} rounds, twice in each, of which the second is timed: least / median. The four-bar
-is differentiated by the angle and speed of its crank, and by masses, their places and inertias.
+process, {rounds} rounds, twice in each, of which the second is timed: least / median of the time of
+the processor, which others on the machine do not lengthen by their turns. The four-bar is
+differentiated by the angle and speed of its crank, and by masses, their places and inertias.
 
 """
 NOTES = """
@@ -267,15 +268,15 @@ def cvodes(
 
 
 def timed(calls: Mapping[Any, Callable[[], Any]], rounds: int) -> dict[Any, tuple[float, float]]:
-    """Least and median times [s] of calls that take turns."""
+    """Least and median times of the processor [s] of calls that take turns."""
     times: dict[Any, list[float]] = {key: [] for key in calls}
     for _ in range(rounds):
         for key, call in calls.items():
             # memory is as the one before has left it
             call()
-            begin = perf_counter()
+            begin = process_time()
             call()
-            times[key].append(perf_counter() - begin)
+            times[key].append(process_time() - begin)
     return {key: (min(t), float(np.median(t))) for key, t in times.items()}
 
 

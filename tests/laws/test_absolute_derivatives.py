@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import ModelError
-from cardan.runtime.models.finite_elements.products import DIRECT
+from cardan.runtime.models.finite_elements.products import DIRECT, EVENTS
 from cardan.runtime.verification.differences import BOUND, missing, slope
 from cardan.schema.functions import FUNCTIONS
-from laws.absolute_scenes import SCENES, cantilever, rubber
+from laws.absolute_scenes import SCENES, cantilever
 from table import each
 
 # a function, or one with its frame or joint
@@ -55,7 +54,8 @@ def keys_of(model: cd.CompiledModel) -> list[Key]:
     elements = model.manifest.elements
     joints = (*[*elements.reactions][-1:], *elements.tree_joints[-1:])
     of = {"frame": tuple(frames.values()), "joint": joints}
-    for name in DIRECT:
+    # those of events: test_absolute_event_derivatives.py
+    for name in (name for name in DIRECT if name not in EVENTS):
         row = FUNCTIONS[name]
         if row.of == "formula" or not all(having(model, need) for need in row.needs):
             continue
@@ -305,11 +305,3 @@ def test_a_change_of_a_superelement_is_checked_without_its_gradient(tmp_path: An
     changes = [error for label, error in checks.items() if label.endswith("dynamics_change")]
     assert changes
     assert max(changes) <= BOUND
-
-
-def test_friction_by_reactions_is_refused() -> None:
-    scene = rubber()
-    scene.force("rub", cd.Friction("wrist", mu=0.3, radius=0.1))
-    model = cd.compile(scene, coordinates="absolute")
-    with pytest.raises(ModelError, match="friction that follows from reactions"):
-        model.vjp("qdot", wrt="q")(*model.split(model.initial()), np.ones(model.nq))

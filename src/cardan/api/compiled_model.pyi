@@ -8,7 +8,6 @@ from numpy.typing import ArrayLike
 
 from ..analyses.continuation.stability_chart import StabilityChartRecord
 from ..analyses.ensembles.sampling import Plan
-from ..analyses.gradients.cost import Cost
 from ..analyses.gradients.gradient import Gradient
 from ..analyses.identification.base_parameters import Base
 from ..analyses.linear.first_order import Choice
@@ -35,6 +34,7 @@ from ..runtime.models.finite_elements.superelement_parts import SuperelementPart
 from ..runtime.models.loaded_model import LoadedModel
 from ..runtime.trajectory.cables import CableTension
 from ..runtime.verification.verify import Verification
+from ..schema.cost import Cost
 from .components import DeformedSuperelement
 from .results import (
     Assembly,
@@ -248,7 +248,8 @@ class CompiledModel(LoadedModel):
 
         Args:
             t: End, ``(start, end)`` or output times [s], which ``t_eval`` takes too.
-            vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values or distribution.
+            vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values or
+                distribution.
             x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
                 ``{"elbow": values}``. One is that of all runs; ``cd.sample.normal(0, 0.1)`` is drawn.
             parameters, inputs: Name -> number, values (runs,) or a distribution; inputs of all runs
@@ -874,6 +875,7 @@ class CompiledModel(LoadedModel):
         vary: Plan | Mapping[str, object] | None = None,
         runs: Count | None = None,
         seed: Seed = 0,
+        memory: float = 1000000000.0,
         progress: bool | Callable[[float], None] | None = None,
     ) -> Gradient:
         """The gradient of a cost of a motion, through its events, by whatever many unknowns.
@@ -890,6 +892,8 @@ class CompiledModel(LoadedModel):
                 :meth:`simulate` takes them.
             vary, runs, seed: What differs between several runs, as :meth:`ensemble` takes it; then x0,
                 q, u, z, parameters and inputs may have values per run too.
+            memory: Bytes for the rows of the steps. Where they do not fit, checkpoints are made and
+                steps are repeated, to the same bits; ``note`` of the result says how often.
             method: As :meth:`simulate` takes it, but Rosenbrock; ``"auto"`` takes DOP853, of
                 elements Radau.
 
@@ -901,8 +905,8 @@ class CompiledModel(LoadedModel):
 
         Raises:
             ModelError, ArgumentError: as :meth:`simulate`, and a method or an input whose derivative is
-                not known. SolveError: the run ends early, or has no derivative: two events at one time,
-                an event that happens by a touch.
+                not known; memory= that holds nothing. SolveError: the run ends early, or has no
+                derivative: two events at one time, an event that happens by a touch.
         """
     def cycle(
         self,

@@ -16,6 +16,7 @@ from ..equations.linearized.linear import Linearizable
 from ..equations.reading.explained import Explained
 from ..errors import DerivationError
 from ..notebooks import html
+from ..schema.cost import Cost
 from ..schema.functions import FUNCTIONS
 from .compiled_model import CompiledModel
 from .faces import verb
@@ -48,6 +49,7 @@ class Equations(Explained, Linearizable):
         prefix: str = "",
         precision: str = "double",
         *,
+        gradient: Cost | None = None,
         fmi: str | None = None,
         kinds: Sequence[str] | None = None,
         platforms: Sequence[str] | None = None,
@@ -76,6 +78,10 @@ class Equations(Explained, Linearizable):
                 different prefixes can be linked into one program. With ``language="c"``.
             precision: ``"single"`` for float instead of double everywhere, as processors of
                 microcontrollers have it. With ``language="c"``.
+            gradient: A cost, ``cd.cost(final="elbow^2")``: C that runs a motion and sweeps back
+                over its steps comes along, ``motion_gradient.h``; with JAX and NumPy a function
+                ``gradient`` and ``cost``. With ``integrators`` ``"dop853"``, ``"rk45"``, ``"rk4"``,
+                ``"radau"``.
             fmi: Of an FMU: version ``"3.0"`` (default) or ``"2.0"``.
             kinds: Of an FMU: ``"me"`` (model exchange) and ``"cs"`` (co-simulation); by default
                 both, of elements in absolute coordinates, such as beams, co-simulation alone.
@@ -100,14 +106,19 @@ class Equations(Explained, Linearizable):
         from ..codegen.fmu.request import FmuOptions, request_of
         from ..runtime.build.unit_binary import unit_binary
 
-        foreign = {"functions": functions, "language": language, "loops": loops, "prefix": prefix}
-        foreign["precision"] = precision
+        foreign: dict[str, object] = {
+            "functions": functions,
+            "language": language,
+            "loops": loops,
+            "prefix": prefix,
+        }
+        foreign |= {"precision": precision, "gradient": gradient}
         options, name = FmuOptions(fmi, kinds, platforms, q, u), self.system.name
         fmu = request_of(directory, name, False, options, foreign, integrators, reproducible)
         start = partial(started, CompiledModel, q=q, u=u)
         if fmu is not None:
             return of_joints(self, fmu, start, unit_binary)
-        how = (language or "cython", integrators, reproducible, loops, prefix, precision)
+        how = (language or "cython", integrators, reproducible, loops, prefix, precision, gradient)
         return export(self, directory, start, functions, *how)
 
     @checked
@@ -153,6 +164,7 @@ class FiniteElementEquations(FiniteElementRecord):
         prefix: str = "",
         precision: str = "double",
         *,
+        gradient: Cost | None = None,
         fmi: str | None = None,
         kinds: Sequence[str] | None = None,
         platforms: Sequence[str] | None = None,
@@ -162,18 +174,24 @@ class FiniteElementEquations(FiniteElementRecord):
         """Write C that needs no cardan, or an FMU, as :meth:`Equations.export` does."""
         from ..analyses.simulation.export_plan import planned
         from ..codegen.export.finite_elements import export
+        from ..codegen.export.gradient import check
         from ..codegen.fmu.export import of_elements
         from ..codegen.fmu.request import FmuOptions, request_of
         from ..runtime.build.unit_binary import unit_binary
 
-        foreign = {"functions": functions, "language": language, "prefix": prefix}
-        foreign["precision"] = precision
+        foreign: dict[str, object] = {
+            "functions": functions,
+            "language": language,
+            "prefix": prefix,
+        }
+        foreign |= {"precision": precision, "gradient": gradient}
         options, name = FmuOptions(fmi, kinds, platforms, q, u), self.system.name
         fmu = request_of(directory, name, True, options, foreign, integrators, reproducible)
         plan = partial(planned, CompiledModel, q=q, u=u)
         if fmu is not None:
             return of_elements(self, fmu, plan, unit_binary)
         how = (language or "c", integrators, reproducible, prefix, precision)
+        check(gradient, language or "c", integrators, precision, name)
         return export(self, directory, plan, functions, *how)
 
     def __getattr__(self, name: str) -> NoReturn:

@@ -14,6 +14,7 @@ from ..equations.linearized.along import LinearizedAlong
 from ..equations.linearized.linear import Linearizable
 from ..equations.reading.explained import Explained
 from ..equations.reading.mechanics import Mechanics
+from ..schema.cost import Cost
 from .trajectory import Trajectory
 
 @final
@@ -73,7 +74,7 @@ class Equations(Explained, Linearizable):
         Raises:
             DerivationError: another ending, an unknown notation.
         """
-    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str | None=None, integrators: Sequence[str]=(), reproducible: bool=False, loops: bool | None=None, prefix: str='', precision: str='double', *, fmi: str | None=None, kinds: Sequence[str] | None=None, platforms: Sequence[str] | None=None, q: Mapping[str, ArrayLike] | None=None, u: Mapping[str, ArrayLike] | None=None) -> Path:
+    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str | None=None, integrators: Sequence[str]=(), reproducible: bool=False, loops: bool | None=None, prefix: str='', precision: str='double', *, gradient: Cost | None=None, fmi: str | None=None, kinds: Sequence[str] | None=None, platforms: Sequence[str] | None=None, q: Mapping[str, ArrayLike] | None=None, u: Mapping[str, ArrayLike] | None=None) -> Path:
         """Write C that needs nothing but a C compiler, or an FMU that other programs simulate.
 
         Args:
@@ -96,6 +97,10 @@ class Equations(Explained, Linearizable):
                 different prefixes can be linked into one program. With ``language="c"``.
             precision: ``"single"`` for float instead of double everywhere, as processors of
                 microcontrollers have it. With ``language="c"``.
+            gradient: A cost, ``cd.cost(final="elbow^2")``: C that runs a motion and sweeps back
+                over its steps comes along, ``motion_gradient.h``; with JAX and NumPy a function
+                ``gradient`` and ``cost``. With ``integrators`` ``"dop853"``, ``"rk45"``, ``"rk4"``,
+                ``"radau"``.
             fmi: Of an FMU: version ``"3.0"`` (default) or ``"2.0"``.
             kinds: Of an FMU: ``"me"`` (model exchange) and ``"cs"`` (co-simulation); by default
                 both, of elements in absolute coordinates, such as beams, co-simulation alone.
@@ -153,5 +158,5 @@ class FiniteElementEquations(FiniteElementRecord):
         Raises:
             DerivationError: another ending, an unknown notation.
         """
-    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str | None=None, integrators: Sequence[str]=(), reproducible: bool=False, prefix: str='', precision: str='double', *, fmi: str | None=None, kinds: Sequence[str] | None=None, platforms: Sequence[str] | None=None, q: Mapping[str, ArrayLike] | None=None, u: Mapping[str, ArrayLike] | None=None) -> Path:
+    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str | None=None, integrators: Sequence[str]=(), reproducible: bool=False, prefix: str='', precision: str='double', *, gradient: Cost | None=None, fmi: str | None=None, kinds: Sequence[str] | None=None, platforms: Sequence[str] | None=None, q: Mapping[str, ArrayLike] | None=None, u: Mapping[str, ArrayLike] | None=None) -> Path:
         """Write C that needs no cardan, or an FMU, as :meth:`Equations.export` does."""

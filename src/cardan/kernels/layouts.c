@@ -123,16 +123,16 @@ const size_t cardan_tick_layout[6] = {
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
 };
 
-extern const size_t cardan_steps_layout[21];
-const size_t cardan_steps_layout[21] = {
+extern const size_t cardan_steps_layout[22];
+const size_t cardan_steps_layout[22] = {
     sizeof(cardan_steps), offsetof(cardan_steps, run), offsetof(cardan_steps, stages),
-    offsetof(cardan_steps, kind), offsetof(cardan_steps, jacobian.function), offsetof(cardan_steps,
-    jacobian.w), offsetof(cardan_steps, nodes), offsetof(cardan_steps, weights),
-    offsetof(cardan_steps, matrix), offsetof(cardan_steps, rows), offsetof(cardan_steps, count),
-    offsetof(cardan_steps, failed), offsetof(cardan_steps, states), offsetof(cardan_steps, slopes),
-    offsetof(cardan_steps, open), offsetof(cardan_steps, end), offsetof(cardan_steps, place),
-    offsetof(cardan_steps, lengths), offsetof(cardan_steps, system), offsetof(cardan_steps,
-    jacobians), offsetof(cardan_steps, work)
+    offsetof(cardan_steps, kind), offsetof(cardan_steps, coupled), offsetof(cardan_steps,
+    jacobian.function), offsetof(cardan_steps, jacobian.w), offsetof(cardan_steps, nodes),
+    offsetof(cardan_steps, weights), offsetof(cardan_steps, matrix), offsetof(cardan_steps, rows),
+    offsetof(cardan_steps, count), offsetof(cardan_steps, failed), offsetof(cardan_steps, states),
+    offsetof(cardan_steps, slopes), offsetof(cardan_steps, open), offsetof(cardan_steps, end),
+    offsetof(cardan_steps, place), offsetof(cardan_steps, lengths), offsetof(cardan_steps, system),
+    offsetof(cardan_steps, jacobians), offsetof(cardan_steps, work)
 };
 
 extern const size_t cardan_adjoint_layout[23];
@@ -149,17 +149,20 @@ const size_t cardan_adjoint_layout[23] = {
     weights), offsetof(cardan_adjoint, v), offsetof(cardan_adjoint, out)
 };
 
-extern const size_t cardan_tangent_layout[21];
-const size_t cardan_tangent_layout[21] = {
+extern const size_t cardan_tangent_layout[27];
+const size_t cardan_tangent_layout[27] = {
     sizeof(cardan_tangent), offsetof(cardan_tangent, steps), offsetof(cardan_tangent, pushed),
     offsetof(cardan_tangent, rates.function), offsetof(cardan_tangent, rates.w),
     offsetof(cardan_tangent, close_position.function), offsetof(cardan_tangent, close_position.w),
     offsetof(cardan_tangent, close_velocity.function), offsetof(cardan_tangent, close_velocity.w),
     offsetof(cardan_tangent, columns), offsetof(cardan_tangent, named), offsetof(cardan_tangent,
-    by_named), offsetof(cardan_tangent, by_input), offsetof(cardan_tangent, by_coefficients),
-    offsetof(cardan_tangent, by_s), offsetof(cardan_tangent, segments), offsetof(cardan_tangent,
-    changes), offsetof(cardan_tangent, moved), offsetof(cardan_tangent, rising),
-    offsetof(cardan_tangent, coupled), offsetof(cardan_tangent, out)
+    wide), offsetof(cardan_tangent, named_ends), offsetof(cardan_tangent, named_columns),
+    offsetof(cardan_tangent, named_changes), offsetof(cardan_tangent, by_input),
+    offsetof(cardan_tangent, by_coefficients), offsetof(cardan_tangent, by_s),
+    offsetof(cardan_tangent, segments), offsetof(cardan_tangent, changes), offsetof(cardan_tangent,
+    before), offsetof(cardan_tangent, moved), offsetof(cardan_tangent, changed),
+    offsetof(cardan_tangent, along), offsetof(cardan_tangent, rising), offsetof(cardan_tangent,
+    coupled), offsetof(cardan_tangent, out)
 };
 
 extern const size_t cardan_input_function_layout[6];
@@ -281,19 +284,21 @@ const size_t cardan_frame_layout[9] = {
     offsetof(cardan_frame, data), offsetof(cardan_frame, speeds), offsetof(cardan_frame, speed)
 };
 
-extern const size_t cardan_mesh_product_layout[23];
-const size_t cardan_mesh_product_layout[23] = {
+extern const size_t cardan_mesh_product_layout[26];
+const size_t cardan_mesh_product_layout[26] = {
     sizeof(cardan_mesh_product), offsetof(cardan_mesh_product, mesh), offsetof(cardan_mesh_product,
     function), offsetof(cardan_mesh_product, results), offsetof(cardan_mesh_product, solved),
     offsetof(cardan_mesh_product, dynamics), offsetof(cardan_mesh_product, direct),
     offsetof(cardan_mesh_product, summands), offsetof(cardan_mesh_product, sums),
-    offsetof(cardan_mesh_product, frame), offsetof(cardan_mesh_product, rates),
-    offsetof(cardan_mesh_product, formula), offsetof(cardan_mesh_product, data),
-    offsetof(cardan_mesh_product, np), offsetof(cardan_mesh_product, quaternion),
-    offsetof(cardan_mesh_product, quaternions), offsetof(cardan_mesh_product, columns),
-    offsetof(cardan_mesh_product, column), offsetof(cardan_mesh_product, parts),
-    offsetof(cardan_mesh_product, part), offsetof(cardan_mesh_product, change),
-    offsetof(cardan_mesh_product, curvature), offsetof(cardan_mesh_product, data_rows)
+    offsetof(cardan_mesh_product, frame), offsetof(cardan_mesh_product, impulse),
+    offsetof(cardan_mesh_product, jumps), offsetof(cardan_mesh_product, friction),
+    offsetof(cardan_mesh_product, rates), offsetof(cardan_mesh_product, formula),
+    offsetof(cardan_mesh_product, data), offsetof(cardan_mesh_product, np),
+    offsetof(cardan_mesh_product, quaternion), offsetof(cardan_mesh_product, quaternions),
+    offsetof(cardan_mesh_product, columns), offsetof(cardan_mesh_product, column),
+    offsetof(cardan_mesh_product, parts), offsetof(cardan_mesh_product, part),
+    offsetof(cardan_mesh_product, change), offsetof(cardan_mesh_product, curvature),
+    offsetof(cardan_mesh_product, data_rows)
 };
 
 extern const size_t cardan_sparse_layout[27];

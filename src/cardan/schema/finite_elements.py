@@ -29,14 +29,29 @@ GRADIENTS = {
     "reactions_gradient": ("reactions",),
     "element_forces_gradient": ("element_forces",),
     "bodies_gradient": ("bodies",),
-    # of M udot and G udot, whose slopes these matrices are
-    "matrices_gradient": ("balance_tangent",),
+    # of M udot - Gᵀ lam and G udot - H lam, which impulses obey, and whose slopes M and G are
+    "impulse_gradient": ("balance_tangent",),
 }
-# changes of these results along a direction
-CHANGES = {name.replace("gradient", "change"): sums for name, sums in GRADIENTS.items()}
+# of events, which have no Hessians: values of events, impulses that these ask for, states behind
+# them, and friction by reactions
+EVENT_GRADIENTS = {
+    "signs_gradient": ("signs",),
+    "jumps_gradient": ("jumps",),
+    "states_gradient": ("change",),
+    "friction_gradient": ("reaction_friction",),
+}
 # changes of these gradients along a direction, at fixed weights
 CURVATURES = {name.replace("gradient", "curvature"): sums for name, sums in GRADIENTS.items()}
+GRADIENTS |= EVENT_GRADIENTS
+# changes of these results along a direction
+CHANGES = {name.replace("gradient", "change"): sums for name, sums in GRADIENTS.items()}
 DERIVATIVES = GRADIENTS | CHANGES | CURVATURES
+# derivatives that are also by what events read besides: speeds behind them, how certain friction is
+# that follows from reactions, and responses
+EVENT_DERIVATIVES = tuple(
+    f"{name}_{mode}" for name in ("signs", "jumps", "states") for mode in ("gradient", "change")
+)
+IMPULSE_DERIVATIVES = ("impulse_gradient", "impulse_change", "impulse_curvature")
 # those of the rates of coordinates of a place, by q and u
 RATES = ("qdot_gradient", "qdot_change", "qdot_curvature")
 # a formula in the names of the model with outputs in v, its gradient, and changes of that
@@ -128,9 +143,12 @@ class ElementKind(Record):
         return {
             form: requested_name(form, self.name)
             for form, sums in DERIVATIVES.items()
-            if not self.functions.keys().isdisjoint(sums)
-            and ("matrices" not in form or not self.parts.keys().isdisjoint("MG"))
+            if not self.functions.keys().isdisjoint(sums) and self._has(form)
         }
+
+    def _has(self, form: str) -> bool:
+        """False of impulses where nothing has mass or is held."""
+        return form not in IMPULSE_DERIVATIVES or not {"M", "G"}.isdisjoint(self.parts)
 
     @property
     def released(self) -> int:

@@ -85,7 +85,7 @@ EXPORT_RECORDS = {
     **dict.fromkeys(
         (
             *("cardan_export", "cardan_exported_function", "cardan_exported_event"),
-            *("cardan_exported_tick", "cardan_exported_method"),
+            *("cardan_exported_tick", "cardan_exported_method", "cardan_exported_cost"),
         ),
         "export.h",
     ),

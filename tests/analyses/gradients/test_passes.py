@@ -17,7 +17,7 @@ REFERENCES = Path(__file__).parents[2] / "references"
 TIGHT = {"rtol": 1e-12, "atol": 1e-13}
 
 
-def windows() -> cd.CompiledModel:
+def windows_scene() -> cd.Scene:
     """Three parallel cranks with two couplers: the IFToMM four-bars, one degree of freedom."""
     scene = cd.Scene("windows", gravity=(0, -9.81, 0))
     inertia = cd.inertia.rod(1.0, 1.0, axis="x")
@@ -31,7 +31,11 @@ def windows() -> cd.CompiledModel:
     end = cranks[0].at(1, 0, 0).position()
     scene.output("x", end[0])
     scene.output("y", end[1])
-    return cd.compile(scene)
+    return scene
+
+
+def windows() -> cd.CompiledModel:
+    return cd.compile(windows_scene())
 
 
 H = np.pi / 2

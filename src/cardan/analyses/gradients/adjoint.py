@@ -9,10 +9,10 @@ import numpy as np
 
 from ...arrays import Array
 from ...runtime.models.loaded_model import LoadedModel
+from ...schema.cost import Cost
 from ...schema.records import Adjoint
 from ...schema.request import Request
 from ..simulation.run import Runner
-from .cost import Cost
 from .steps import CLOSING, MOST_STAGES, StepsAgain, check_growth, powers_at, segment_at
 
 
@@ -66,6 +66,7 @@ class Sweep(StepsAgain):
         self._finals: dict[str, list[Callable[..., Array]]] = {}
         # what is added up
         self.totals = (self.lam, self.by_s, self.by_r, self.by_p, coefficients, self._cost)
+        self._since: tuple[float, Array] | None = None
         # products backward, so that parameters cost nothing more
         closing = runner.closing
         keys: dict[str, tuple[str, str | None]] = {"rates": ("vjp", self.request("rhs"))}
@@ -101,6 +102,7 @@ class Sweep(StepsAgain):
             return sweep
         for total in last.totals:
             total.fill(0.0)
+        last.jumped()
         return last
 
     def request(self, function: str, of: str | None = None, time: bool = False) -> str:
@@ -151,6 +153,13 @@ class Sweep(StepsAgain):
             SolveError: a function has no value at a stage of a step, or derivatives grow beyond
                 all use.
         """
-        before = self.lam.copy()
+        # growth counts from the last event on, over how many sweeps it may be
+        if self._since is None:
+            self._since = float(rows[-1, 0]), self.lam.copy()
         self.swept(rows, self.runner.library.cardan_adjoint_sweep, self.record)
-        check_growth(before, self.lam, rows[:, 0])
+        begin, before = self._since
+        check_growth(before, self.lam, np.array([begin, rows[0, 0]]))
+
+    def jumped(self) -> None:
+        """An event has changed the gradients: growth counts anew."""
+        self._since = None

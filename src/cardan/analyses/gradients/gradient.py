@@ -14,15 +14,15 @@ from ...errors import SolveWarning, warn
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT
 from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ...schema.cost import Cost
 from ..ensembles.sampling import Plan
 from ..simulation.alpha_methods import Alpha, GeneralizedAlpha
 from ..simulation.driving import RunSetup, chosen, driven, reported, run_setup, runner_of
-from ..simulation.run import Runner
 from ..simulation.settings import Values
 from ..simulation.spare_runners import put_aside
 from .adjoint import Sweep
-from .cost import Cost
-from .differentiable import check_complete, refuse, row_behind, rows_of
+from .checkpoints import MEMORY, Block, StepStore
+from .differentiable import check_complete, refuse, row_behind
 from .jumps import Jumps, event_instants
 from .over_runs import OneRun, Variation, over_runs
 from .start import named_start
@@ -37,12 +37,16 @@ class Gradient:
         value: The cost; of several runs (runs,).
         slope: Gradient by name: a number, or an array of the size of what it is by. Of ``"q0"`` and
             ``"x0"`` along the speeds: (nu,) and (2 nu + nz,). Of several runs (runs, ...).
-        motion: The motion; of several runs a tuple of those that were done.
+        motion: The motion; of several runs a tuple of those that were done. None where its rows did
+            not fit into memory.
+        note: Where they did not: how often steps were repeated, in words; of several runs one line
+            for each of them.
     """
 
     value: float | Array
     slope: Mapping[str, Slope]
-    motion: TrajectoryRecord | tuple[TrajectoryRecord, ...] = field(repr=False)
+    motion: TrajectoryRecord | tuple[TrajectoryRecord | None, ...] | None = field(repr=False)
+    note: str = ""
 
     def __iter__(self) -> Iterator[object]:
         return iter((self.value, self.slope))
@@ -70,6 +74,7 @@ def gradient(
     vary: Plan | Mapping[str, object] | None = None,
     runs: Count | None = None,
     seed: Seed = 0,
+    memory: float = MEMORY,
     progress: bool | Callable[[float], None] | None = None,
 ) -> Gradient:
     """The gradient of a cost of a motion, through its events, by whatever many unknowns.
@@ -87,6 +92,8 @@ def gradient(
             :meth:`simulate` takes them.
         vary, runs, seed: What differs between several runs, as :meth:`ensemble` takes it; then x0,
             q, u, z, parameters and inputs may have values per run too.
+        memory: Bytes for the rows of the steps. Where they do not fit, checkpoints are made and
+            steps are repeated, to the same bits; ``note`` of the result says how often.
         method: As :meth:`simulate` takes it, but Rosenbrock; ``"auto"`` takes DOP853, of
             elements Radau.
 
@@ -98,8 +105,8 @@ def gradient(
 
     Raises:
         ModelError, ArgumentError: as :meth:`simulate`, and a method or an input whose derivative is
-            not known. SolveError: the run ends early, or has no derivative: two events at one time,
-            an event that happens by a touch.
+            not known; memory= that holds nothing. SolveError: the run ends early, or has no
+            derivative: two events at one time, an event that happens by a touch.
     """
     named_inputs = dict(inputs or {})
     state = {"x0": x0, "q": q, "u": u, "z": z}
@@ -109,7 +116,7 @@ def gradient(
             return gradient(
                 run.model, t, cost, wrt=wrt, q=run.q, u=run.u, z=run.z, events=events,
                 method=method, rtol=rtol, atol=atol, step=step, max_step=max_step,
-                inputs=run.inputs, progress=False,
+                inputs=run.inputs, memory=memory, progress=False,
             )  # fmt: skip
 
         variation = Variation(vary, runs, seed)
@@ -123,11 +130,12 @@ def gradient(
     names = unknowns(setup.model, wrt, {str(k): v for k, v in named_inputs.items()})
     refuse(setup.model, setup.how, setup.input_signals, names)
     runner = runner_of(setup.model, chosen(setup.how, None), setup.input_signals, setup.event_table)
-    motion = driven(runner, setup.over, setup.begin, progress, dense=False)
+    store = StepStore(runner, memory)
+    motion = driven(runner, setup.over, setup.begin, progress, dense=False, store=store)
     if motion.status == "interrupted":
         raise KeyboardInterrupt
     check_complete(motion, runner)
-    result = _swept(setup, runner, reported(motion, False), cost, names, state)
+    result = _swept(setup, store, reported(motion, False), cost, names, state)
     put_aside(runner)
     return result
 
@@ -145,38 +153,32 @@ def _stacked(gradients: Sequence[Gradient], runs: int) -> Gradient:
 
     slopes = {name: column([one.slope[name] for one in gradients]) for name in gradients[0].slope}
     motions = tuple(x.motion for x in gradients if not isinstance(x.motion, tuple))
-    return Gradient(column([float(one.value) for one in gradients]), slopes, motions)
+    values, note = (
+        column([float(one.value) for one in gradients]),
+        "\n".join(one.note for one in gradients if one.note),
+    )
+    return Gradient(values, slopes, motions, note)
 
 
 def _swept(
     setup: RunSetup,
-    runner: Runner,
+    store: StepStore,
     motion: TrajectoryRecord,
     cost: Cost,
     names: Unknowns,
     state: Mapping[str, object],
 ) -> Gradient:
     """The gradient by a sweep over the steps of a motion."""
-    model, log = setup.model, motion.event_log
+    model, runner = setup.model, store.runner
     sweep = Sweep.of(runner, cost, names.parameters)
     jumps = Jumps(sweep, cost, setup.event_table, setup.over.start)
-    instants = event_instants(log.log, setup.event_table, model.nx, model.ns)
     value, final_rate = _final(sweep, motion, cost)
-    rows = rows_of(motion, runner)
-    end = len(rows)
     halted = motion.solver_info.status == EVENT
-    # backward: the steps behind an event, the event, and so on to the start
-    for number, at in enumerate(reversed(instants)):
-        last = halted and number == 0
-        # the row behind what happened, at the same time as that before it
-        first = row_behind(motion.t, end, at)
-        if not last:
-            sweep.over(rows[first:end])
-            end = first
-        jumps.pull(at, final_rate if last else None)
-    sweep.over(rows[:end])
+    for block in store.backward(motion):
+        _sweep_block(block, sweep, jumps, final_rate if halted and block.last else None)
     # what was not named at the start followed from what was
-    begin = named_start(setup, sweep, state, log.s[0], names, names.parameters)
+    modes = store.start[1 + runner.n + model.nr :][: model.ns]
+    begin = named_start(setup, sweep, state, modes, names, names.parameters)
     start, by_r, by_p = begin.backward(sweep.lam)
     if by_r.size:
         sweep.add_inputs(setup.over.start, by_r)
@@ -184,7 +186,30 @@ def _swept(
         sweep.by_p += by_p
     slopes = InputSlopes(model, sweep.by_r, sweep.by_coefficients)
     by_name = names.slopes(start, sweep.by_p, setup.input_signals, slopes)
-    return Gradient(value + sweep.cost, by_name, motion)
+    return Gradient(value + sweep.cost, by_name, motion if store.complete else None, store.note)
+
+
+def _sweep_block(block: Block, sweep: Sweep, jumps: Jumps, final_rate: float | None) -> None:
+    """Sweep over steps and events of a block, the last one first.
+
+    Args:
+        block: The steps.
+        sweep, jumps: What sweeps.
+        final_rate: Derivative of the final cost by the time, where the last event ends the run.
+    """
+    model, rows = sweep.model, block.rows
+    instants = event_instants(block.log, jumps.events, model.nx, model.ns)
+    end = len(rows)
+    # backward: the steps behind an event, the event, and so on to the start
+    for number, at in enumerate(reversed(instants)):
+        last = final_rate is not None and number == 0
+        # the row behind what happened, at the same time as that before it
+        first = row_behind(rows[:, 0], end, at)
+        if not last:
+            sweep.over(rows[first:end])
+            end = first
+        jumps.pull(at, final_rate if last else None)
+    sweep.over(rows[:end])
 
 
 def _final(sweep: Sweep, motion: TrajectoryRecord, cost: Cost) -> tuple[float, float]:

@@ -18,11 +18,11 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...schema.cost import Cost
 from ...schema.request import reads
 from ..simulation import run_record as abi
 from ..simulation.events import DIRECTIONS, Crossing, EventTable
 from .adjoint import Slopes, Sweep
-from .cost import Cost
 
 # growth of a change in an event, beyond which it happens by a touch
 GRAZING = 1e7
@@ -174,6 +174,7 @@ class Jumps:
             SolveError: two events at one time that are not one, or one that happens by a touch.
         """
         lam, ended = self.sweep.lam, final_rate is not None
+        self.sweep.jumped()
         root = root_of(at, self.events, self.start)
         inputs, rates = self._inputs(at.t)
         by_time = final_rate or 0.0

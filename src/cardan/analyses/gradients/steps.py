@@ -55,6 +55,7 @@ class StepsAgain:
         square = tables[2][: steps.stages**2].reshape(steps.stages, steps.stages)
         steps.kind = int(np.triu(square).any())  # CARDAN_EXPLICIT or CARDAN_COUPLED
         if steps.kind:
+            steps.coupled = abi.address(runner.library, "cardan_coupled_stages")
             length = runner.library.cardan_stages_length(runner.record, steps.stages)
             rooms["system"] = np.zeros(length)
             rooms["lengths"] = np.zeros(MOST_STAGES * len(self.model.manifest.quaternions) + 1)

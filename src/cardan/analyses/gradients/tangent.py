@@ -19,6 +19,11 @@ from .steps import CLOSING, MOST_STAGES, StepsAgain, check_growth, powers_at, se
 
 # entries of a state per change along a direction, from which on that costs less than a derivative
 FEW = 8
+# the same where stages of an implicit method follow each other
+FEW_IN_STAGES = 12
+# changes up to which they cost less one by one in joint coordinates
+FEW_OF_TREES = 2
+WIDE = 8  # CARDAN_SIDE_BY_SIDE of tangent.h
 
 
 @dataclass(frozen=True)
@@ -74,26 +79,34 @@ class Tangents(StepsAgain):
         by_named = directions.p[:, [names.index(name) for name in named]]
         # what runs project onto constraints by is differentiated like every step
         closing = runner.closing
-        # few changes of many elements are found one by one, others by all columns of a derivative
-        pushed = model.manifest.absolute and not self.steps.kind and FEW * k < model.nx
+        # few changes are found one by one, others by all columns of a derivative
+        few = FEW_IN_STAGES if self.steps.kind else FEW
+        pushed = few * k < model.nx if model.manifest.absolute else k <= FEW_OF_TREES
         record.pushed, row = int(pushed), "jvp" if pushed else "derivative"
         keys = {"rates": (row, self.request("rhs"))}
         keys |= {name: (row, self.request(name)) for name in closing.functions if name in CLOSING}
         functions = dict(zip(keys, model._load(list(keys.values())), strict=True))
         self.call(record, functions)
         record.columns, record.named = k, len(named)
-        record.segments = directions.coefficients.shape[1]
+        record.segments, record.wide = directions.coefficients.shape[1], -(-k // WIDE) * WIDE
+        # parameter by parameter: in which columns it changes
+        which, columns = np.nonzero(by_named.T)
         longest = max(function.entry.output_size for function in functions.values())
+        read = model.nx + model.ns + model.nr
         rooms = {
-            "by_named": by_named, "by_input": directions.r,
+            "named_ends": np.cumsum(np.bincount(which, minlength=len(named))),
+            "named_columns": columns, "named_changes": by_named.T[which, columns],
+            "by_input": directions.r,
             "by_coefficients": directions.coefficients,
-            "by_s": self.by_s, "moved": np.zeros(model.nx + model.ns + model.nr + len(named) + 1),
-            "rising": np.zeros(MOST_STAGES * k * model.nx), "out": np.zeros(longest),
+            "by_s": self.by_s, "before": np.zeros(model.nx * record.wide),
+            "moved": np.zeros((read + 1) * record.wide), "along": np.zeros(read + len(named) + 1),
+            "changed": np.zeros(model.nx * record.wide),
+            "rising": np.zeros(MOST_STAGES * model.nx * record.wide), "out": np.zeros(longest),
             "coupled": np.zeros(max(self.steps.stages, k) * model.nx),
         }  # fmt: skip
         for name, room in rooms.items():
             setattr(record, name, self.pointer(_filled(room)))
-        if self.steps.kind and model.manifest.absolute:
+        if self.steps.kind and model.manifest.absolute and not pushed:
             self.steps.jacobians = self.pointer(np.zeros(self.steps.stages * model.nx**2))
         if self.by_s.size:
             record.by_s = self.pointer(self.by_s)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from typing import Protocol
 
 from ...arguments import Inputs
 from ...errors import FunctionError, ModelError, SolveError, SolveWarning, warn
@@ -27,7 +28,7 @@ from .method_requirements import suited
 from .outcome import explain
 from .progress import showing
 from .recorder import Recorder
-from .run import Runner
+from .run import ROWS, Runner
 from .settings import Settings, Start, Values, blocks, settings, start, watched
 from .signals import Signals, signals
 from .spare_runners import spare
@@ -36,6 +37,23 @@ from .starts.strain_limits import folded
 from .times import Span, span
 
 LARGE = 1600  # pairs of speeds, as in a chain of 40: more are derived for minutes
+
+
+class RowStore(Protocol):
+    """What looks after the rows of a run, where not all of them stay.
+
+    Attributes:
+        capacity: Rows until they are taken.
+    """
+
+    @property
+    def capacity(self) -> int: ...
+
+    def begin(self, recorder: Recorder) -> None:
+        """The run has begun."""
+
+    def look(self, recorder: Recorder, answer: int) -> None:
+        """Rows were taken, after the kernels gave an answer."""
 
 
 @dataclass(frozen=True)
@@ -188,8 +206,12 @@ def driven(
     case: Case | None = None,
     file: RunFile | None = None,
     dense: bool = True,
+    store: RowStore | None = None,
 ) -> TrajectoryRecord:
     """Drive the run to its end and collect what came out.
+
+    Args:
+        store: What looks after the rows, where not all of them stay.
 
     Raises:
         Limited: another method would be chosen, and less than half of the run is done.
@@ -198,11 +220,12 @@ def driven(
     """
     recorder, problem, full = Recorder(runner), None, False
     runner.loosen(begin.closure_tol)
-    runner.want(over.times, dense=dense and over.times is None)
+    most = ROWS if store is None else store.capacity
+    runner.want(over.times, dense=dense and over.times is None, most=most)
     clock = time.perf_counter()
     with showing(progress, runner.model.name) as show, runner.interruptible():
         try:
-            answer = _loop(runner, over, begin, recorder, show, case, file)
+            answer = _loop(runner, over, begin, recorder, show, case, file, store)
         except FunctionError as raised:
             answer, problem = abi.INPUT, raised
             recorder.take()
@@ -242,10 +265,13 @@ def _loop(
     show: Callable[[float], None],
     case: Case | None,
     file: RunFile | None,
+    store: RowStore | None,
 ) -> int:
     """Go on until the run is over. Returns the last answer of the kernels."""
     stops = stops_of(runner.model, runner.signals, over.start, over.end, more=over.stops)
     answer = runner.start(over.start, begin.x, stops)
+    if store is not None and answer >= 0:
+        store.begin(recorder)
     if file is not None and answer >= 0:
         answer_saved = file.go_on(runner, recorder)
         if answer_saved in (abi.DONE, abi.EVENT):
@@ -254,6 +280,8 @@ def _loop(
         answer = said
         if answer != abi.MORE:
             recorder.take()
+            if store is not None:
+                store.look(recorder, answer)
         if file is not None:
             file.note(runner, recorder, answer)
         done = abs(runner.record.t - over.start) / over.length

@@ -7,7 +7,6 @@ import math
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -27,6 +26,7 @@ from .discontinuities import FEW, jumps, stops_of
 from .events import NOTHING, EventTable
 from .input_functions import CEntry, InputFunctions
 from .run_record import INPUTS, WATCH, Numbers
+from .run_state import Saved
 from .settings import Settings
 from .signals import Signals
 
@@ -35,24 +35,6 @@ SLICE = 0.01  # seconds between two looks at signals and progress
 ROWS = 2048
 MOST_PASSES = 256  # steps over singular positions that are noted
 LOG, ROOM = 256, 32  # rows of the log of events, and more per event
-
-
-@dataclass(frozen=True)
-class Saved:
-    """A checkpoint of a run.
-
-    Attributes:
-        record, memory: Of the run, to the bit.
-        owner: Whose they are.
-        ticks: When the next samples are due.
-        over: What ended it, in words; "" if it may go on.
-    """
-
-    record: Any
-    memory: bytes
-    owner: int
-    ticks: bytes = b""
-    over: str = ""
 
 
 class Runner:
@@ -269,18 +251,19 @@ class Runner:
         self.record.stops = self.stops.ctypes.data
         self.record.stop_count, self.record.next_stop = len(self.stops), 0
 
-    def want(self, times: Array | None, dense: bool) -> None:
+    def want(self, times: Array | None, dense: bool, most: int = ROWS) -> None:
         """Say which rows to write: at ``times``, or at every step.
 
         Args:
             times: Output times, in the direction of the run.
             dense: Keep the dense output of every step.
+            most: Rows of steps until somebody takes them.
 
         Raises:
             SolveError: there is no memory for the rows.
         """
         run = self.record
-        run.capacity = ROWS if times is None else len(times)
+        run.capacity = most if times is None else len(times)
         width = 1 + self.n + self.model.nr + self.model.ns + run.nlam
         try:
             if self.rows.shape != (run.capacity, width):
@@ -294,9 +277,9 @@ class Runner:
         if times is not None:
             self._times = np.ascontiguousarray(times)
             run.times, run.time_count = self._times.ctypes.data, len(times)
-        if dense and not len(self.dense_room):
-            self.dense_room = np.empty((ROWS, self.method.dense_rows, self.n))
-        self.spreads = self.dense_room[: ROWS if dense else 0]
+        if dense and len(self.dense_room) < most:
+            self.dense_room = np.empty((most, self.method.dense_rows, self.n))
+        self.spreads = self.dense_room[: most if dense else 0]
         run.spreads = self.spreads.ctypes.data if dense else None
 
     def drive(self, budget: int) -> int:
@@ -352,10 +335,25 @@ class Runner:
 
     def save(self) -> Saved:
         """A checkpoint."""
-        return Saved(bytes(self.record), self.memory.tobytes(), id(self), bytes(self.ticks))
+        segments = tuple(row.where for row in self.tabulated)
+        return Saved(
+            bytes(self.record), self.memory.tobytes(), id(self), bytes(self.ticks), "", segments
+        )
 
     def restore(self, saved: Saved) -> None:
-        """Go back to a checkpoint of this run.
+        """Go back to a checkpoint of this run, from where it goes to another time.
+
+        Raises:
+            ModelError: it belongs to another one.
+        """
+        stops = self.record.stops
+        self.resume(saved)
+        # the stops were those of a step that is over
+        run = self.record
+        run.stops, run.stop_count, run.next_stop = stops, 1, 0
+
+    def resume(self, saved: Saved) -> None:
+        """Go back to a checkpoint in the middle of this run, from where it takes the same steps.
 
         Raises:
             ModelError: it belongs to another one.
@@ -363,12 +361,11 @@ class Runner:
         run, memory = self.record, self.memory
         if saved.owner != id(self) or len(saved.memory) != memory.nbytes:
             raise ModelError("this checkpoint was made by another stepper")
-        stops = run.stops
         ctypes.memmove(ctypes.addressof(run), saved.record, ctypes.sizeof(run))
-        # the stops were those of a step that is over
-        run.stops, run.stop_count, run.next_stop = stops, 1, 0
         memory[:] = np.frombuffer(saved.memory)
         ctypes.memmove(self.ticks, saved.ticks, ctypes.sizeof(self.ticks))
+        for row, segment in zip(self.tabulated, saved.segments, strict=False):
+            row.where = segment
 
     def check(self) -> None:
         """Raise what an input function raised."""

@@ -21,7 +21,8 @@ from . import run_record as abi
 from .alpha_methods import Alpha, GeneralizedAlpha
 from .events import check_start, event_table_of
 from .outcome import explain
-from .run import Runner, Saved
+from .run import Runner
+from .run_state import Saved
 from .settings import Settings, Values, blocks, settings, start
 from .signals import signals
 from .starts.start import closed_start

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from ...schema import kernel_files
@@ -43,13 +43,17 @@ def add_time_jumps(folder: Path, system: System) -> tuple[str, ...]:
     return (jumps.name,)
 
 
-def kernels(integrators: tuple[str, ...], elements: bool) -> dict[str, str]:
+def kernels(
+    integrators: tuple[str, ...], elements: bool, sweeps: Sequence[str] = ()
+) -> dict[str, str]:
     """Texts of the files that an export needs, by name.
 
     Args:
         integrators: Its methods.
         elements: Whether it consists of elements in tables.
+        sweeps: Files of gradients.
     """
     roots = ["export.c", *(["mesh_export.c"] if elements else [])]
     roots += ["simulate.c", *(f"{one}.c" for one in integrators)] if integrators else []
+    roots += sweeps
     return {name: kernel_files.text(name) for name in linkage.closure(roots)}

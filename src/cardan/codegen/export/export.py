@@ -13,6 +13,7 @@ from ...equations.functions.recipes import missing
 from ...equations.record import EquationRecord
 from ...errors import CodegenError, DerivationError, brief, near
 from ...schema.c_functions import FunctionRow
+from ...schema.cost import Cost
 from ...schema.functions import FUNCTIONS
 from ...schema.manifest import Manifest
 from .. import flat_scene, header, layout, manifest
@@ -22,7 +23,7 @@ from ..languages.binding import BoundModel
 from ..program.program import Program
 from ..sources import source
 from ..writing import generate
-from . import companions, lanes, model_file
+from . import companions, gradient, lanes, model_file
 from . import precision as precisions
 from . import prefix as prefixes
 from .jacobians import with_jacobians
@@ -46,6 +47,7 @@ class ExportRequest:
         reproducible: Whether flags forbid contraction.
         prefix: Before all names.
         precision: Of all numbers, ``"double"`` or ``"single"``.
+        cost: Whose gradient runs have, None without.
     """
 
     target: Path
@@ -54,6 +56,7 @@ class ExportRequest:
     reproducible: bool
     prefix: str
     precision: str
+    cost: Cost | None = None
 
     @property
     def flags(self) -> tuple[str, ...]:
@@ -69,6 +72,7 @@ class ExportRequest:
         reproducible: bool,
         prefix: str,
         precision: str,
+        cost: Cost | None = None,
     ) -> ExportRequest:
         """The options, checked.
 
@@ -87,8 +91,9 @@ class ExportRequest:
             raise CodegenError(f"integrators: language '{language}' {binding.without_runs}")
         prefixes.check(prefix, language)
         precisions.check(precision, language, methods)
+        gradient.check(cost, language, methods, precision)
         check(target)
-        return cls(target, language, methods, reproducible, prefix, precision)
+        return cls(target, language, methods, reproducible, prefix, precision, cost)
 
 
 def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
@@ -123,7 +128,8 @@ def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
 
 def contents(data: Manifest, request: ExportRequest, content: Content) -> dict[str, str | bytes]:
     """Everything beside the functions, by file name."""
-    bound = BoundModel(data, content.programs, content.start, request.flags)
+    swept = request.integrators if content.cost else ()
+    bound = BoundModel(data, content.programs, content.start, request.flags, swept)
     binding = BINDINGS[request.language]
     return {**texts(data, request, content), **(binding.files(bound) if binding else {})}
 
@@ -136,13 +142,16 @@ def texts(data: Manifest, request: ExportRequest, content: Content) -> dict[str,
     side_by_side = lanes.methods(data, methods) if request.precision == "double" else []
     top = "simulate_lanes.h" if side_by_side else "simulate.h" if methods else "export.h"
     headers = [top, *(["mesh_export.h"] if elements else [])]
+    headers += ["motion_gradient.h"] if content.cost else []
+    sweeps = gradient.files(methods) if content.cost else []
+    runs = (bool(methods), bool(side_by_side), bool(content.cost))
     return {
-        **companions.kernels(methods, elements),
+        **companions.kernels(methods, elements, sweeps),
         **(lanes.files(side_by_side) if side_by_side else {}),
         "functions.h": header.prototypes(data.name, functions, headers, content.declared),
         "model.c": model_file.text(data, content, methods),
         "example.c": f"/* Try it:  {line} */\n{source('example.c')}",
-        "README.md": readme(data, functions, line, (bool(methods), bool(side_by_side)), binding),
+        "README.md": readme(data, functions, line, runs, binding),
         **content.files,
     }
 
@@ -158,6 +167,7 @@ def export(
     loops: bool | None = None,
     prefix: str = "",
     precision: str = "double",
+    cost: Cost | None = None,
 ) -> Path:
     """Write C that needs nothing but a C compiler, and what makes it easy to use.
 
@@ -167,6 +177,7 @@ def export(
         start: Folder of a model -> values to start from, by block; of other blocks the scene's.
         functions, language, integrators, reproducible, loops, prefix, precision: As
             ``equations.export`` takes them.
+        cost: Its ``gradient``.
 
     Returns:
         The directory. It appears whole or not at all.
@@ -180,9 +191,9 @@ def export(
     for one in functions or ():
         if not isinstance(one, str) and not (isinstance(one, tuple | list) and len(one) == 2):
             raise CodegenError(f"functions: {brief(one)}: give names, or ('pose', 'hand')")
-    options = (language, integrators, reproducible, prefix, precision)
+    options = (language, integrators, reproducible, prefix, precision, cost)
     request = ExportRequest.checked(directory, *options)
-    fill = filler(equations, start, functions, request.integrators, loops, language)
+    fill = filler(equations, start, functions, request.integrators, loops, language, cost)
     return written(request, fill)
 
 
@@ -193,11 +204,13 @@ def filler(
     integrators: tuple[str, ...],
     loops: bool | None = None,
     language: str = "c",
+    cost: Cost | None = None,
 ) -> Callable[[Path], Content]:
     """A function that writes model and functions into a folder, and says what else there is.
 
     Args:
-        equations, start, functions, integrators, loops, language: As :func:`export` takes them.
+        equations, start, functions, integrators, loops, language, cost: As :func:`export` takes
+            them.
 
     Raises:
         DerivationError: an unknown function.
@@ -207,6 +220,8 @@ def filler(
     if binding and binding.jacobians:
         named = _requested(equations, functions or [*_usual(equations)], ())
         requested = with_jacobians(equations, language, binding.products, named, requested)
+    pairs = gradient.functions(equations, cost) if cost else {}
+    requested += [pair for pair in dict.fromkeys(pairs.values()) if pair not in requested]
 
     def fill(folder: Path) -> Content:
         programs = _write(folder, equations, requested, loops)
@@ -214,7 +229,10 @@ def filler(
             companions.add_time_jumps(folder, equations.system)
         entries = layout.manifest_of(folder).functions
         values = _start(folder, equations, requested, start)
-        return Content(_ordered(entries), values, programs=programs)
+        swept = {equations.c_name(*pair) for pair in pairs.values()}
+        ordered = _ordered(entries, swept)
+        row = gradient.record(equations, pairs, [*ordered]) if cost else None
+        return Content(ordered, values, programs=programs, cost=row)
 
     return fill
 
@@ -292,9 +310,9 @@ def _usual(equations: EquationRecord) -> list[str]:
     return [name for name in STANDARD if name in available]
 
 
-def _ordered(entries: Mapping[str, FunctionRow]) -> dict[str, Exported]:
+def _ordered(entries: Mapping[str, FunctionRow], swept: set[str]) -> dict[str, Exported]:
     """Functions of the manifest; first one that no run calls beside rhs, if there is one."""
-    called = {*companions.CLOSING, *companions.EVENT_FUNCTIONS, flat_scene.TIME_JUMPS}
+    called = swept | {*companions.CLOSING, *companions.EVENT_FUNCTIONS, flat_scene.TIME_JUMPS}
     called |= {*companions.needed(companions.INTEGRATORS, states=True)}
     ordered = sorted(entries, key=called.__contains__)
     return {name: Exported.of(entries[name]) for name in ordered}

@@ -13,6 +13,7 @@ from ...schema.rows import column
 from ..header import VALUES, Exported, array
 from ..program.naming import comment
 from ..program.program import Program
+from . import gradient
 from .constants import Constants, Declarations, Name, Value
 
 # where none are asked for: tolerances of a run, and the step of methods that choose none [s]
@@ -33,6 +34,7 @@ class Content:
         declared: More lines of ``functions.h``.
         files: More files, by name.
         programs: Its functions, for bindings that are written from them.
+        cost: ``cardan_exported_cost``, None without gradients.
     """
 
     functions: Mapping[str, Exported]
@@ -43,6 +45,7 @@ class Content:
     declared: Sequence[str] = ()
     files: Mapping[str, str] = field(default_factory=dict)
     programs: Sequence[Program] = ()
+    cost: Value = None
 
 
 def text(manifest: Manifest, content: Content, integrators: Sequence[str]) -> str:
@@ -86,7 +89,9 @@ def declare(
     methods = [
         _method(one, {**TOLERANCES, **content.tolerances.get(one, {})}) for one in integrators
     ]
-    quaternions = manifest.quaternions
+    for one, row in zip(integrators if content.cost else (), methods, strict=False):
+        row |= _tables(c, one)
+    quaternions, costs = manifest.quaternions, [content.cost] if content.cost else []
     c.say("all that a run must know of the model")
     fields: dict[str, Value] = {
         "name": manifest.name,
@@ -105,6 +110,7 @@ def declare(
         **(
             _events(c, manifest) if integrators and {"events", "transition"} <= {*functions} else {}
         ),
+        "cost": c.records("cardan_exported_cost", "scene_cost", costs),
         **content.fields,
     }
     c.record("const cardan_export cardan_scene", fields)
@@ -129,7 +135,17 @@ def _rows(functions: Mapping[str, Exported]) -> list[Value]:
     return rows
 
 
-def _method(name: str, tolerances: Mapping[str, float]) -> Value:
+def _tables(c: Declarations, name: str) -> dict[str, Value]:
+    """Coefficients of a method, for sweeps over its steps."""
+    table = f"cardan_{name}_tableau"
+    c.external(f"ptrdiff_t {table}(real *nodes, real *weights, real *matrix)")
+    if not gradient.METHODS[name]:
+        return {"tableau": Name(table)}
+    c.external("const struct cardan_coupled cardan_coupled_stages")
+    return {"tableau": Name(table), "coupled": Name("&cardan_coupled_stages")}
+
+
+def _method(name: str, tolerances: Mapping[str, float]) -> dict[str, Value]:
     record = KERNELS[name]
     fixed = {} if record.adaptive else {"step": STEP}
     return {

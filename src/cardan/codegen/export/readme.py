@@ -25,6 +25,9 @@ ELEMENT_FILES = {
     "`functions.json`, `mesh.npz`": "expressions and numbers, for programs",
 }
 RUN_FILES = {"`simulate.h`": "a run from C: methods, tolerances, rows of output, events"}
+SWEEP_FILES = {
+    "`motion_gradient.h`": "a cost of a run and its gradient, by a sweep back over the steps"
+}
 LANE_FILES = {
     "`simulate_lanes.h`, `model_lanes.c`, `lane_*.c`": "runs side by side in vectors: "
     "`simulate_lanes.h` says how to compile them; `example_lanes.c` is an example"
@@ -45,7 +48,7 @@ def readme(
     manifest: Manifest,
     functions: Mapping[str, Exported],
     compile_line: str,
-    runs: tuple[bool, bool],
+    runs: tuple[bool, bool, bool],
     binding: Binding | None = None,
 ) -> str:
     """The file.
@@ -54,13 +57,14 @@ def readme(
         manifest: Of the model.
         functions: Those of the export.
         compile_line: How to compile and run the example.
-        runs: Whether integrators came along, and whether they run side by side.
+        runs: Whether integrators came along, whether they run side by side, and have a gradient.
         binding: What calls the C, if anything does.
     """
     meshed = manifest.absolute
     files = {**FILES, "`example.c`": f"a call from C: `{compile_line}`"}
     files |= (ELEMENT_FILES if meshed else {}) | (RUN_FILES if runs[0] else {})
     files |= LANE_FILES if runs[1] else {}
+    files |= SWEEP_FILES if runs[2] else {}
     if binding:
         package = binding.package(manifest)
         files[binding.listed.format(package=package)] = binding.use.format(package=package)

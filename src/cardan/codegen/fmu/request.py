@@ -19,7 +19,14 @@ KINDS = {"me": "model exchange", "cs": "co-simulation"}
 # methods of co-simulation where none is named, as simulate() takes them
 RIGID, ELEMENTS = "dop853", "radau"
 # options that FMUs do not have, and what they are where they are not named
-NOT_FMU = {"functions": None, "language": None, "loops": None, "prefix": "", "precision": "double"}
+NOT_FMU: dict[str, object] = {
+    "functions": None,
+    "language": None,
+    "loops": None,
+    "prefix": "",
+    "precision": "double",
+    "gradient": None,
+}
 
 
 @dataclass(frozen=True)

@@ -30,12 +30,14 @@ class BoundModel:
         programs: Its functions, for what is written from them and not around their C.
         start: Values to start from instead of those that the scene names, by block.
         flags: For the compiler.
+        swept: Methods of runs that have a gradient.
     """
 
     manifest: Manifest
     programs: Sequence[Program]
     start: Mapping[str, Sequence[float]]
     flags: Sequence[str]
+    swept: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

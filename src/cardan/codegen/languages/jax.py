@@ -78,8 +78,14 @@ def files(model: BoundModel) -> dict[str, str | bytes]:
         lines += binding.records(f, manifest, grouped=False, weights=weights)
         symbols = (f.symbol, *f.derivatives, *f.products)
         lines += [*(f"DEFINE({symbol})" for symbol in symbols), ""]
+    lines += [source("jax_gradient.c")] if model.swept else []
     head = _head(manifest, functions, package(manifest), model.flags)
     parts = [head, source("library.txt"), source("jax.txt")]
+    if model.swept:
+        parts += [
+            f"METHODS = {binding.literal(list(model.swept))}\n\n\n",
+            source("jax_gradient.txt"),
+        ]
     return {
         "binding.h": source("binding.h"),
         "jax.c": "\n".join([*lines, "#endif", ""]),

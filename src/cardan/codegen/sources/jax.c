@@ -8,6 +8,7 @@
 #ifdef CARDAN_JAX
 #include "binding.h"
 #include "xla/ffi/api/c_api.h"
+#include <stdio.h>
 #include <stdlib.h>
 
 #ifdef _WIN32

@@ -1,8 +1,9 @@
 """Derivatives of what elements give by everything that they read: in reverse, forward, and both.
 
-Of forces, of constraints on all levels and of internal states together, of products with M and G,
-of energies, momenta, powers, outputs, reactions, forces by name and motions of bodies: gradients of
-weighted sums, changes along a direction, and changes of those gradients.
+Of forces, of constraints on all levels and of internal states together, of what impulses obey, of
+energies, momenta, powers, outputs, reactions, forces by name and motions of bodies, of events and
+what they change: gradients of weighted sums, changes along a direction, and changes of those
+gradients.
 
 Source: Griewank and Walther, Evaluating Derivatives (2008), sections 3.1, 3.2 and 5.1.
 """
@@ -20,7 +21,7 @@ from ...ir.matrix import Matrix, inner
 from ...ir.rewrite import rebuild
 from ...ir.routine import Routine
 from ...schema.blocks import ORDER
-from ...schema.finite_elements import DERIVATIVES, requested_name
+from ...schema.finite_elements import DERIVATIVES, EVENT_DERIVATIVES, requested_name
 from .record import BlockKind, Group, Kind
 from .superelement_derivatives import superelement_derivative
 
@@ -43,11 +44,12 @@ def derivative_of(kind: Kind, form: str, group: Group, inputs: int) -> Function:
     Returns:
         What is multiplied by the derivative is the block v. Of a gradient it has weights: of
         ``dynamics_gradient`` those of the balance (nu), of g (mp), of the rates (m), of
-        G udot - H lam - gamma (m) and of its own internal states, of ``matrices_gradient`` those of
-        M udot (nu) and G udot (m), else those of the results of the function. The results are
-        derivatives by q as it is stored, u, udot, lam, z, s, r, t and the data that parameters
-        change. Of a change v and the results are the other way round. Of a curvature v has the
-        weights, then a direction; the results are those of the gradient.
+        G udot - H lam - gamma (m) and of its own internal states, of ``impulse_gradient`` those of
+        M udot - Gᵀ lam (nu) and G udot - H lam (m), else those of the results of the function. The
+        results are derivatives by q as it is stored, u, udot, lam, z, s, r, t, of events by du and
+        tau too, then by the data that parameters change. Of a change v and the results are the
+        other way round. Of a curvature v has the weights, then a direction; the results are those
+        of the gradient.
     """
     graph = Graph()
     read = {name: kind.functions[name] for name in DERIVATIVES[form] if name in kind.functions}
@@ -59,9 +61,11 @@ def derivative_of(kind: Kind, form: str, group: Group, inputs: int) -> Function:
     sizes = {
         **{"q": kind.nq, "u": kind.nu, "udot": kind.nu, "lam": kind.m},
         **{"z": _width(group.z), "s": _width(group.s), "r": inputs, "t": 1},
-        "p": len(kind.data) - fixed,
     }
     blocks = {block.name: block for f in read.values() for block in f.inputs}
+    if form in EVENT_DERIVATIVES:
+        sizes |= {"du": kind.nu, "tau": len(blocks["tau"].entries)}
+    sizes["p"] = len(kind.data) - fixed
     owners = next((f.owners for f in read.values()), ())
     return _derivative(kind.c_name(form), graph, roots, blocks, sizes, owners)
 
@@ -135,31 +139,38 @@ def _dynamics(graph: Graph, kind: Kind, read: Mapping[str, Function]) -> list[in
         for name in ("balance", "gamma", "zdot")
     )
     tangent = results["balance_tangent"]
-    missed = _times_udot(graph, kind, tangent, "G", m)
+    udot, lam = (
+        Matrix(graph, n, 1, [graph.var(letter, k) for k in range(n)])
+        for letter, n in (("udot", kind.nu), ("lam", m))
+    )
+    missed = Matrix.zeros(graph, m)
+    if "G" in tangent:
+        missed = Matrix(graph, m, kind.nu, tangent["G"]) @ udot
     if "H" in tangent:
-        lam = Matrix(graph, m, 1, [graph.var("lam", k) for k in range(m)])
         missed = missed - Matrix(graph, m, m, tangent["H"]) @ lam
     if gamma:
         missed = missed - Matrix(graph, m, 1, gamma)
     return [*balance, *[ZERO] * (levels - len(balance)), *missed.nodes, *zdot]
 
 
-def _matrices(graph: Graph, kind: Kind, read: Mapping[str, Function]) -> list[int]:
-    """M udot and G udot."""
+def _impulse(graph: Graph, kind: Kind, read: Mapping[str, Function]) -> list[int]:
+    """M udot - Gᵀ lam and G udot - H lam: without forces, which would round beside masses."""
+    nu, m = kind.nu, kind.m
     tangent = _copied(graph, read["balance_tangent"])
-    rows = {"M": kind.nu, "G": kind.m}
-    return [n for x in rows for n in _times_udot(graph, kind, tangent, x, rows[x]).nodes]
-
-
-def _times_udot(
-    graph: Graph, kind: Kind, tangent: Mapping[str, Sequence[int]], name: str, rows: int
-) -> Matrix:
-    """A matrix (rows, nu) of the tangent times udot; zeros where it has none."""
-    if name not in tangent:
-        return Matrix.zeros(graph, rows)
-    udot = Matrix(graph, kind.nu, 1, [graph.var("udot", k) for k in range(kind.nu)])
-    return Matrix(graph, rows, kind.nu, tangent[name]) @ udot
+    udot, lam = (
+        Matrix(graph, n, 1, [graph.var(letter, k) for k in range(n)])
+        for letter, n in (("udot", nu), ("lam", m))
+    )
+    balance, missed = Matrix.zeros(graph, nu), Matrix.zeros(graph, m)
+    if "M" in tangent:
+        balance = Matrix(graph, nu, nu, tangent["M"]) @ udot
+    if "G" in tangent:
+        G = Matrix(graph, m, nu, tangent["G"])
+        balance, missed = balance - G.T @ lam, G @ udot
+    if "H" in tangent:
+        missed = missed - Matrix(graph, m, m, tangent["H"]) @ lam
+    return [*balance.nodes, *missed.nodes]
 
 
 # what is differentiated where it is not the results of functions as they are
-ROOTS = {"dynamics": _dynamics, "matrices": _matrices}
+ROOTS = {"dynamics": _dynamics, "impulse": _impulse}

@@ -30,7 +30,7 @@ from ..functions.dynamics import Dynamics
 from ..kinematics.loads import places
 from .joint_friction import JointFriction
 
-# kinds of rows of "impulses" in mesh_events.c; the last asks for a response, and pushes nothing
+# kinds of rows of "impulses" in mesh_jumps.h; the last asks for a response, and pushes nothing
 BILATERAL, UNILATERAL, SLOW_RELEASE, RESPONSE = range(4)
 
 

@@ -18,8 +18,7 @@ DERIVATIVE_HEADERS = (
 )
 # what derivatives read besides weights or directions; results: of forces as many as speeds
 DERIVATIVE_READS = {
-    "dynamics": ("q", "u", "udot", "p"),
-    "matrices": ("q", "udot", "p"),
+    **dict.fromkeys(("dynamics", "impulse"), ("q", "u", "udot", "p")),
     **dict.fromkeys(("energy", "momentum", "power"), ("q", "u", "p")),
 }
 RESULTS = {"energy": 2, "momentum": 6, "power": 1}

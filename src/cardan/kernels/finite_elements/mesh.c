@@ -117,22 +117,20 @@ static real *gather(const cardan_mesh *mesh, const cardan_group *g, const ptrdif
     local = cardan_mesh_pick_rows(g, g->m, element, lanes, at->lam, local);
     local = cardan_mesh_pick(at->z, g->z, g->nz, element, lanes, local);
     local = cardan_mesh_pick(at->s, g->s, g->ns, element, lanes, local);
-    if (at->gift)
-        return at->gift->give(mesh, g, element, lanes, at->gift, local);
-    if (!at->inner && !at->behind && !at->certainty)
-        return local;
-    local = cardan_mesh_fetch_places(g, element, lanes, mesh->u, at->behind ? at->behind : at->du, local);
+    if (at->inner || at->behind || at->certainty)
+        local = cardan_mesh_fetch_places(g, element, lanes, mesh->u, at->behind ? at->behind : at->du,
+                                         local);
     if (at->behind || at->certainty)
-        return gather_events(mesh, g, element, lanes, at, local);
-    for (ptrdiff_t i = 0; i < g->inner; i++)
+        local = gather_events(mesh, g, element, lanes, at, local);
+    for (ptrdiff_t i = 0; at->inner && i < g->inner; i++)
         for (ptrdiff_t lane = 0; lane < lanes; lane++)
             *local++ = at->inner[g->inner_start + element[lane] * g->inner + i];
-    return local;
+    return at->gift ? at->gift->give(mesh, g, element, lanes, at->gift, local) : local;
 }
 
 /* The blocks of `local` as functions read them. */
 static cardan_in blocks(const cardan_group *g, const real *t, const real *r, const real *local,
-                        ptrdiff_t stride)
+                        ptrdiff_t stride, int events)
 {
     cardan_in in = {0};
 
@@ -147,8 +145,8 @@ static cardan_in blocks(const cardan_group *g, const real *t, const real *r, con
     in.du = in.s + g->ns * stride;
     in.e = in.du + g->nu * stride;
     in.tau = in.e + g->ne * stride;
-    /* derivatives read nothing else behind the states */
-    in.v = in.du;
+    /* derivatives read nothing else behind the states, but for those of events */
+    in.v = events ? in.tau + (g->frictions + g->responses) * stride : in.du;
     /* kinds with unknowns of their own have no internal states */
     if (g->inner > 0)
         in.z = in.du + g->nu * stride;
@@ -176,7 +174,7 @@ int cardan_mesh_group(const cardan_mesh *mesh, const cardan_group *g, const card
     if (!f->call)
         return 0;
     real *t = aligned(room), *local = same_for_all(mesh, at, lanes, t);
-    cardan_in in = blocks(g, t, t + lanes, local, lanes);
+    cardan_in in = blocks(g, t, t + lanes, local, lanes, at->behind || at->certainty);
 
     for (ptrdiff_t first = 0; first < g->count && status == 0; first += lanes) {
         const ptrdiff_t left = g->count - first;

@@ -44,7 +44,7 @@ int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_constraint_jacobian(const cardan_in *in, real *out, real *work);
 /* mesh_loops.c */
 int cardan_mesh_loops(const cardan_mesh *mesh, const cardan_mesh_system *system, real *rows);
-/* mesh_events.c; `jump_room`: numbers of memory of a transition besides that of accelerations */
+/* mesh_events.c; `jump_room`, in mesh_jumps.c: numbers of memory of a transition besides that of accelerations */
 int cardan_mesh_call_events(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_transition(const cardan_in *in, real *out, real *work);
 ptrdiff_t cardan_mesh_jump_room(const cardan_mesh *mesh);

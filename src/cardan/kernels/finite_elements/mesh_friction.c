@@ -162,3 +162,85 @@ int cardan_mesh_with_friction(const cardan_mesh *mesh, const cardan_state *at,
             out[i] += all->value[j] * all->moved[j * n + i];
     return status;
 }
+
+/* The matrix 1 - S, or its transposed, factored: S_ij = change of friction i by a unit of friction j. */
+static int feedback(const cardan_mesh *mesh, const cardan_mesh_friction *all, int transposed)
+{
+    const ptrdiff_t k = mesh->frictions;
+
+    for (ptrdiff_t i = 0; i < k; i++) {
+        real along[3];
+        (void)across(mesh, all, i, along);
+        for (ptrdiff_t j = 0; j < k; j++)
+            all->matrix[transposed ? j * k + i : i * k + j] =
+                (i == j) - all->coefficient[i] * cardan_dot(along, all->share + 3 * (k * j + i), 3);
+    }
+    return cardan_factor(k, all->matrix, all->order) == 0 ? 0 : CARDAN_UNSOLVED;
+}
+
+/* Change of friction i by multipliers: normal_i (3, m) along the force across its line, times c. */
+static real by_multiplier(const cardan_mesh *mesh, const cardan_mesh_friction *all, ptrdiff_t i,
+                          const real *along, ptrdiff_t k)
+{
+    real sum = 0;
+
+    for (ptrdiff_t x = 0; x < 3; x++)
+        sum += along[x] * all->normal[(3 * i + x) * mesh->m + k];
+    return all->coefficient[i] * sum;
+}
+
+/* (A - a v^T) y = right: first as if there were no friction, which changes by what that does. */
+static int solve_with(const cardan_mesh *mesh, cardan_mesh_system *system, const cardan_mesh_friction *all)
+{
+    const ptrdiff_t n = mesh->nu + mesh->m;
+    int status = feedback(mesh, all, 0);
+
+    if (status == 0)
+        status = cardan_mesh_solve(mesh, system);
+    for (ptrdiff_t i = 0; i < mesh->frictions; i++) {
+        real along[3];
+        (void)across(mesh, all, i, along);
+        all->step[i] = 0;
+        for (ptrdiff_t k = 0; k < mesh->m; k++)
+            all->step[i] -= by_multiplier(mesh, all, i, along, k) * system->solution[mesh->unknown[k]];
+    }
+    if (status != 0)
+        return status;
+    cardan_substitute(mesh->frictions, all->matrix, all->order, all->step);
+    for (ptrdiff_t j = 0; j < mesh->frictions; j++) {
+        const real *moved = all->moved + j * n;
+        for (ptrdiff_t i = 0; i < mesh->nu; i++)
+            system->solution[i] += all->step[j] * moved[i];
+        for (ptrdiff_t k = 0; k < mesh->m; k++)
+            system->solution[mesh->unknown[k]] -= all->step[j] * moved[mesh->nu + k];
+    }
+    return 0;
+}
+
+/* (A - v a^T) y = right: the sums a^T y of what friction pushes along, then the system with them. */
+static int solve_transposed(const cardan_mesh *mesh, cardan_mesh_system *system,
+                            const cardan_mesh_friction *all)
+{
+    int status = feedback(mesh, all, 1);
+
+    if (status == 0)
+        status = cardan_mesh_solve(mesh, system);
+    if (status != 0)
+        return status;
+    for (ptrdiff_t i = 0; i < mesh->frictions; i++)
+        all->step[i] = cardan_dot(all->along + i * mesh->nu, system->solution, mesh->nu);
+    cardan_substitute(mesh->frictions, all->matrix, all->order, all->step);
+    for (ptrdiff_t i = 0; i < mesh->frictions; i++) {
+        real along[3];
+        (void)across(mesh, all, i, along);
+        for (ptrdiff_t k = 0; k < mesh->m; k++)
+            system->right[mesh->unknown[k]] -= all->step[i] * by_multiplier(mesh, all, i, along, k);
+    }
+    return cardan_mesh_solve(mesh, system);
+}
+
+int cardan_mesh_friction_solve(const cardan_mesh *mesh, cardan_mesh_system *system,
+                               const cardan_mesh_friction *all, int transposed)
+{
+    return transposed ? solve_transposed(mesh, system, all) : solve_with(mesh, system, all);
+}

@@ -23,5 +23,9 @@ ptrdiff_t cardan_mesh_friction_lay(const cardan_mesh *mesh, real *block, cardan_
 /* Add to accelerations and multipliers `out` (nu + m) without friction what friction does. */
 int cardan_mesh_with_friction(const cardan_mesh *mesh, const cardan_state *at,
                               cardan_mesh_system *system, const cardan_mesh_friction *all, real *out);
+/* Of a factored system with friction solved for at a state: what `right` of it asks for with the changes
+ * of friction by multipliers in its matrix, or in its transposed. */
+int cardan_mesh_friction_solve(const cardan_mesh *mesh, cardan_mesh_system *system,
+                               const cardan_mesh_friction *all, int transposed);
 
 #endif

@@ -55,6 +55,10 @@ int cardan_mesh_enter(const cardan_in *in, real *work, cardan_place *here)
         here->at.udot = solution;
         here->at.lam = solution + mesh->nu;
     }
+    if (function == CARDAN_OF_EVENTS || function == CARDAN_OF_TRANSITION)
+        status = cardan_mesh_enter_event(in, solution, work, here);
+    if (mesh->frictions > 0)
+        (void)cardan_mesh_friction_lay(mesh, cardan_mesh_certainty(mesh, work), &here->friction);
     /* projections are differentiated at their factors, as if all gaps were closed */
     if (function == CARDAN_OF_CLOSE_POSITION || function == CARDAN_OF_CLOSE_VELOCITY) {
         missing = work + cardan_mesh_lay(mesh, work, &here->system);

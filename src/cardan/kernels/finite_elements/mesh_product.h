@@ -30,6 +30,8 @@ enum {
     CARDAN_OF_CLOSE_POSITION,
     CARDAN_OF_CLOSE_VELOCITY,
     CARDAN_OF_EXPRESSION,
+    CARDAN_OF_EVENTS,
+    CARDAN_OF_TRANSITION,
     CARDAN_OF_REACTION,
     CARDAN_OF_ELEMENT_FORCES,
     CARDAN_OF_MASS_MATRIX,
@@ -83,10 +85,14 @@ typedef struct cardan_mesh_product {
     ptrdiff_t results;             /* numbers of that function */
     ptrdiff_t solved;              /* 1: it follows from accelerations or multipliers */
     const cardan_form *dynamics;   /* (groups) gradients of balances, of constraints and of zdot */
-    const cardan_form *direct;     /* (groups) of what is summed up, or of M udot (nu) and G udot (m) */
+    const cardan_form *direct;     /* (groups) of what is summed up, of values of events, or of states behind
+                                      these; NULL */
     const cardan_summands *summands; /* (groups); NULL: nothing is summed up */
     ptrdiff_t sums;                /* how many sums there are */
     const cardan_frame *frame;     /* of which the function is; NULL: of none */
+    const cardan_form *impulse;    /* (groups) of M udot - G^T lam (nu) and G udot - H lam (m); NULL */
+    const cardan_form *jumps;      /* (groups) of impulses at events; NULL */
+    const cardan_form *friction;   /* (groups) of friction that follows from reactions; NULL */
     const cardan_form *rates;      /* (movers) of qdot by q and u; NULL calls: speeds are rates */
     const cardan_form *formula;    /* value of an expression by states and outputs (in v), and its slopes
                                       by t q u z r p and outputs */

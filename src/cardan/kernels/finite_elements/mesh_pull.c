@@ -21,6 +21,9 @@ ptrdiff_t cardan_mesh_lay_slopes(const cardan_mesh_product *product, real *block
     by->udot = cardan_reserve(block, &used, mesh->nu);
     by->tau = cardan_reserve(block, &used, mesh->nu);
     by->lam = cardan_reserve(block, &used, mesh->m);
+    by->behind = cardan_reserve(block, &used, mesh->nu);
+    by->certainty = cardan_reserve(block, &used, mesh->frictions);
+    by->responses = cardan_reserve(block, &used, mesh->responses);
     by->count = used;
     return used;
 }
@@ -40,6 +43,7 @@ ptrdiff_t cardan_mesh_lay_place(const cardan_mesh_product *product, real *block,
     used += cardan_mesh_lay_slopes(product, block ? block + used : NULL, &here->by);
     used += cardan_mesh_lay_slopes(product, block ? block + used : NULL, &here->way);
     here->stretch = cardan_reserve(block, &used, product->quaternions);
+    used += cardan_mesh_lay_event(product, block ? block + used : NULL, &here->event);
     here->room = cardan_reserve(block, &used, cardan_mesh_room(mesh));
     return used;
 }
@@ -77,9 +81,12 @@ static void take_gradient(const cardan_mesh *mesh, const cardan_group *g,
             by->r[i] += next[lane];
     for (ptrdiff_t lane = 0; lane < some->filled; lane++)
         *by->t += next[lane];
+    next += some->lanes;
+    if (here->at.behind)
+        next = cardan_mesh_add_events(mesh, g, some, next, by);
     if (here->product->data)
-        cardan_mesh_add_data(here->product->data + (g - mesh->groups), some, next + some->lanes,
-                             by->p, here->by_data);
+        cardan_mesh_add_data(here->product->data + (g - mesh->groups), some, next, by->p,
+                             here->by_data);
 }
 
 /* Weights of the results of elements, in the layout of `gift`: see mesh_pull.h. */
@@ -114,18 +121,24 @@ static real *give_both(const cardan_mesh *mesh, const cardan_group *g, const ptr
                                       give_weights(mesh, g, element, lanes, gift, to));
 }
 
-int cardan_mesh_pull_elements(cardan_place *here, const cardan_form *forms, int layout,
-                              const real *weights, int along)
+int cardan_mesh_pull_with(cardan_place *here, const cardan_form *forms, const cardan_gift *gift)
 {
-    const cardan_gift gift = {along ? give_both : give_weights, layout, weights, here};
     cardan_state at = here->at;
     int status = 0;
 
-    at.gift = &gift;
+    at.gift = gift;
     for (ptrdiff_t k = 0; k < here->mesh->group_count && status == 0; k++)
         status = cardan_mesh_group(here->mesh, here->mesh->groups + k, forms + k, &at, take_gradient,
                                    here, here->room);
     return status;
+}
+
+int cardan_mesh_pull_elements(cardan_place *here, const cardan_form *forms, int layout,
+                              const real *weights, int along)
+{
+    const cardan_gift gift = {along ? give_both : give_weights, layout, weights, here};
+
+    return cardan_mesh_pull_with(here, forms, &gift);
 }
 
 int cardan_mesh_pull_solution(cardan_place *here, const real *by_udot, const real *by_lam)
@@ -135,12 +148,13 @@ int cardan_mesh_pull_solution(cardan_place *here, const real *by_udot, const rea
     real *missed = here->weights + mesh->nu + mesh->mp + mesh->m;
     int status;
 
-    /* without friction that follows from reactions the matrix is symmetric */
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         system->right[i] = by_udot ? by_udot[i] : 0;
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         system->right[mesh->unknown[k]] = by_lam ? -by_lam[k] : 0;
-    status = cardan_mesh_solve(mesh, system);
+    /* without friction that follows from reactions the matrix is symmetric */
+    status = mesh->frictions > 0 ? cardan_mesh_friction_solve(mesh, system, &here->friction, 1)
+                                 : cardan_mesh_solve(mesh, system);
     for (ptrdiff_t i = 0; i < mesh->nu; i++) {
         here->weights[i] -= system->solution[i];
         here->by.tau[i] += system->solution[i];
@@ -297,6 +311,10 @@ int cardan_mesh_pull_stored(cardan_place *here, const real *v)
     case CARDAN_OF_ACCELERATION:
     case CARDAN_OF_FRAME_JACOBIAN:
         return cardan_mesh_pull_frame(here, v);
+    case CARDAN_OF_EVENTS:
+        return cardan_mesh_pull_events(here, v);
+    case CARDAN_OF_TRANSITION:
+        return cardan_mesh_pull_transition(here, v);
     case CARDAN_OF_CLOSE_POSITION:
         copy(nq, v, by->q);
         copy(mesh->mp, v + nq, gaps);

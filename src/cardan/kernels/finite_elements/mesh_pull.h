@@ -5,13 +5,32 @@
 #ifndef CARDAN_MESH_PULL_H
 #define CARDAN_MESH_PULL_H
 
+#include "mesh_friction.h"
+#include "mesh_jumps.h"
 #include "mesh_product.h"
 
 /* Derivatives by everything, added up; one block. */
 typedef struct cardan_slopes {
     real *t, *along, *q, *u, *z, *s, *r, *p, *udot, *tau, *lam;
+    real *behind, *certainty, *responses; /* what events read besides */
     ptrdiff_t count;
 } cardan_slopes;
+
+/* An event at a state, and what its derivatives are made of; one block. */
+typedef struct cardan_event_place {
+    cardan_mesh_jumps all;
+    cardan_mesh_system released; /* masses and constraints without what modes hold */
+    real *work;    /* of that */
+    real *rows;    /* (jumps, CARDAN_JUMP_ROW) weights, or changes, of impulses */
+    real *J;       /* (jumps, nu) of velocities */
+    real *P;       /* (jumps) of the sizes of impulses */
+    real *moved;   /* (nu + m) speeds and multipliers by impulses */
+    real *answer;  /* (nu + m) of the equations of these, or their changes */
+    real *before;  /* (nu + m) derivatives or directions that a sweep over these does not count for */
+    real *values;  /* (ne) of events */
+    real *shares;  /* of friction: see mesh_friction_products.c */
+    int solved;    /* 1: values of events follow from accelerations or multipliers */
+} cardan_event_place;
 
 /* A state at which products are taken, with what was solved for there. */
 typedef struct cardan_place {
@@ -31,6 +50,8 @@ typedef struct cardan_place {
     /* of Hessians, NULL else: derivatives by the data of all elements (data_rows), and weights of the
      * equations of an increment that closes loops, laid out like `weights` */
     real *by_data, *closing;
+    cardan_event_place event;
+    cardan_mesh_friction friction; /* that follows from reactions, where motions are solved for */
 } cardan_place;
 
 /* What a formula reads: the outputs are in `direct`. */
@@ -98,6 +119,34 @@ int cardan_mesh_pull_rates_along(const cardan_place *here, const real *u, const 
                                  const real *du, real *by_q, real *by_u);
 /* Changes of qdot along `way`. */
 int cardan_mesh_push_rates(const cardan_place *here, real *out);
+
+/* mesh_pull.c, mesh_push.c: add the gradient of a sum of results of elements, with the weights of a gift;
+ * give the changes of their results to a taker. */
+int cardan_mesh_pull_with(cardan_place *here, const cardan_form *forms, const cardan_gift *gift);
+int cardan_mesh_push_with(cardan_place *here, const cardan_form *forms, cardan_taker *take, void *to);
+/* Add derivatives by what events read besides, and give directions of that: as elements have it. */
+const real *cardan_mesh_add_events(const cardan_mesh *mesh, const cardan_group *g,
+                                   const cardan_element_lanes *some, const real *next,
+                                   const cardan_slopes *by);
+real *cardan_mesh_give_events(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
+                              ptrdiff_t lanes, const cardan_slopes *way, real *to);
+/* mesh_pull_events.c, mesh_push_events.c: derivatives of values of events, and of what events change */
+ptrdiff_t cardan_mesh_lay_event(const cardan_mesh_product *product, real *block, cardan_event_place *to);
+int cardan_mesh_enter_event(const cardan_in *in, real *solution, real *work, cardan_place *here);
+int cardan_mesh_pull_events(cardan_place *here, const real *v);
+int cardan_mesh_pull_transition(cardan_place *here, const real *v);
+int cardan_mesh_push_events(cardan_place *here, real *out);
+int cardan_mesh_push_transition(cardan_place *here, real *out);
+/* Motion (nu + m), speeds or accelerations and multipliers, by forces (nu) and gaps (m), NULL: none. */
+int cardan_mesh_motion_of(const cardan_mesh *mesh, cardan_mesh_system *system, const real *force,
+                          const real *gap, real *motion);
+/* Add the gradient of M udot - G^T lam (nu) and G udot - H lam (m) at a motion, with weights (nu + m);
+ * set `answer` of the event to the changes of these. */
+int cardan_mesh_pull_impulse(cardan_place *here, const real *motion, const real *weights);
+int cardan_mesh_push_impulse(cardan_place *here, const real *motion);
+/* mesh_friction_products.c: of how certain friction is that follows from reactions */
+int cardan_mesh_pull_certainty(cardan_place *here);
+int cardan_mesh_push_certainty(cardan_place *here);
 
 /* The gradient of the dynamics with weights, or its change. */
 static inline int cardan_mesh_pull_balance(cardan_place *here, const real *weights, int along)

@@ -40,6 +40,8 @@ real *cardan_mesh_give_direction(const cardan_mesh *mesh, const cardan_group *g,
             *to++ = way->r[i];
     for (ptrdiff_t lane = 0; lane < lanes; lane++)
         *to++ = *way->t;
+    if (here->at.behind)
+        to = cardan_mesh_give_events(mesh, g, element, lanes, way, to);
     /* changes of parameters become those of data */
     return cardan_mesh_data_change(data, way->p, element, lanes, to);
 }
@@ -78,20 +80,26 @@ static void take_change(const cardan_mesh *mesh, const cardan_group *g,
                 next[i * some->lanes + lane];
 }
 
-int cardan_mesh_push_elements(cardan_place *here, const cardan_form *forms, int layout, ptrdiff_t size,
-                              real *to)
+int cardan_mesh_push_with(cardan_place *here, const cardan_form *forms, cardan_taker *take, void *to)
 {
-    const cardan_gift gift = {cardan_mesh_give_direction, layout, NULL, here};
-    taken change = {layout, here->product->summands, to};
+    const cardan_gift gift = {cardan_mesh_give_direction, 0, NULL, here};
     cardan_state at = here->at;
     int status = 0;
 
-    memset(to, 0, (size_t)size * sizeof(real));
     at.gift = &gift;
     for (ptrdiff_t k = 0; k < here->mesh->group_count && status == 0; k++)
-        status = cardan_mesh_group(here->mesh, here->mesh->groups + k, forms + k, &at, take_change,
-                                   &change, here->room);
+        status = cardan_mesh_group(here->mesh, here->mesh->groups + k, forms + k, &at, take, to,
+                                   here->room);
     return status;
+}
+
+int cardan_mesh_push_elements(cardan_place *here, const cardan_form *forms, int layout, ptrdiff_t size,
+                              real *to)
+{
+    taken change = {layout, here->product->summands, to};
+
+    memset(to, 0, (size_t)size * sizeof(real));
+    return cardan_mesh_push_with(here, forms, take_change, &change);
 }
 
 /* Changes of a balance and of all that belongs to it. */
@@ -115,7 +123,8 @@ int cardan_mesh_push_solution(cardan_place *here)
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         system->right[mesh->unknown[k]] = -missed[k];
     if (status == 0)
-        status = cardan_mesh_solve(mesh, system);
+        status = mesh->frictions > 0 ? cardan_mesh_friction_solve(mesh, system, &here->friction, 0)
+                                     : cardan_mesh_solve(mesh, system);
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         here->way.udot[i] = system->solution[i];
     for (ptrdiff_t k = 0; k < mesh->m; k++)
@@ -269,6 +278,10 @@ int cardan_mesh_push(cardan_place *here, const real *v, real *out)
         return push_expression(here, out);
     case CARDAN_OF_QDOT:
         return cardan_mesh_push_rates(here, out);
+    case CARDAN_OF_EVENTS:
+        return cardan_mesh_push_events(here, out);
+    case CARDAN_OF_TRANSITION:
+        return cardan_mesh_push_transition(here, out);
     /* what is solved for */
     case CARDAN_OF_RHS:
         status = cardan_mesh_push_rates(here, out);

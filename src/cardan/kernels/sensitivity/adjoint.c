@@ -66,7 +66,7 @@ static int add_cost(const cardan_adjoint *adjoint, real t, const real *x, real s
 
 /* lam by the state `end` before the projections from that behind them: speeds first, at `place`
  * with the positions behind, then positions, then lengths of quaternions. */
-static int pull_projection(const cardan_adjoint *adjoint, real t, const real *end, const real *place,
+int cardan_pull_projection(const cardan_adjoint *adjoint, real t, const real *end, const real *place,
                            real factor, real *lam)
 {
     const cardan_run *run = adjoint->steps->run;
@@ -173,7 +173,7 @@ static int pull_stages(const cardan_adjoint *adjoint, real t, real h)
     /* slopes of an implicit method depend on each other: all of them at once */
     for (ptrdiff_t s = 0; s < count && coupled; s++)
         by_slope(adjoint, s, h, adjoint->weights + s * nx);
-    status = coupled ? cardan_stages_backward(steps, adjoint->weights, times_stages, &stages) : 0;
+    status = coupled ? steps->coupled->backward(steps, adjoint->weights, times_stages, &stages) : 0;
     if (status != 0)
         return status;
     for (ptrdiff_t s = count - 1; s >= 0; s--) {
@@ -214,7 +214,7 @@ static int pass_sweep(const cardan_adjoint *adjoint, real t, real h, real factor
             by_x[i] = adjoint->out[i] + adjoint->weights[s * nx + i];
             place[i] = i < nq ? x[i] : open[i];
         }
-        if (pull_projection(adjoint, time, open, place, factor, by_x) != 0)
+        if (cardan_pull_projection(adjoint, time, open, place, factor, by_x) != 0)
             return CARDAN_MODEL;
         for (ptrdiff_t i = 0; i < nx; i++) {
             real *by = adjoint->pulled + s * nx + i;
@@ -277,7 +277,7 @@ static int pull_step(const cardan_adjoint *adjoint, ptrdiff_t *k)
             *k = again.from;
     }
     if (status == 0)
-        status = pull_projection(&over, end, steps->end, steps->place, 1, adjoint->lam);
+        status = cardan_pull_projection(&over, end, steps->end, steps->place, 1, adjoint->lam);
     if (status != 0)
         return status;
     t = steps->rows[*k * width];

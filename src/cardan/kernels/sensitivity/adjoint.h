@@ -43,5 +43,7 @@ typedef struct cardan_adjoint {
 } cardan_adjoint;
 
 int cardan_adjoint_sweep(cardan_adjoint *adjoint);
+int cardan_pull_projection(const cardan_adjoint *adjoint, real t, const real *end, const real *place,
+                           real factor, real *lam);
 
 #endif

@@ -75,19 +75,6 @@ void cardan_stage_states(const cardan_steps *steps, real h, const real *y)
     }
 }
 
-/* The change of a stage, or a gradient by it, behind the scaling of its quaternions. */
-void cardan_stage_lengths(const cardan_steps *steps, ptrdiff_t stage, real *change)
-{
-    const cardan_run *run = steps->run;
-    const real *lengths = steps->lengths + stage * run->quaternion_count;
-
-    if (steps->kind != CARDAN_COUPLED)
-        return;
-    for (ptrdiff_t k = 0; k < run->quaternion_count; k++)
-        cardan_unit_change(steps->states + stage * run->nx + run->quaternions[k], lengths[k],
-                           change + run->quaternions[k]);
-}
-
 /* Factors of I - h A J with the Jacobians at the stages. */
 static int factor(const cardan_steps *steps, const rooms *at, real t, real h)
 {
@@ -153,7 +140,7 @@ static int iterate(const cardan_steps *steps, const rooms *at, real t, real h, c
 
 /* Solve for the stages of the step from row k, and factor their matrix there. Returns 0,
  * CARDAN_MODEL, CARDAN_NOT_FINITE, or CARDAN_UNSOLVED. */
-int cardan_stages_solve(const cardan_steps *steps, ptrdiff_t k)
+static int solve_stages(const cardan_steps *steps, ptrdiff_t k)
 {
     const ptrdiff_t width = cardan_row_width(steps->run);
     const real *row = steps->rows + k * width, *y = row + 1, *next = row + width + 1;
@@ -187,25 +174,15 @@ int cardan_stages_solve(const cardan_steps *steps, ptrdiff_t k)
     return status != 0 ? status : CARDAN_UNSOLVED;
 }
 
-/* Products with the Jacobians that a sweep has stored. */
-static int times_stored(const void *context, const real *x, real *out)
-{
-    const cardan_steps *steps = context;
-    const ptrdiff_t nx = steps->run->nx;
-
-    for (ptrdiff_t i = 0; i < steps->stages * nx; i++)
-        out[i] = cardan_dot(steps->jacobians + i * nx, x + i / nx * nx, nx);
-    return 0;
-}
-
 /* change (stages, nx): what slopes would change by if the states of stages did not follow becomes the
- * change with them. */
-int cardan_stages_forward(const cardan_steps *steps, real *change)
+ * change with them. `product`: with the Jacobians. */
+int cardan_stages_forward(const cardan_steps *steps, real *change, cardan_stage_product *product,
+                          const void *context)
 {
     rooms at = {0};
 
     if (steps->run->mesh)
-        return cardan_element_stages_refine(steps, 0, change, times_stored, steps);
+        return cardan_element_stages_refine(steps, 0, change, product, context);
     (void)lay(steps->run, steps->stages, steps->system, &at);
     cardan_substitute(at.size, at.matrix, at.order, change);
     return 0;
@@ -213,8 +190,8 @@ int cardan_stages_forward(const cardan_steps *steps, real *change)
 
 /* weights (stages, nx): the gradient by slopes becomes that by the rates in their equations. `product`:
  * with the transposed Jacobians. */
-int cardan_stages_backward(const cardan_steps *steps, real *weights, cardan_stage_product *product,
-                           const void *context)
+static int pull_stages(const cardan_steps *steps, real *weights, cardan_stage_product *product,
+                       const void *context)
 {
     rooms at = {0};
 
@@ -224,3 +201,5 @@ int cardan_stages_backward(const cardan_steps *steps, real *weights, cardan_stag
     cardan_substitute_transposed(at.size, at.matrix, at.order, weights);
     return 0;
 }
+
+const cardan_coupled cardan_coupled_stages = {cardan_stages_length, solve_stages, pull_stages};

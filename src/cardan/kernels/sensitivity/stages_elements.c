@@ -6,7 +6,7 @@
  *
  *     x += P^-1 (b - (I - h A J) x),  P = I - h A J0
  *
- * with one J0 for all stages, that at the start of the step. By the eigenvalues of A, P is a real and a
+ * with one J0 for all stages, that at the middle one. By the eigenvalues of A, P is a real and a
  * complex system, and these are those of a step of the method itself: with c = 1 / s
  *
  *     s dq - du = a,  s du - du' = b  =>  [M + c C + c^2 K, G^T; G + c R, H] du = [c M b - c^2 K a; c G b]
@@ -94,9 +94,10 @@ int cardan_element_stages_solve(const cardan_steps *steps, ptrdiff_t k)
     int status;
 
     (void)cardan_element_stages_lay(run, steps->system, &at);
-    status = cardan_element_stages_factor(steps, &at, t, h, y);
-    /* as far as corrections shrink, with the factors at the start */
     guess(steps, &at, h, y, next);
+    cardan_stage_states(steps, h, y);
+    /* as far as corrections shrink, with the factors at the stage in the middle */
+    status = cardan_element_stages_factor(steps, &at, t + steps->nodes[1] * h, h, steps->states + nx);
     for (int n = 0; n < MOST && status == 0; n++) {
         cardan_stage_states(steps, h, y);
         for (ptrdiff_t s = 0; s < STAGES && status == 0; s++)

@@ -29,7 +29,7 @@ typedef struct cardan_element_stages {
 
 /* Point into a block, NULL: only measure. Returns how many numbers that takes. */
 ptrdiff_t cardan_element_stages_lay(const cardan_run *run, real *memory, cardan_element_stages *at);
-/* The factors of P for a step of size h from y at t. */
+/* The factors of P for a step of size h, with the Jacobian at t, y. */
 int cardan_element_stages_factor(const cardan_steps *steps, cardan_element_stages *at, real t, real h,
                                  const real *y);
 /* x (3, nx) becomes P^-1 x, or P^-T x. */

@@ -37,7 +37,7 @@ ptrdiff_t cardan_element_stages_lay(const cardan_run *run, real *memory, cardan_
     return used;
 }
 
-/* The factors of P for a step of size h from y at t. */
+/* The factors of P for a step of size h, with the Jacobian at t, y. */
 int cardan_element_stages_factor(const cardan_steps *steps, cardan_element_stages *at, real t, real h,
                                  const real *y)
 {
@@ -249,7 +249,7 @@ static void transform(const real B[3][3], int transposed, ptrdiff_t n, ptrdiff_t
     }
 }
 
-/* x (3, nx) becomes P^-1 x, or P^-T x, for a step from y. */
+/* x (3, nx) becomes P^-1 x, or P^-T x: as axes are at the stage in the middle. */
 void cardan_element_stages_precondition(const cardan_steps *steps, const cardan_element_stages *at,
                                         int transposed, real *x)
 {
@@ -260,7 +260,7 @@ void cardan_element_stages_precondition(const cardan_steps *steps, const cardan_
     transform(transposed ? T : T_INVERSE, transposed, nx, nx, x);
     /* internal states follow no others here: for them P is 1 */
     for (int s = 0; s < STAGES; s++) {
-        inward(at->mesh, steps->states, !transposed, x + s * nx, at->along + s * nu);
+        inward(at->mesh, steps->states + nx, !transposed, x + s * nx, at->along + s * nu);
         for (ptrdiff_t i = 0; i < nu; i++)
             at->speeds[s * nu + i] = x[s * nx + nq + i];
     }
@@ -271,7 +271,7 @@ void cardan_element_stages_precondition(const cardan_steps *steps, const cardan_
         /* what speeds do not move, such as lengths of quaternions, stays */
         for (ptrdiff_t i = s * nu; i < (s + 1) * nu; i++)
             at->along[i] -= at->before[i];
-        outward(at->mesh, steps->states, transposed, at->along + s * nu, at->moved);
+        outward(at->mesh, steps->states + nx, transposed, at->along + s * nu, at->moved);
         for (ptrdiff_t i = 0; i < nq; i++)
             x[s * nx + i] += at->moved[i];
         for (ptrdiff_t i = 0; i < nu; i++)

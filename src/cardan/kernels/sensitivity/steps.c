@@ -33,6 +33,19 @@ cardan_in cardan_step_in(const cardan_steps *steps, const real *t, const real *x
     return cardan_at(steps->run, t, x);
 }
 
+/* The change of a stage, or a gradient by it, behind the scaling of its quaternions. */
+void cardan_stage_lengths(const cardan_steps *steps, ptrdiff_t stage, real *change)
+{
+    const cardan_run *run = steps->run;
+    const real *lengths = steps->lengths + stage * run->quaternion_count;
+
+    if (steps->kind != CARDAN_COUPLED)
+        return;
+    for (ptrdiff_t k = 0; k < run->quaternion_count; k++)
+        cardan_unit_change(steps->states + stage * run->nx + run->quaternions[k], lengths[k],
+                           change + run->quaternions[k]);
+}
+
 /* Right-hand side (nx) at t, x. Returns 0 or CARDAN_MODEL. */
 int cardan_rates_at(const cardan_steps *steps, real t, const real *x, real *rates)
 {
@@ -86,7 +99,7 @@ int cardan_step_again(cardan_steps *steps, ptrdiff_t k)
     int status;
 
     cardan_enter_step(steps->run, row, row + width);
-    status = steps->kind == CARDAN_COUPLED ? cardan_stages_solve(steps, k)
+    status = steps->kind == CARDAN_COUPLED ? steps->coupled->solve(steps, k)
                                            : explicit_stages(steps, row[0], h, y);
     if (status == 0)
         cardan_end_step(steps, y, h, row + width + 1);

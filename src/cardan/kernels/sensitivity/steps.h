@@ -19,6 +19,7 @@ typedef struct cardan_steps {
     cardan_run *run; /* that took the steps: its functions, signals and sizes */
     ptrdiff_t stages;
     ptrdiff_t kind;
+    const struct cardan_coupled *coupled; /* cardan_coupled_stages, NULL of explicit methods */
     cardan_call jacobian; /* d rhs / d x (nx, nx), d t, d r, of coupled stages */
     const real *nodes;   /* (stages) */
     const real *weights; /* (stages) */
@@ -44,11 +45,16 @@ int cardan_rates_at(const cardan_steps *steps, real t, const real *x, real *rate
 /* stages.c: the linear system of the stages of an implicit method, I - h A J; stages_elements.c: the same
  * over elements. A product: every stage's Jacobian, or its transposed, times its part of x (stages, nx). */
 typedef int cardan_stage_product(const void *context, const real *x, real *out);
+/* Programs that take explicit steps alone go without these files. */
+typedef struct cardan_coupled {
+    ptrdiff_t (*length)(const cardan_run *run, ptrdiff_t stages);
+    int (*solve)(const cardan_steps *steps, ptrdiff_t k);
+    int (*backward)(const cardan_steps *steps, real *weights, cardan_stage_product *product,
+                    const void *context);
+} cardan_coupled;
 ptrdiff_t cardan_stages_length(const cardan_run *run, ptrdiff_t stages);
-int cardan_stages_solve(const cardan_steps *steps, ptrdiff_t k);
-int cardan_stages_forward(const cardan_steps *steps, real *change);
-int cardan_stages_backward(const cardan_steps *steps, real *weights, cardan_stage_product *product,
-                           const void *context);
+int cardan_stages_forward(const cardan_steps *steps, real *change, cardan_stage_product *product,
+                          const void *context);
 void cardan_stage_states(const cardan_steps *steps, real h, const real *y);
 void cardan_stage_lengths(const cardan_steps *steps, ptrdiff_t stage, real *change);
 ptrdiff_t cardan_element_stages_length(const cardan_run *run);

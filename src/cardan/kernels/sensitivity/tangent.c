@@ -4,8 +4,14 @@
  */
 #include "tangent.h"
 #include <math.h>
+#include <string.h>
 
 enum { MOST_SWEEPS = 100 };
+/* numbers of so many columns; they need no alignment */
+typedef real side_by_side
+    __attribute__((vector_size(CARDAN_SIDE_BY_SIDE * sizeof(real)), aligned(sizeof(real)), may_alias));
+#define AT(at) (*(side_by_side *)(void *)(at))
+#define OF(at) (*(const side_by_side *)(const void *)(at))
 
 /* Change of inputs (nr) at t along a column, as far as signals and constants change them. */
 static void inputs_of(const cardan_tangent *tangent, ptrdiff_t column, real t, real *change)
@@ -23,104 +29,160 @@ static void inputs_of(const cardan_tangent *tangent, ptrdiff_t column, real t, r
     }
 }
 
-/* First `taken` of the `rows` results of a function changed along a column: the derivative in `out`
- * times the change in `moved`. */
-static void multiply(const cardan_tangent *tangent, ptrdiff_t column, ptrdiff_t rows,
-                     ptrdiff_t taken, real *change)
+/* Fill `moved` behind the changes of the state, which are there. */
+static void complete(const cardan_tangent *tangent, real t)
 {
     const cardan_run *run = tangent->steps->run;
-    const ptrdiff_t sizes[5] = {run->nq, run->nu, run->nz, run->ns, run->nr};
-    const real *by = tangent->out, *moved = tangent->moved;
-    const real *named = tangent->by_named + column * tangent->named;
+    const ptrdiff_t wide = tangent->wide;
+    real *next = tangent->moved + run->nx * wide;
 
-    for (ptrdiff_t i = 0; i < taken; i++)
-        change[i] = 0;
-    for (int block = 0; block < 5; block++) {
-        for (ptrdiff_t i = 0; i < taken; i++)
-            change[i] += cardan_dot(by + i * sizes[block], moved, sizes[block]);
-        by += rows * sizes[block];
-        moved += sizes[block];
+    for (ptrdiff_t k = 0; k < tangent->columns && run->ns + run->nr; k++) {
+        for (ptrdiff_t i = 0; i < run->ns; i++)
+            next[i * wide + k] = tangent->by_s[k * run->ns + i];
+        inputs_of(tangent, k, t, tangent->along);
+        for (ptrdiff_t i = 0; i < run->nr; i++)
+            next[(run->ns + i) * wide + k] = tangent->along[i];
     }
-    /* most columns change one parameter at most */
-    for (ptrdiff_t k = 0; k < tangent->named; k++, by += rows)
-        for (ptrdiff_t i = 0; i < taken && named[k] != 0; i++)
-            change[i] += named[k] * by[i];
 }
 
-/* The same at t, x, with a derivative or by a function that gives the change along the column. */
-static int change_along(const cardan_tangent *tangent, const cardan_call *call, real t, const real *x,
-                        ptrdiff_t column, ptrdiff_t rows, ptrdiff_t taken, real *change)
+/* sums (rows, wide) grow by a matrix (rows, size) times x (size, wide). */
+static void add_product(ptrdiff_t wide, ptrdiff_t rows, ptrdiff_t size, const real *by, const real *x, real *sums)
+{
+    for (ptrdiff_t k = 0; k < wide; k += CARDAN_SIDE_BY_SIDE)
+        for (ptrdiff_t i = 0; i < rows; i++) {
+            side_by_side sum = AT(sums + i * wide + k);
+            for (ptrdiff_t j = 0; j < size; j++)
+                sum += by[i * size + j] * OF(x + j * wide + k);
+            AT(sums + i * wide + k) = sum;
+        }
+}
+
+/* First `taken` of the `rows` results of a function changed: its derivative in `out` times `moved`. */
+static void multiply(const cardan_tangent *tangent, ptrdiff_t rows, ptrdiff_t taken)
 {
     const cardan_run *run = tangent->steps->run;
-    cardan_in in = cardan_step_in(tangent->steps, &t, x);
-    real *named = tangent->moved + run->nx + run->ns + run->nr;
+    const ptrdiff_t sizes[5] = {run->nq, run->nu, run->nz, run->ns, run->nr}, wide = tangent->wide;
+    const real *by = tangent->out, *moved = tangent->moved;
+    real *changed = tangent->changed;
 
-    if (!tangent->pushed) {
-        multiply(tangent, column, rows, taken, change);
-        return 0;
+    memset(changed, 0, (size_t)(taken * wide) * sizeof(real));
+    for (int block = 0; block < 5; block++) {
+        add_product(wide, taken, sizes[block], by, moved, changed);
+        by += rows * sizes[block];
+        moved += sizes[block] * wide;
     }
-    for (ptrdiff_t k = 0; k < tangent->named; k++)
-        named[k] = tangent->by_named[column * tangent->named + k];
-    in.v = tangent->moved;
-    in.w = call->w;
-    if (call->function(&in, tangent->out, tangent->steps->work) != 0)
-        return CARDAN_MODEL;
-    for (ptrdiff_t i = 0; i < taken; i++)
-        change[i] = tangent->out[i];
+    for (ptrdiff_t k = 0, n = 0; k < tangent->named; k++, by += rows)
+        for (; n < tangent->named_ends[k]; n++)
+            for (ptrdiff_t i = 0; i < taken; i++)
+                changed[i * wide + tangent->named_columns[n]] += tangent->named_changes[n] * by[i];
+}
+
+/* A column of a table (size, wide) into `along`. */
+static void take(const cardan_tangent *tangent, ptrdiff_t column, const real *table, ptrdiff_t size)
+{
+    for (ptrdiff_t i = 0; i < size; i++)
+        tangent->along[i] = table[i * tangent->wide + column];
+}
+
+/* Changes by a function that gives them along one column. */
+static int push(const cardan_tangent *tangent, const cardan_call *call, cardan_in in, ptrdiff_t taken)
+{
+    const cardan_run *run = tangent->steps->run;
+    const ptrdiff_t size = run->nx + run->ns + run->nr, wide = tangent->wide;
+    real *along = tangent->along;
+
+    in.v = along;
+    for (ptrdiff_t column = 0; column < tangent->columns; column++) {
+        take(tangent, column, tangent->moved, size);
+        for (ptrdiff_t k = 0, n = 0; k < tangent->named; k++)
+            for (along[size + k] = 0; n < tangent->named_ends[k]; n++)
+                if (tangent->named_columns[n] == column)
+                    along[size + k] = tangent->named_changes[n];
+        if (call->function(&in, tangent->out, tangent->steps->work) != 0)
+            return CARDAN_MODEL;
+        for (ptrdiff_t i = 0; i < taken; i++)
+            tangent->changed[i * wide + column] = tangent->out[i];
+    }
     return 0;
 }
 
-/* The derivative of a function at t, x, where there is one for all columns. */
-static int derivative(const cardan_tangent *tangent, const cardan_call *call, real t, const real *x)
+/* Changes (taken, wide) of the first of the `rows` results of a function at t, x, in `changed`. */
+static int change(const cardan_tangent *tangent, const cardan_call *call, real t, const real *x, ptrdiff_t rows,
+                  ptrdiff_t taken)
 {
     cardan_in in = cardan_step_in(tangent->steps, &t, x);
 
-    if (tangent->pushed)
-        return 0;
     in.w = call->w;
-    return call->function(&in, tangent->out, tangent->steps->work) == 0 ? 0 : CARDAN_MODEL;
-}
-
-/* Fill `moved` behind the change of the state, which is there. */
-static void complete(const cardan_tangent *tangent, ptrdiff_t column, real t)
-{
-    const cardan_run *run = tangent->steps->run;
-    real *next = tangent->moved + run->nx;
-
-    for (ptrdiff_t i = 0; i < run->ns; i++)
-        next[i] = tangent->by_s[column * run->ns + i];
-    inputs_of(tangent, column, t, next + run->ns);
+    if (tangent->pushed)
+        return push(tangent, call, in, taken);
+    if (call->function(&in, tangent->out, tangent->steps->work) != 0)
+        return CARDAN_MODEL;
+    multiply(tangent, rows, taken);
+    return 0;
 }
 
 /* changes (columns, nx) = old + h sum of w times what slopes change by. */
 static void rise(const cardan_tangent *tangent, const real *w, real h, const real *old, real *changes)
 {
-    const ptrdiff_t size = tangent->columns * tangent->steps->run->nx;
+    const ptrdiff_t nx = tangent->steps->run->nx, wide = tangent->wide;
 
-    for (ptrdiff_t i = 0; i < size; i++) {
-        real sum = 0;
-        for (ptrdiff_t s = 0; s < tangent->steps->stages; s++)
-            sum += w[s] * tangent->rising[s * size + i];
-        changes[i] = old[i] + h * sum;
-    }
+    for (ptrdiff_t i = 0; i < nx; i++)
+        for (ptrdiff_t k = 0; k < wide; k += CARDAN_SIDE_BY_SIDE) {
+            side_by_side sum = {0};
+            for (ptrdiff_t s = 0; s < tangent->steps->stages; s++)
+                sum += w[s] * OF(tangent->rising + (s * nx + i) * wide + k);
+            for (ptrdiff_t j = 0; j < CARDAN_SIDE_BY_SIDE && k + j < tangent->columns; j++)
+                changes[(k + j) * nx + i] = old[(k + j) * nx + i] + h * sum[j];
+        }
 }
 
-/* Slopes of the stages of an implicit method changed along a column, with the states of all stages
- * following. */
-static int follow(const cardan_tangent *tangent, ptrdiff_t column)
+/* Of which step the Jacobians of stages are multiplied with. */
+typedef struct stage_times {
+    const cardan_tangent *tangent;
+    real t, h;
+} stage_times;
+
+/* Products with the Jacobians of the rates at the stages: stored ones, or changes along x. */
+static int times_stages(const void *context, const real *x, real *out)
+{
+    const stage_times *of = context;
+    const cardan_tangent *tangent = of->tangent;
+    const cardan_steps *steps = tangent->steps;
+    const ptrdiff_t nx = steps->run->nx, behind = steps->run->ns + steps->run->nr + tangent->named;
+
+    if (!tangent->pushed) {
+        for (ptrdiff_t i = 0; i < steps->stages * nx; i++)
+            out[i] = cardan_dot(steps->jacobians + i * nx, x + i / nx * nx, nx);
+        return 0;
+    }
+    memset(tangent->along + nx, 0, (size_t)behind * sizeof(real));
+    for (ptrdiff_t s = 0; s < steps->stages; s++) {
+        const real t = of->t + steps->nodes[s] * of->h;
+        cardan_in in = cardan_step_in(steps, &t, steps->states + s * nx);
+        memcpy(tangent->along, x + s * nx, (size_t)nx * sizeof(real));
+        cardan_stage_lengths(steps, s, tangent->along);
+        in.v = tangent->along;
+        in.w = tangent->rates.w;
+        if (tangent->rates.function(&in, tangent->out, steps->work) != 0)
+            return CARDAN_MODEL;
+        memcpy(out + s * nx, tangent->out, (size_t)nx * sizeof(real));
+    }
+    return 0;
+}
+
+/* Slopes of coupled stages changed along a column, with the states of all stages following. */
+static int follow(const cardan_tangent *tangent, ptrdiff_t column, real t, real h)
 {
     const cardan_steps *steps = tangent->steps;
-    const ptrdiff_t nx = steps->run->nx, size = tangent->columns * nx;
-    real *rising = tangent->rising + column * nx;
-    int status;
+    const ptrdiff_t size = steps->stages * steps->run->nx;
+    const stage_times stages = {tangent, t, h};
+    real *rising = tangent->rising + column;
 
-    for (ptrdiff_t s = 0; s < steps->stages; s++)
-        for (ptrdiff_t i = 0; i < nx; i++)
-            tangent->coupled[s * nx + i] = rising[s * size + i];
-    status = cardan_stages_forward(steps, tangent->coupled);
-    for (ptrdiff_t s = 0; s < steps->stages; s++)
-        for (ptrdiff_t i = 0; i < nx; i++)
-            rising[s * size + i] = tangent->coupled[s * nx + i];
+    for (ptrdiff_t i = 0; i < size; i++)
+        tangent->coupled[i] = rising[i * tangent->wide];
+    const int status = cardan_stages_forward(steps, tangent->coupled, times_stages, &stages);
+    for (ptrdiff_t i = 0; i < size; i++)
+        rising[i * tangent->wide] = tangent->coupled[i];
     return status;
 }
 
@@ -140,36 +202,58 @@ static void store(const cardan_tangent *tangent, ptrdiff_t stage)
         cardan_stage_lengths(steps, stage, steps->jacobians + (stage * nx + i) * nx);
 }
 
+/* The state's part of `moved` at a stage. */
+static void move(const cardan_tangent *tangent, ptrdiff_t stage, real h)
+{
+    const cardan_steps *steps = tangent->steps;
+    const ptrdiff_t nx = steps->run->nx, size = nx * tangent->wide;
+    const real *a = steps->matrix + stage * steps->stages;
+
+    for (ptrdiff_t i = 0; i < size; i += CARDAN_SIDE_BY_SIDE) {
+        side_by_side sum = {0};
+        for (ptrdiff_t j = 0; j < stage && steps->kind == CARDAN_EXPLICIT; j++)
+            sum += a[j] * OF(tangent->rising + j * size + i);
+        AT(tangent->moved + i) = OF(tangent->before + i) + h * sum;
+    }
+    for (ptrdiff_t k = 0; k < tangent->columns && steps->kind == CARDAN_COUPLED; k++) {
+        take(tangent, k, tangent->moved, nx);
+        cardan_stage_lengths(steps, stage, tangent->along);
+        for (ptrdiff_t i = 0; i < nx; i++)
+            tangent->moved[i * tangent->wide + k] = tangent->along[i];
+    }
+}
+
+/* A table (nx, wide) from changes (columns, nx). */
+static void stand(const cardan_tangent *tangent, const real *changes, real *table)
+{
+    const ptrdiff_t nx = tangent->steps->run->nx;
+
+    for (ptrdiff_t k = 0; k < tangent->columns; k++)
+        for (ptrdiff_t i = 0; i < nx; i++)
+            table[i * tangent->wide + k] = changes[k * nx + i];
+}
+
 /* Changes (columns, nx) at the end of a step, before projections. */
 static int step(const cardan_tangent *tangent, real t, real h, const real *old, real *changes)
 {
     const cardan_steps *steps = tangent->steps;
-    const ptrdiff_t nx = steps->run->nx, size = tangent->columns * nx;
+    const ptrdiff_t nx = steps->run->nx, size = tangent->wide * nx;
     const int coupled = steps->kind == CARDAN_COUPLED;
     int status = 0;
 
+    stand(tangent, old, tangent->before);
     for (ptrdiff_t s = 0; s < steps->stages; s++) {
-        const real time = t + steps->nodes[s] * h, *a = steps->matrix + s * steps->stages;
-        if (derivative(tangent, &tangent->rates, time, steps->states + s * nx) != 0)
+        const real time = t + steps->nodes[s] * h;
+        move(tangent, s, h);
+        complete(tangent, time);
+        if (change(tangent, &tangent->rates, time, steps->states + s * nx, nx, nx) != 0)
             return CARDAN_MODEL;
         if (coupled && steps->jacobians)
             store(tangent, s);
-        for (ptrdiff_t k = 0; k < tangent->columns; k++) {
-            for (ptrdiff_t i = 0; i < nx; i++) {
-                real sum = 0;
-                for (ptrdiff_t j = 0; j < s && !coupled; j++)
-                    sum += a[j] * tangent->rising[j * size + k * nx + i];
-                tangent->moved[i] = old[k * nx + i] + h * sum;
-            }
-            cardan_stage_lengths(steps, s, tangent->moved);
-            complete(tangent, k, time);
-            if (change_along(tangent, &tangent->rates, time, steps->states + s * nx, k, nx, nx,
-                             tangent->rising + s * size + k * nx) != 0)
-                return CARDAN_MODEL;
-        }
+        memcpy(tangent->rising + s * size, tangent->changed, (size_t)size * sizeof(real));
     }
     for (ptrdiff_t k = 0; k < tangent->columns && coupled && status == 0; k++)
-        status = follow(tangent, k);
+        status = follow(tangent, k, t, h);
     rise(tangent, steps->weights, h, old, changes);
     return status;
 }
@@ -180,15 +264,13 @@ static int project(const cardan_tangent *tangent, const cardan_call *call, real 
 {
     const ptrdiff_t nx = tangent->steps->run->nx;
 
-    if (derivative(tangent, call, t, x) != 0)
+    stand(tangent, changes, tangent->moved);
+    complete(tangent, t);
+    if (change(tangent, call, t, x, size + rows, size) != 0)
         return CARDAN_MODEL;
-    for (ptrdiff_t k = 0; k < tangent->columns; k++) {
-        for (ptrdiff_t i = 0; i < nx; i++)
-            tangent->moved[i] = changes[k * nx + i];
-        complete(tangent, k, t);
-        if (change_along(tangent, call, t, x, k, size + rows, size, changes + k * nx + first) != 0)
-            return CARDAN_MODEL;
-    }
+    for (ptrdiff_t k = 0; k < tangent->columns; k++)
+        for (ptrdiff_t i = 0; i < size; i++)
+            changes[k * nx + first + i] = tangent->changed[i * tangent->wide + k];
     return 0;
 }
 
@@ -205,48 +287,42 @@ static int projected(const cardan_tangent *tangent, real t, const real *end, con
                            changes + k / run->quaternion_count * run->nx + at);
     }
     if (tangent->close_position.function
-        && project(tangent, &tangent->close_position, t, end, 0, run->nq, run->positions,
-                   changes) != 0)
+        && project(tangent, &tangent->close_position, t, end, 0, run->nq, run->positions, changes) != 0)
         return CARDAN_MODEL;
     if (tangent->close_velocity.function
-        && project(tangent, &tangent->close_velocity, t, place, run->nq, run->nu,
-                   run->rates, changes) != 0)
+        && project(tangent, &tangent->close_velocity, t, place, run->nq, run->nu, run->rates, changes) != 0)
         return CARDAN_MODEL;
     return 0;
 }
 
-/* One sweep over the stages of a pass; `change` and `size` receive those of what slopes change by. */
-static int pass_sweep(const cardan_tangent *tangent, real t, real h, const real *old, real *change,
-                      real *size)
+/* One sweep over the stages of a pass; `by` and `size` receive the changes of what slopes change by. */
+static int pass_sweep(const cardan_tangent *tangent, real t, real h, const real *old, real *by, real *size)
 {
     const cardan_steps *steps = tangent->steps;
-    const ptrdiff_t nx = steps->run->nx, nq = steps->run->nq, count = tangent->columns * nx;
+    const ptrdiff_t nx = steps->run->nx, nq = steps->run->nq, wide = tangent->wide;
 
-    *change = *size = 0;
+    *by = *size = 0;
     for (ptrdiff_t s = 0; s < steps->stages; s++) {
         const real *x = steps->states + s * nx, *open = steps->open + s * nx;
         const real time = t + steps->nodes[s] * h;
-        real *rising = tangent->rising + s * count;
+        real *rising = tangent->rising + s * nx * wide;
         rise(tangent, steps->matrix + s * steps->stages, h, old, tangent->coupled);
         /* as in the run: positions first, then speeds at these */
         for (ptrdiff_t i = 0; i < nx; i++)
             steps->place[i] = i < nq ? x[i] : open[i];
-        if (projected(tangent, time, open, steps->place, tangent->coupled) != 0
-            || derivative(tangent, &tangent->rates, time, x) != 0)
+        if (projected(tangent, time, open, steps->place, tangent->coupled) != 0)
             return CARDAN_MODEL;
-        for (ptrdiff_t k = 0; k < tangent->columns; k++) {
-            for (ptrdiff_t i = 0; i < nx; i++)
-                tangent->moved[i] = tangent->coupled[k * nx + i];
-            complete(tangent, k, time);
-            if (change_along(tangent, &tangent->rates, time, x, k, nx, nx, steps->end) != 0)
-                return CARDAN_MODEL;
-            for (ptrdiff_t i = 0; i < nx; i++) {
-                real *by = rising + k * nx + i;
-                *change = fmax(*change, fabs(h * (steps->end[i] - *by)));
-                *size = fmax(*size, fmax(fabs(h * steps->end[i]), fabs(old[k * nx + i])));
-                *by = steps->end[i];
+        stand(tangent, tangent->coupled, tangent->moved);
+        complete(tangent, time);
+        if (change(tangent, &tangent->rates, time, x, nx, nx) != 0)
+            return CARDAN_MODEL;
+        for (ptrdiff_t i = 0; i < nx; i++)
+            for (ptrdiff_t k = 0; k < tangent->columns; k++) {
+                const real now = tangent->changed[i * wide + k];
+                *by = fmax(*by, fabs(h * (now - rising[i * wide + k])));
+                *size = fmax(*size, fmax(fabs(h * now), fabs(old[k * nx + i])));
+                rising[i * wide + k] = now;
             }
-        }
     }
     return 0;
 }
@@ -255,15 +331,14 @@ static int pass_sweep(const cardan_tangent *tangent, real t, real h, const real 
 static int pass_over(const cardan_tangent *tangent, const cardan_pass *pass, real t, real h,
                      real *changes)
 {
-    const ptrdiff_t count = tangent->columns * tangent->steps->run->nx;
-    real change, size, last = INFINITY, w[CARDAN_MOST_STAGES];
+    const ptrdiff_t nx = tangent->steps->run->nx, count = tangent->columns * nx;
+    real by, size, last = INFINITY, w[CARDAN_MOST_STAGES];
 
-    for (ptrdiff_t i = 0; i < tangent->steps->stages * count; i++)
-        tangent->rising[i] = 0;
+    memset(tangent->rising, 0, (size_t)(tangent->steps->stages * nx * tangent->wide) * sizeof(real));
     for (int n = 0; n < MOST_SWEEPS; n++) {
-        if (pass_sweep(tangent, t, h, changes, &change, &size) != 0)
+        if (pass_sweep(tangent, t, h, changes, &by, &size) != 0)
             return CARDAN_MODEL;
-        if (!cardan_swept_enough(change, size, &last))
+        if (!cardan_swept_enough(by, size, &last))
             continue;
         for (ptrdiff_t row = pass->from + 1; row <= pass->to; row++) {
             cardan_pass_part(pass, row, w);
@@ -287,10 +362,10 @@ static int push_step(const cardan_tangent *tangent, ptrdiff_t *k)
     cardan_pass again;
     int status = pass < 0 ? cardan_step_again(steps, *k) : cardan_pass_again(steps, pass, *k, &again);
 
+    if (status == 0 && pass >= 0 && again.from != *k)
+        status = CARDAN_CONSTRAINT_OPEN;
     if (status != 0)
         return status;
-    if (pass >= 0 && again.from != *k)
-        return CARDAN_CONSTRAINT_OPEN;
     if (pass >= 0) {
         over.steps = &again.steps;
         *k = again.to - 1;

@@ -21,7 +21,8 @@ from ....schema.integrators import INTEGRATORS
 from ....version import STEPPER, VERSION, written_by
 from ..driving import runner_of
 from ..events import event_table_of
-from ..run import Runner, Saved
+from ..run import Runner
+from ..run_state import Saved
 from ..settings import Settings, settings
 from ..signals import signals
 from .append_log import model_key

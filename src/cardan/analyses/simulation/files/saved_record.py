@@ -18,7 +18,8 @@ from ....errors import ModelError
 from ....schema.records import Run
 from ....version import written_by
 from .. import run_record as abi
-from ..run import Runner, Saved
+from ..run import Runner
+from ..run_state import Saved
 
 MOST = 1 << 53  # of what is counted
 FLAGS = ("fresh", "is_dense", "event_pending")

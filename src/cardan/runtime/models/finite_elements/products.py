@@ -43,6 +43,11 @@ if TYPE_CHECKING:
 
 FRAMES = ("pose", "velocity", "acceleration", "frame_jacobian")
 MATRICES = ("mass_matrix", "constraint_jacobian")
+# derivatives of elements that those of events take, by fields of the record
+EVENTS = {
+    "events": {"direct": "signs", "impulse": "impulse", "friction": "friction"},
+    "transition": {"direct": "states", "impulse": "impulse", "jumps": "jumps"},
+}
 # what is solved for, and what else the balance of the elements gives
 SOLVED = ("rhs", "forward_dynamics", "multipliers")
 PROJECTIONS = ("close_position", "close_velocity")
@@ -50,8 +55,8 @@ BALANCED = ("inverse_dynamics", "constraints", "constraint_rates", *PROJECTIONS,
 # what results of elements add up to
 SUMMED = ("energy", "momentum", "power", "outputs", "expression", "reaction", "element_forces")
 # functions with derivatives, and those with second derivatives
-DIRECT = (*BALANCED, *SUMMED, "qdot", *MATRICES, *FRAMES)
-CURVED = tuple(name for name in DIRECT if name not in FRAMES)
+DIRECT = (*BALANCED, *SUMMED, "qdot", *MATRICES, *FRAMES, *EVENTS)
+CURVED = tuple(name for name in DIRECT if name not in (*FRAMES, *EVENTS))
 # what has to be loaded of elements
 LOADED = {"expression": "outputs", "reaction": "accelerations", "element_forces": "accelerations"}
 LOADED |= {"forward_dynamics": "accelerations", "multipliers": "accelerations"}
@@ -173,14 +178,16 @@ class Products:
         """Derivatives of one mode that a function needs."""
         name, every = request.function, range(len(self.tables.groups))
         forms: dict[str, Records] = {"rates": self.forms.rates(f"qdot_{mode}")}
-        if name in BALANCED or self._solved(name):
+        if name in (*BALANCED, *EVENTS) or self._solved(name):
             self.mesh.connect("balance_tangent", "gamma", "zdot")
             forms["dynamics"] = self.forms.derivatives(f"dynamics_{mode}", every)
         if name in MATRICES:
-            forms["direct"] = self.forms.derivatives(f"matrices_{mode}", every)
+            forms["direct"] = self.forms.derivatives(f"impulse_{mode}", every)
         if sums is not None:
             self.mesh.connect(sums.form)
             forms["direct"] = self.forms.derivatives(f"{sums.form}_{mode}", [*sums.which])
+        for field, form in EVENTS.get(name, {}).items():
+            forms[field] = self.forms.derivatives(f"{form}_{mode}", every)
         if name == EXPRESSION:
             forms["formula"] = self.forms.formula(request.of or "", mode == "curvature")
         return forms
@@ -234,15 +241,12 @@ class Products:
         where = f"{row} of {function}: model '{self.model.name}' is in absolute coordinates, where"
         if function not in DIRECT:
             raise ModelError(f"{where} these have derivatives: {', '.join(DIRECT)}")
-        if row == "hessian" and function not in CURVED:
+        if row == "hessian" and function in EVENTS:
+            raise ModelError(f"{where} events have no second derivatives. Take differences of vjp")
+        if row == "hessian" and function in FRAMES:
             raise ModelError(
                 f"{where} frames have no second derivatives. Take differences of vjp, or make a "
                 "point of the frame an output of the scene"
-            )
-        if any(group.kind.frictions for group in self.tables.groups):
-            raise ModelError(
-                f"{where} friction that follows from reactions has no derivatives. Leave it out, "
-                "or take differences"
             )
 
     def _check_rotations(self, request: Request, forms: Mapping[str, Records]) -> None:
@@ -286,7 +290,8 @@ class Products:
         at = self.results.state(inputs)
         state, _arrays = self.mesh.state(at)
         blocks = {name: getattr(state, name) for name in ("q", "u", "udot", "lam", "z", "s", "r")}
-        time, sizes = np.array([at.t]), {"tau": self.tables.nu, "v": len(product.row.vector)}
+        time, sizes = np.array([at.t]), {"tau": self.tables.nu, "e": self.tables.ne}
+        sizes["v"] = len(product.row.vector)
         more = {"t": time}
         more |= {n: np.ascontiguousarray(inputs[n][:k]) for n, k in sizes.items() if n in inputs}
         blocks |= {name: x.ctypes.data for name, x in more.items()}

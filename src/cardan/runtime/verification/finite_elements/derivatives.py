@@ -11,7 +11,14 @@ from itertools import accumulate
 
 import numpy as np
 
-from ....schema.finite_elements import CHANGES, CURVATURES, DERIVATIVES, GRADIENTS
+from ....schema.finite_elements import (
+    CHANGES,
+    CURVATURES,
+    DERIVATIVES,
+    EVENT_DERIVATIVES,
+    GRADIENTS,
+    IMPULSE_DERIVATIVES,
+)
 from ...models.finite_elements.data_slopes import without_slopes
 from ..differences import Blocks, missing, slope, ways, worst_of
 from ..joint_motion import Array, times
@@ -21,9 +28,11 @@ from .members import Members
 def _results(members: Members, form: str, blocks: Blocks | None = None) -> Array:
     """What a derivative is of (n, k), in the order of its weights."""
     call, kind = members.call, members.table.kind
+    if form in IMPULSE_DERIVATIVES:
+        return _impulse(members, blocks)
     read = [name for name in DERIVATIVES[form] if name in kind.functions]
     quantity = form.rpartition("_")[0]
-    if quantity not in ("dynamics", "matrices"):
+    if quantity != "dynamics":
         return call(read[0], blocks)
     at = {**members.inputs, **(blocks or {})}
     n, nu, m = len(at["q"]), kind.nu, kind.m
@@ -37,8 +46,6 @@ def _results(members: Members, form: str, blocks: Blocks | None = None) -> Array
         matrix = flat[:, first : first + rows * columns].reshape(n, rows, columns)
         return times(matrix, np.broadcast_to(at[block], (n, columns)))
 
-    if quantity == "matrices":
-        return np.concatenate([product("M", nu, "udot", nu), product("G", m, "udot", nu)], axis=1)
     balance = call("balance", blocks) if "balance" in read else np.zeros((n, 0))
     missed = product("G", m, "udot", nu) - product("H", m, "lam", m)
     if "gamma" in read:
@@ -49,19 +56,45 @@ def _results(members: Members, form: str, blocks: Blocks | None = None) -> Array
     return np.concatenate([levels, missed, zdot], axis=1)
 
 
-def _parts(members: Members) -> dict[str, slice]:
+def _impulse(members: Members, blocks: Blocks | None) -> Array:
+    """M udot - Gᵀ lam and G udot - H lam (n, nu + m)."""
+    kind, at = members.table.kind, {**members.inputs, **(blocks or {})}
+    nu, m, n = kind.nu, kind.m, len(at["q"])
+    flat = members.call("balance_tangent", blocks)
+
+    def matrix(name: str, rows: int, columns: int) -> Array:
+        if name not in kind.parts:
+            return np.zeros((n, rows, columns))
+        first = kind.parts[name]
+        entries: Array = flat[:, first : first + rows * columns]
+        return entries.reshape(-1, rows, columns)
+
+    udot, lam = (np.broadcast_to(at[name], (n, k)) for name, k in (("udot", nu), ("lam", m)))
+    M, G, H = matrix("M", nu, nu), matrix("G", m, nu), matrix("H", m, m)
+    balance = times(M, udot) - times(np.swapaxes(G, 1, 2), lam)
+    return np.concatenate([balance, times(G, udot) - times(H, lam)], axis=1)
+
+
+def _parts(members: Members, form: str) -> dict[str, slice]:
     """Where derivatives by every block are in a gradient, or changes of it in a direction."""
     kind = members.table.kind
     sizes = {"q": kind.nq, "u": kind.nu, "udot": kind.nu, "lam": kind.m, "z": kind.nz}
     sizes |= {"s": kind.ns, "r": members.inputs["r"].shape[-1], "t": 1}
+    if form in EVENT_DERIVATIVES:
+        sizes |= {"du": kind.nu, "tau": kind.frictions + kind.responses}
     ends = accumulate(sizes.values())
     return {name: slice(end - sizes[name], end) for name, end in zip(sizes, ends, strict=True)}
 
 
-def _directions(members: Members) -> tuple[dict[str, Array], Array]:
+def _states(members: Members, form: str) -> int:
+    """Where derivatives by data begin."""
+    return max(int(part.stop) for part in _parts(members, form).values())
+
+
+def _directions(members: Members, form: str) -> tuple[dict[str, Array], Array]:
     """Rates of blocks along a random way of all that is read but data; the way (n, k)."""
-    parts, n = _parts(members), members.count
-    way = ways(n, parts["t"].stop)[0]
+    parts, n = _parts(members, form), members.count
+    way = ways(n, _states(members, form))[0]
     # quaternions keep their lengths, and modes are whole numbers
     way[:, parts["q"]] = members.along(ways(n, members.table.kind.nu)[0])
     way[:, parts["s"]] = 0.0
@@ -87,16 +120,16 @@ def _by_data(
 
 
 def _slopes(
-    members: Members, results: Callable[[Blocks], Array], available: Array
+    members: Members, form: str, results: Callable[[Blocks], Array], available: Array
 ) -> list[tuple[Array, Array, Array]]:
     """Ways of everything that is read, data last, slopes along them, and how far they may be off.
 
     Args:
-        members: Whose results.
+        members, form: Whose results.
         results: Of blocks.
         available: Of every datum whether there is a derivative by it.
     """
-    rates, way = _directions(members)
+    rates, way = _directions(members, form)
     none = np.zeros((members.count, len(available)))
     along = members.slope(results, rates)
     listed = [(np.hstack([way, none]), *along)]
@@ -110,11 +143,11 @@ def _slopes(
 def _gradient(form: str, members: Members) -> float | str:
     """A gradient of a weighted sum."""
     value, weights, worst = members.call(form), members.inputs["v"], np.nan
-    states = _parts(members)["t"].stop
+    states = _states(members, form)
     available, clean = _cleaned(members, value, states)
     if not clean:
         return np.inf
-    for way, change, off in _slopes(members, partial(_results, members, form), available):
+    for way, change, off in _slopes(members, form, partial(_results, members, form), available):
         terms = np.abs(change * weights)
         total, expected = (change * weights).sum(axis=-1), (value * way).sum(axis=-1)
         error = missing(total[:, None], off, expected, terms, np.abs(value * way))
@@ -144,10 +177,10 @@ def _cleaned(members: Members, value: Array, states: int) -> tuple[Array, bool]:
 
 def _change(form: str, members: Members) -> float | str:
     """A change along a direction."""
-    worst, states = np.nan, _parts(members)["t"].stop
+    worst, states = np.nan, _states(members, form)
     count = members.inputs["v"].shape[1] - states
     available = np.arange(count) >= without_slopes(members.model, members.table.kind)
-    for way, change, off in _slopes(members, partial(_results, members, form), available):
+    for way, change, off in _slopes(members, form, partial(_results, members, form), available):
         value = members.call(form, {"v": way})
         worst = worst_of(worst, missing(change, off, value))
     return worst
@@ -155,7 +188,7 @@ def _change(form: str, members: Members) -> float | str:
 
 def _curvature(form: str, members: Members) -> float | str:
     """A change of a gradient at fixed weights."""
-    gradient, worst, states = GRADIENT_OF[form], np.nan, _parts(members)["t"].stop
+    gradient, worst, states = GRADIENT_OF[form], np.nan, _states(members, form)
     count = len(members.codes[gradient].entry.vector)
     weights = members.inputs["v"][:, :count]
 
@@ -164,13 +197,13 @@ def _curvature(form: str, members: Members) -> float | str:
         return np.nan_to_num(members.call(gradient, {**blocks, "v": here}))
 
     available, _ = _cleaned(members, members.call(gradient, {"v": weights}), states)
-    for way, change, off in _slopes(members, slopes, available):
+    for way, change, off in _slopes(members, form, slopes, available):
         value = np.nan_to_num(members.call(form, {"v": np.hstack([weights, way])}))
         worst = worst_of(worst, missing(change, off, value))
     return worst
 
 
-GRADIENT_OF: Mapping[str, str] = dict(zip(CURVATURES, GRADIENTS, strict=True))
+GRADIENT_OF: Mapping[str, str] = {f: f.replace("curvature", "gradient") for f in CURVATURES}
 LAWS: dict[str, Callable[[Members], float | str]] = {
     **{form: partial(_gradient, form) for form in GRADIENTS},
     **{form: partial(_change, form) for form in CHANGES},

@@ -17,7 +17,7 @@ from ..differences import missing, relative, ways, worst_of
 from ..joint_motion import Array, times
 from .members import Members
 
-# kinds of rows of "jumps", and their numbers, as kernels/finite_elements/mesh_events.c has them
+# kinds of rows of "jumps", and their numbers, as kernels/finite_elements/mesh_jumps.h has them
 UNILATERAL, RESPONSE = (1, 2), 3
 KIND, ACTIVE, MISSING, RELEASE, ROW = range(5)
 NO_LAW = "no law leads to it"

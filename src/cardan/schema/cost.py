@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ...errors import ArgumentError, brief
+from ..errors import ArgumentError, brief
 
 
 @dataclass(frozen=True)
