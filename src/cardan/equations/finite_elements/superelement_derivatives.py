@@ -18,13 +18,10 @@ DERIVATIVE_HEADERS = (
 )
 # what derivatives read besides weights or directions; results: of forces as many as speeds
 DERIVATIVE_READS = {
-    "dynamics": ("q", "u", "udot", "p"),
-    **dict.fromkeys(("matrices", "impulse"), ("q", "udot", "p")),
+    **dict.fromkeys(("dynamics", "impulse"), ("q", "u", "udot", "p")),
     **dict.fromkeys(("energy", "momentum", "power"), ("q", "u", "p")),
 }
 RESULTS = {"energy": 2, "momentum": 6, "power": 1}
-# without constraints an impulse is a product with the masses
-ROUTINES = {"impulse": "matrices"}
 
 
 def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
