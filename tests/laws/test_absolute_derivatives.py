@@ -54,8 +54,7 @@ def keys_of(model: cd.CompiledModel) -> list[Key]:
     elements = model.manifest.elements
     joints = (*[*elements.reactions][-1:], *elements.tree_joints[-1:])
     of = {"frame": tuple(frames.values()), "joint": joints}
-    # those of events: test_absolute_event_derivatives.py
-    for name in (name for name in DIRECT if name not in EVENTS):
+    for name in DIRECT:
         row = FUNCTIONS[name]
         # those of events: test_absolute_event_derivatives.py
         if (
