@@ -56,7 +56,7 @@ def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
         inputs=(*(one for one in tangent.inputs if one.name in DERIVATIVE_READS[quantity]), v),
         outputs=tuple(result(graph, name, (k,)) for name, k in slopes.items()),
         about=f"derivative of {quantity}",
-        call=f"cardan_superelement_{ROUTINES.get(quantity, quantity)}_{mode}",
+        call=f"cardan_superelement_{form}",
         headers=(*before, *DERIVATIVE_HEADERS, *behind),
         sizes=(n, on_node, drifting, inputs),
         work=work,
