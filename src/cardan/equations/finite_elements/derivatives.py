@@ -21,12 +21,7 @@ from ...ir.matrix import Matrix, inner
 from ...ir.rewrite import rebuild
 from ...ir.routine import Routine
 from ...schema.blocks import ORDER
-from ...schema.finite_elements import (
-    DERIVATIVES,
-    EVENT_DERIVATIVES,
-    IMPULSE_DERIVATIVES,
-    requested_name,
-)
+from ...schema.finite_elements import DERIVATIVES, EVENT_DERIVATIVES, requested_name
 from .record import BlockKind, Group, Kind
 from .superelement_derivatives import superelement_derivative
 
