@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import ArgumentError, ModelError
+from cardan.errors import ArgumentError
 from cardan.runtime.calls.lanes import width
 from cardan.runtime.models.finite_elements import product_forms
 from cardan.runtime.models.finite_elements.products import CURVED, PROJECTIONS
@@ -341,12 +341,6 @@ def test_every_build_is_checked() -> None:
     curved = {label: error for label, error in checks.items() if label.endswith("energy_curvature")}
     assert len(curved) >= 2
     assert max(curved.values()) <= BOUND
-
-
-def test_frames_are_refused() -> None:
-    model = model_of("rubber, nodes")
-    with pytest.raises(ModelError, match="frames have no second derivatives"):
-        model.hessian(("pose", "tip"), wrt="q")(model.initial()[: model.nq], np.ones((4, 4)))
 
 
 def test_wrenches_are_refused() -> None:

@@ -32,8 +32,7 @@ static int motion_of_tree(cardan_place *here, cardan_body_motion *body)
     return status;
 }
 
-/* Unit quaternion of a node of a plane at an angle, or its slope by the angle. */
-static void planar_quaternion(const cardan_frame *frame, real angle, int slope, real *q)
+void cardan_planar_quaternion(const cardan_frame *frame, real angle, int slope, real *q)
 {
     const real *h = frame->home;
     /* the axis of rotation: angular velocity at unit rate of the angle */
@@ -48,8 +47,7 @@ static void planar_quaternion(const cardan_frame *frame, real angle, int slope, 
         q[1 + i] = c * h[1 + i] + s * (h[0] * n[i] + across[i]);
 }
 
-/* The pose of a node in space, or its change along d. */
-static void node_pose(const cardan_frame *frame, const real *q, const real *d, real *out)
+void cardan_node_pose(const cardan_frame *frame, const real *q, const real *d, real *out)
 {
     const real *by = d ? d : q;
 
@@ -57,22 +55,20 @@ static void node_pose(const cardan_frame *frame, const real *q, const real *d, r
         memcpy(out, by, 7 * sizeof(real));
         return;
     }
-    planar_quaternion(frame, q[2], d != NULL, out);
+    cardan_planar_quaternion(frame, q[2], d != NULL, out);
     for (int i = 0; i < 4 && d; i++)
         out[i] *= d[2];
     for (int i = 0; i < 3; i++)
         out[4 + i] = cardan_dot(frame->to_space + 9 + 3 * i, by, 2);
 }
 
-/* Speeds of a node in space (6), zeros without any. */
-static void node_speeds(const cardan_frame *frame, const real *u, real *out)
+void cardan_node_speeds(const cardan_frame *frame, const real *u, real *out)
 {
     for (int i = 0; i < CARDAN_TWIST; i++)
         out[i] = !u ? 0 : frame->to_space ? cardan_dot(frame->to_space + 3 * i, u, 3) : u[i];
 }
 
-/* Rotation matrix (9) of a quaternion a = b, times a scale; else what is linear in both. */
-static void rotation_of(const real *a, const real *b, real scale, real *out)
+void cardan_rotation_of(const real *a, const real *b, real scale, real *out)
 {
     const real ww = a[0] * b[0], xx = a[1] * b[1], yy = a[2] * b[2], zz = a[3] * b[3];
     const real wx = a[0] * b[1] + a[1] * b[0], wy = a[0] * b[2] + a[2] * b[0];
@@ -83,6 +79,18 @@ static void rotation_of(const real *a, const real *b, real scale, real *out)
 
     for (int i = 0; i < 9; i++)
         out[i] = scale * rows[i];
+}
+
+void cardan_by_quaternion(const real *other, const real *by_R, real *by)
+{
+    real unit[4], slope[9];
+
+    for (int i = 0; i < 4; i++) {
+        for (int k = 0; k < 4; k++)
+            unit[k] = k == i;
+        cardan_rotation_of(other, unit, 2, slope);
+        by[i] = cardan_dot(slope, by_R, 9);
+    }
 }
 
 /* Part of a block where numbers of a node begin; NULL where there are none. */
@@ -97,10 +105,10 @@ static void motion_of_node(const cardan_place *here, const cardan_frame *frame, 
     real *m = body->of;
 
     /* pose and speeds of the node in space, then everything in axes of the ground */
-    node_pose(frame, here->at.q + frame->q, NULL, body->pose);
-    node_speeds(frame, part(here->at.u, frame->u), body->speeds);
-    node_speeds(frame, part(here->at.udot, frame->u), body->rates);
-    rotation_of(body->pose, body->pose, 1, m + BODY_R);
+    cardan_node_pose(frame, here->at.q + frame->q, NULL, body->pose);
+    cardan_node_speeds(frame, part(here->at.u, frame->u), body->speeds);
+    cardan_node_speeds(frame, part(here->at.udot, frame->u), body->rates);
+    cardan_rotation_of(body->pose, body->pose, 1, m + BODY_R);
     memcpy(m + BODY_P, body->pose + 4, 3 * sizeof(real));
     cardan_3_times(m + BODY_R, 0, body->speeds, 1, m + BODY_W);
     memcpy(m + BODY_V, body->speeds + 3, 3 * sizeof(real));
@@ -142,10 +150,10 @@ int cardan_mesh_push_body(cardan_place *here, const cardan_body_motion *body, re
         memcpy(change, here->sums, CARDAN_MOTION * sizeof(real));
         return status;
     }
-    node_pose(frame, here->at.q + frame->q, way->q + frame->q, pose);
-    node_speeds(frame, way->u + frame->u, speeds);
-    node_speeds(frame, way->udot + frame->u, rates);
-    rotation_of(body->pose, pose, 2, change + BODY_R);
+    cardan_node_pose(frame, here->at.q + frame->q, way->q + frame->q, pose);
+    cardan_node_speeds(frame, way->u + frame->u, speeds);
+    cardan_node_speeds(frame, way->udot + frame->u, rates);
+    cardan_rotation_of(body->pose, pose, 2, change + BODY_R);
     memcpy(change + BODY_P, pose + 4, 3 * sizeof(real));
     /* angular velocity and acceleration are in axes of the node */
     cardan_3_times(change + BODY_R, 0, body->speeds, 1, change + BODY_W);
@@ -166,7 +174,7 @@ int cardan_mesh_pull_body(cardan_place *here, const cardan_body_motion *body, re
     const cardan_frame *frame = here->product->frame;
     cardan_slopes *by = &here->by;
     const real *m = body->of;
-    real speeds[6], rates[6], by_pose[4], slope[9], unit[4];
+    real speeds[6], rates[6], by_pose[4], slope[4];
     real *by_q, *by_u, *by_udot;
 
     if (frame->q < 0 && !here->product->direct)
@@ -186,12 +194,7 @@ int cardan_mesh_pull_body(cardan_place *here, const cardan_body_motion *body, re
     cardan_add_outer(by_body + BODY_W, body->speeds, by_body + BODY_R);
     cardan_add_outer(by_body + BODY_W_RATE, body->rates, by_body + BODY_R);
     /* by the quaternion, in whose entries the rotation is of second order */
-    for (int i = 0; i < 4; i++) {
-        for (int k = 0; k < 4; k++)
-            unit[k] = k == i;
-        rotation_of(body->pose, unit, 2, slope);
-        by_pose[i] = cardan_dot(slope, by_body + BODY_R, 9);
-    }
+    cardan_by_quaternion(body->pose, by_body + BODY_R, by_pose);
     /* a node in space has these coordinates and speeds itself */
     if (!frame->to_space) {
         for (int i = 0; i < 4; i++)
@@ -205,8 +208,8 @@ int cardan_mesh_pull_body(cardan_place *here, const cardan_body_motion *body, re
         return 0;
     }
     /* the same by x, y and angle */
-    planar_quaternion(frame, here->at.q[frame->q + 2], 1, unit);
-    by_q[2] += cardan_dot(unit, by_pose, 4);
+    cardan_planar_quaternion(frame, here->at.q[frame->q + 2], 1, slope);
+    by_q[2] += cardan_dot(slope, by_pose, 4);
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < CARDAN_TWIST; i++) {
             by_u[k] += frame->to_space[3 * i + k] * speeds[i];

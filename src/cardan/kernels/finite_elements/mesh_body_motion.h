@@ -27,6 +27,21 @@ static inline void cardan_add_outer(const real *a, const real *b, real *matrix)
             matrix[3 * i + j] += a[i] * b[j];
 }
 
+/* Unit quaternion of a node of a plane at an angle, or its slope by the angle. */
+void cardan_planar_quaternion(const cardan_frame *frame, real angle, int slope, real *q);
+/* The pose of a node in space, or its change along d. */
+void cardan_node_pose(const cardan_frame *frame, const real *q, const real *d, real *out);
+/* Speeds of a node in space (6), zeros without any. */
+void cardan_node_speeds(const cardan_frame *frame, const real *u, real *out);
+/* Rotation matrix (9) of a quaternion a = b, times a scale; else what is linear in both. */
+void cardan_rotation_of(const real *a, const real *b, real scale, real *out);
+/* Derivatives (4) by a quaternion, of derivatives by the rotation matrix that it makes with another one. */
+void cardan_by_quaternion(const real *other, const real *by_R, real *by);
+/* mesh_frame_products.c: weights of the motion of the body and of the frame's place on it (12), of results
+ * with weights v. */
+void cardan_frame_weights(ptrdiff_t function, const real *local, const cardan_body_motion *body,
+                          const real *v, real *by_body, real *by_local);
+
 /* The motion of what carries the frame, at the state. */
 int cardan_mesh_body_motion(cardan_place *here, cardan_body_motion *body);
 /* Its change (CARDAN_MOTION) along the direction. */

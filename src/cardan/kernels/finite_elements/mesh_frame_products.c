@@ -57,9 +57,8 @@ static void frame_change(ptrdiff_t function, const real *local, const cardan_bod
     add_twice(m + BODY_W, m + BODY_W, change, out + 3);
 }
 
-/* Weights of the motion of the body and of the frame's place on it, of results with weights v. */
-static void frame_weights(ptrdiff_t function, const real *local, const cardan_body_motion *body, const real *v,
-                          real *by_body, real *by_local)
+void cardan_frame_weights(ptrdiff_t function, const real *local, const cardan_body_motion *body,
+                          const real *v, real *by_body, real *by_local)
 {
     const real *m = body->of, *arm = body->arm, *y = v + 3;
     const ptrdiff_t start = function == CARDAN_OF_ACCELERATION ? BODY_W_RATE : BODY_W;
@@ -102,7 +101,7 @@ static int pull_function(cardan_place *here, ptrdiff_t function, const real *v)
     cardan_body_motion body;
     int status = cardan_mesh_body_motion(here, &body);
 
-    frame_weights(function, frame->local, &body, v, by_body, by_local);
+    cardan_frame_weights(function, frame->local, &body, v, by_body, by_local);
     if (frame->data)
         cardan_mesh_add_data(frame->data, &one, by_local, here->by.p, NULL);
     return status != 0 ? status : cardan_mesh_pull_body(here, &body, by_body);

@@ -134,6 +134,11 @@ static int direct_along(hessian *h)
     case CARDAN_OF_MASS_MATRIX:
     case CARDAN_OF_CONSTRAINT_JACOBIAN:
         return cardan_mesh_pull_matrix(&h->along, h->v, 1);
+    case CARDAN_OF_POSE:
+    case CARDAN_OF_VELOCITY:
+    case CARDAN_OF_ACCELERATION:
+    case CARDAN_OF_FRAME_JACOBIAN:
+        return cardan_mesh_pull_frame_along(&h->here, &h->change, &h->along, h->v);
     case CARDAN_OF_EXPRESSION:
         status = formula_along(h);
         if (status == 0 && mesh->outputs > 0)
@@ -258,21 +263,23 @@ static int closing_along(hessian *h)
     return status;
 }
 
-/* Second derivatives of data by parameters, along the direction. */
+void cardan_mesh_add_second(const cardan_data_slopes *data, const real *by_data, const real *p, real *by_p)
+{
+    for (ptrdiff_t row = 0; row < data->rows; row++)
+        for (ptrdiff_t k = data->second_start[row]; k < data->second_start[row + 1]; k++) {
+            const ptrdiff_t *of = data->second_parameters + 2 * k;
+            /* data without derivatives, NaN, may not reach what nobody asks for */
+            if (p[of[1]] != 0)
+                by_p[of[0]] += by_data[row] * data->second[k] * p[of[1]];
+        }
+}
+
+/* Second derivatives of data of elements by parameters, along the direction. */
 static void data_along(hessian *h)
 {
-    const cardan_mesh_product *product = h->here.product;
-    const real *change = h->along.way.p;
-
     for (ptrdiff_t n = 0; n < h->here.mesh->group_count; n++) {
-        const cardan_data_slopes *data = product->data + n;
-        for (ptrdiff_t row = 0; row < data->rows; row++)
-            for (ptrdiff_t k = data->second_start[row]; k < data->second_start[row + 1]; k++) {
-                const ptrdiff_t *of = data->second_parameters + 2 * k;
-                if (change[of[1]] != 0)
-                    h->along.by.p[of[0]] +=
-                        h->here.by_data[data->first_row + row] * data->second[k] * change[of[1]];
-            }
+        const cardan_data_slopes *data = h->here.product->data + n;
+        cardan_mesh_add_second(data, h->here.by_data + data->first_row, h->along.way.p, h->along.by.p);
     }
 }
 

@@ -110,6 +110,13 @@ int cardan_mesh_push_matrix(cardan_place *here, real *out);
 /* mesh_frame_products.c: those of the functions of a frame */
 int cardan_mesh_pull_frame(cardan_place *here, const real *v);
 int cardan_mesh_push_frame(cardan_place *here, real *out);
+/* mesh_frame_hessian.c: the change of their gradient along the direction, at a state with gradients, with
+ * changes, and with changes of gradients */
+int cardan_mesh_pull_frame_along(const cardan_place *here, cardan_place *change, cardan_place *along,
+                                 const real *v);
+/* mesh_hessian.c: add what second derivatives of data by parameters, along changes p of these, make of
+ * derivatives by the data (rows) */
+void cardan_mesh_add_second(const cardan_data_slopes *data, const real *by_data, const real *p, real *by_p);
 
 /* mesh_rate_products.c: add v . qdot by q and u; u may be NULL: by u alone, which are speeds that q moves
  * along. */

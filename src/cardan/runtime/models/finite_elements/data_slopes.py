@@ -20,6 +20,8 @@ from .tables import Tables
 if TYPE_CHECKING:
     from ..loaded_model import LoadedModel
 
+# rows of data in their order, pairs of parameters (n, 2), and values (n,)
+Second = tuple[Integers, Integers, Array]
 # data of a superelement that say how it is turned on what carries it, the first ones
 ROTATION = 9
 
@@ -55,20 +57,15 @@ class DataByParameters:
                 continue
             slopes, shape = self._slopes[group.common] = _slopes(model, group.common)
             record.count, record.shared = shape[-1], int(len(shape) == 1)
-            record.first_row, record.rows = self.rows, len(slopes)
-            self.rows += len(slopes)
-            self._tables += fill(record, slopes)
+            self._tables += _fill(record, slopes)
+            record.first_row, self.rows = self.rows, self.rows + record.rows
 
     def curve(self) -> None:
         """Add second derivatives, which Hessians read."""
         for record, group in zip(self.records, self._groups, strict=False):
             if not group.common or self._curved:
                 continue
-            rows, pairs, values = _second(self._model, group.common)
-            starts = np.searchsorted(rows, np.arange(record.rows + 1)).astype(np.intp)
-            self._tables += _set(
-                record, second_start=starts, second_parameters=pairs, second=values
-            )
+            self._tables += _fill_second(record, _second(self._model, group.common))
         self._curved = True
 
     def parameters_of(self, common: str, data: Collection[int], count: int) -> list[int]:
@@ -77,12 +74,20 @@ class DataByParameters:
         return np.flatnonzero(slopes[:, [*data]].any(axis=(0, 1))).tolist()
 
 
-def fill(record: DataSlopes, slopes: Array) -> list[object]:
+def _fill(record: DataSlopes, slopes: Array) -> list[object]:
     """Fill in slopes (rows, parameters) of data; what is returned must live as long."""
+    record.rows = len(slopes)
     rows, parameters = np.nonzero(slopes)
     starts = np.searchsorted(rows, np.arange(len(slopes) + 1)).astype(np.intp)
     slope = np.ascontiguousarray(slopes[rows, parameters])
     return _set(record, start=starts, parameter=parameters.astype(np.intp), slope=slope)
+
+
+def _fill_second(record: DataSlopes, second: Second) -> list[object]:
+    """Fill in second derivatives of the same data; what is returned must live as long."""
+    rows, pairs, values = second
+    starts = np.searchsorted(rows, np.arange(record.rows + 1)).astype(np.intp)
+    return _set(record, second_start=starts, second_parameters=pairs, second=values)
 
 
 def _set(record: DataSlopes, **tables: Array | Integers) -> list[object]:
@@ -91,13 +96,14 @@ def _set(record: DataSlopes, **tables: Array | Integers) -> list[object]:
     return [*tables.values()]
 
 
-def of_frame(model: LoadedModel, number: int) -> tuple[DataSlopes, list[object]]:
+def of_frame(model: LoadedModel, number: int, curved: bool) -> tuple[DataSlopes, list[object]]:
     """Slopes of the axes (9) of a frame where it stands and of its origin (3), and what must live
     as long.
 
     Args:
         model: Whose.
         number: Of the frame in the manifest.
+        curved: Whether second derivatives are wanted too.
     """
     frames = model.manifest.elements.frames
     places = {output.name: output.nodes for output in model._objects.function(frames).outputs}
@@ -106,7 +112,10 @@ def of_frame(model: LoadedModel, number: int) -> tuple[DataSlopes, list[object]]
         *places["position"][3 * number : 3 * number + 3],
     ]
     record = DataSlopes(count=len(nodes), shared=1)
-    return record, fill(record, _slopes(model, frames, nodes)[0])
+    tables = _fill(record, _slopes(model, frames, nodes)[0])
+    if curved:
+        tables += _fill_second(record, _second(model, frames, nodes))
+    return record, tables
 
 
 def _slopes(
@@ -128,14 +137,19 @@ def _slopes(
     return slopes, function.outputs[0].shape
 
 
-def _second(model: LoadedModel, common: str) -> tuple[Integers, Integers, Array]:
-    """Second derivatives of the data of a group by parameters, where they are not 0.
+def _second(model: LoadedModel, saved: str, nodes: Sequence[int] | None = None) -> Second:
+    """Second derivatives of what a saved function gives by parameters, where they are not 0.
+
+    Args:
+        model: At its parameters.
+        saved: The function.
+        nodes: Which of its results, all by default.
 
     Returns:
         Rows of data in their order, pairs of parameters in both orders (n, 2), and values (n,).
     """
-    function = model._objects.function(common)
-    graph, _, read, columns = _columns(function)
+    function = model._objects.function(saved)
+    graph, _, read, columns = _columns(function, nodes)
     # (row, one parameter) of every slope that is no number
     slopes = [
         (row, k, node)
@@ -143,15 +157,15 @@ def _second(model: LoadedModel, common: str) -> tuple[Integers, Integers, Array]
         for row, node in enumerate(column)
         if graph.value(node) is None
     ]
-    entries, nodes = list[tuple[int, int, int]](), list[int]()
+    entries, bends = list[tuple[int, int, int]](), list[int]()
     for other in read if slopes else ():
         changes = forward(graph, [node for *_, node in slopes], {graph.var("p", other): ONE})
         for (row, k, _), change in zip(slopes, changes, strict=True):
             if change != ZERO:
                 entries.append((row, k, other))
-                nodes.append(change)
+                bends.append(change)
     places = np.array(entries, dtype=np.intp).reshape(-1, 3)
-    values = _values(model, function, graph, nodes) if nodes else np.zeros(0)
+    values = _values(model, function, graph, bends) if bends else np.zeros(0)
     order = np.argsort(places[:, 0], kind="stable")
     return places[order, 0], np.ascontiguousarray(places[order, 1:]), values[order]
 

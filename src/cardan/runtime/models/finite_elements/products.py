@@ -56,7 +56,7 @@ BALANCED = ("inverse_dynamics", "constraints", "constraint_rates", *PROJECTIONS,
 SUMMED = ("energy", "momentum", "power", "outputs", "expression", "reaction", "element_forces")
 # functions with derivatives, and those with second derivatives
 DIRECT = (*BALANCED, *SUMMED, "qdot", *MATRICES, *FRAMES, *EVENTS)
-CURVED = tuple(name for name in DIRECT if name not in (*FRAMES, *EVENTS))
+CURVED = tuple(name for name in DIRECT if name not in EVENTS)
 # what has to be loaded of elements
 LOADED = {"expression": "outputs", "reaction": "accelerations", "element_forces": "accelerations"}
 LOADED |= {"forward_dynamics": "accelerations", "multipliers": "accelerations"}
@@ -135,7 +135,7 @@ class Products:
         if sums is not None:
             forms[0]["summands"] = self._summand_records(sums)
         if name in FRAMES:
-            frame, more = self._frame(request.of or "", data)
+            frame, more = self._frame(request.of or "", data, row == "hessian")
             forms[0]["frame"] = frame
             references += more
         if data:
@@ -223,11 +223,17 @@ class Products:
             records[k].size, records[k].which = which.shape[1], which.ctypes.data
         return records
 
-    def _frame(self, name: str, data: bool) -> tuple[Records, list[object]]:
-        """A frame as C knows it, and what must live as long; `data`: with slopes by parameters."""
+    def _frame(self, name: str, data: bool, curved: bool) -> tuple[Records, list[object]]:
+        """A frame as C knows it, and what must live as long.
+
+        Args:
+            name: Of the frame.
+            data: Whether its place has slopes by parameters.
+            curved: Whether these have slopes too.
+        """
         listed = self.model.manifest.frames
         number = next(k for k, row in enumerate(listed) if row.name == name)
-        slopes, more = data_slopes.of_frame(self.model, number) if data else (None, [])
+        slopes, more = data_slopes.of_frame(self.model, number, curved) if data else (None, [])
         place = self.results.frames.place(name)
         frame, references = frame_record(self.tables, listed[number], place, slopes)
         return frame, [*references, *more]
@@ -241,13 +247,8 @@ class Products:
         where = f"{row} of {function}: model '{self.model.name}' is in absolute coordinates, where"
         if function not in DIRECT:
             raise ModelError(f"{where} these have derivatives: {', '.join(DIRECT)}")
-        if row == "hessian" and function in EVENTS:
+        if row == "hessian" and function not in CURVED:
             raise ModelError(f"{where} events have no second derivatives. Take differences of vjp")
-        if row == "hessian" and function in FRAMES:
-            raise ModelError(
-                f"{where} frames have no second derivatives. Take differences of vjp, or make a "
-                "point of the frame an output of the scene"
-            )
 
     def _check_rotations(self, request: Request, forms: Mapping[str, Records]) -> None:
         """Refuse parameters that turn a superelement on what carries it, where it takes part.
