@@ -80,6 +80,8 @@ RUNS: dict[str, tuple[dict[str, float], float]] = {
     "rubbing": ({"x": 0.3}, 1.5),
     "ball": ({}, 1.5),
     "rough_arm": ({"J1": 0.4, "J2": -0.5}, 1.5),
+    # what it locks loses its derivatives but for rounding, which is no size to grow from
+    "latch": ({}, 1.5),
     "four_bar": ({"A": 0.3}, 1.0),
     "slider_crank": ({"A": -0.4}, 1.5),
     "sampled": ({}, 0.4),
@@ -113,7 +115,9 @@ def test_scenes_in_both_coordinates(name: str) -> None:
     u, t = RUNS[name]
     q = SCENES[name]()[1]
     joint = list(q)[-1]
-    cost = cd.cost(final=f"{joint}^2 + 0.3*{joint}", running=f"{joint}^2")
+    cost = cd.cost(
+        final=None if name == "latch" else f"{joint}^2 + 0.3*{joint}", running=f"{joint}^2"
+    )
     names = tuple(f"q0.{one}" for one in q)
     how = {"q": q, "u": u, "method": "DOP853", "rtol": 1e-11, "atol": 1e-12}
     found = both(lambda: SCENES[name]()[0], t, cost, names, **how)

@@ -111,3 +111,14 @@ def test_a_start_that_was_given_as_a_whole() -> None:
     assert (ahead - behind) / 2e-4 @ whole == pytest.approx(named["q0.A"], rel=1e-7)
     faster = model.initial(q={"A": 0.8}, u={"A": 2.0}) - x0
     assert faster @ whole == pytest.approx(named["u0.A"], rel=1e-9)
+    # and entry by entry: coordinates by the shortest way in sizes of the scene, speeds by impulses
+    for k, unit in enumerate(np.eye(model.nx)):
+        near, far = (
+            (
+                model.gradient(0.3, cost, wrt="x0", x0=x0 + h * unit, rtol=1e-12).value
+                - model.gradient(0.3, cost, wrt="x0", x0=x0 - h * unit, rtol=1e-12).value
+            )
+            / (2 * h)
+            for h in (1e-5, 2e-5)
+        )
+        assert whole[k] == pytest.approx((4 * near - far) / 3, abs=1e-6 * np.abs(whole).max())

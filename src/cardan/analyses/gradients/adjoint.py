@@ -13,7 +13,7 @@ from ...schema.cost import Cost
 from ...schema.records import Adjoint
 from ...schema.request import Request
 from ..simulation.run import Runner
-from .steps import CLOSING, MOST_STAGES, StepsAgain, check_growth, powers_at, segment_at
+from .steps import CLOSING, MOST_STAGES, StepsAgain, powers_at, segment_at
 
 
 class Slopes(NamedTuple):
@@ -103,6 +103,7 @@ class Sweep(StepsAgain):
         for total in last.totals:
             total.fill(0.0)
         last.jumped()
+        last.largest = 0.0
         return last
 
     def request(self, function: str, of: str | None = None, time: bool = False) -> str:
@@ -158,7 +159,7 @@ class Sweep(StepsAgain):
             self._since = float(rows[-1, 0]), self.lam.copy()
         self.swept(rows, self.runner.library.cardan_adjoint_sweep, self.record)
         begin, before = self._since
-        check_growth(before, self.lam, np.array([begin, rows[0, 0]]))
+        self.check_growth(before, self.lam, np.array([begin, rows[0, 0]]))
 
     def jumped(self) -> None:
         """An event has changed the gradients: growth counts anew."""

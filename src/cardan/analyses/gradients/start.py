@@ -18,6 +18,7 @@ from ...runtime.models.constraint_projection import columns_of
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.blocks import Blocks
 from ...schema.request import reads
+from ..mechanisms.consistent_rates import inverse_root
 from ..simulation.driving import RunSetup
 from ..simulation.settings import start
 from .start_by_differences import StartByDifferences
@@ -36,8 +37,8 @@ class Level:
         rows: Along what they determine (m, nu).
         by_q: Along coordinates (m, nu), of those of speeds; None of those of positions.
         by_r, by_p: By inputs (m, nr) and parameters (m, np).
-        free: Changes (nu, k) that hold what was named, normal to each other where lengths count in
-            sizes of the mechanism, as starts are closed.
+        free: Changes (nu, k) that hold what was named, normal to each other as starts are closed:
+            of coordinates where lengths count in sizes of the mechanism, of speeds where masses do.
     """
 
     rows: Array
@@ -113,6 +114,9 @@ class NamedStart:
             by_q = columns["q"] if speeds else None
             fixed = (np.eye(model.nu) if speeds else N)[_named(model, letter, state[letter])]
             free = units[:, None] * null_space(fixed * units, rcond=RANK)
+            if speeds and "mass_matrix" in model.manifest.available:
+                # speeds change by impulses
+                free = free @ inverse_root(free.T @ model.mass_matrix(q, **at) @ free)
             levels[letter] = Level(rows, by_q, by_r, by_p, free)
         return cls(model, N, levels.get("q"), levels.get("u"))
 

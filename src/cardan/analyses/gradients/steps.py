@@ -35,11 +35,13 @@ class StepsAgain:
         runner: What took them.
         model: Its model.
         steps: Their record.
+        largest: Size of the largest derivatives so far.
     """
 
     def __init__(self, runner: Runner) -> None:
         self.runner, self.model = runner, runner.model
         self._references: list[Array] = []
+        self.largest = 0.0
         steps = self.steps = Steps()
         steps.run = ctypes.addressof(runner.record)
         kernel = runner.settings.method.kernel
@@ -109,6 +111,31 @@ class StepsAgain:
                 why = f"stages of {at} do not settle. Take a smaller rtol"
             raise SolveError(f"gradient: {why}")
 
+    def check_growth(self, before: Array, after: Array, span: Array) -> None:
+        """Refuse derivatives that have grown beyond all use.
+
+        Args:
+            before, after: Derivatives where a sweep began and where it ended.
+            span: Times of the steps between.
+
+        Raises:
+            SolveError: with the cure.
+        """
+        size, last = (float(np.abs(one).max(initial=0.0)) for one in (before, after))
+        # what an event has left of larger ones may be rounding
+        self.largest = max(self.largest, size)
+        if size < self.largest / GROWTH:
+            size = self.largest
+        self.largest = max(self.largest, last)
+        # what begins with nothing has no size yet, and a unit of its own
+        growth = last / (size or LARGE)
+        if not growth <= GROWTH:
+            raise SolveError(
+                f"gradient: derivatives grow by {growth:.0e} between t = {span.min():.6g} and "
+                f"{span.max():.6g} s. The steps are too long for a stiff force, such as friction "
+                "that is smoothed, or the motion is chaotic. Take method='Radau', or a shorter time"
+            )
+
     def pass_at(self, t: float) -> tuple[float, float, int] | None:
         """Start, length and points of the step over a place where branches meet that holds t."""
         for start, length, points in self.runner.passes[: self.runner.record.pass_count]:
@@ -139,27 +166,6 @@ class StepsAgain:
     def segment_counts(self) -> Sequence[int]:
         """Numbers of pieces of the inputs that are tabulated."""
         return [len(one.coefficients) for one in self.runner.signals.tabulated]
-
-
-def check_growth(before: Array, after: Array, span: Array) -> None:
-    """Refuse derivatives that have grown beyond all use.
-
-    Args:
-        before, after: Derivatives where a sweep began and where it ended.
-        span: Times of the steps between.
-
-    Raises:
-        SolveError: with the cure.
-    """
-    size, last = (float(np.abs(one).max(initial=0.0)) for one in (before, after))
-    # what begins with nothing has no size yet, and a unit of its own
-    growth = last / (size or LARGE)
-    if not growth <= GROWTH:
-        raise SolveError(
-            f"gradient: derivatives grow by {growth:.0e} between t = {span.min():.6g} and "
-            f"{span.max():.6g} s. The steps are too long for a stiff force, such as friction that "
-            "is smoothed, or the motion is chaotic. Take method='Radau', or a shorter time"
-        )
 
 
 def segment_at(signal: PiecewiseInput, t: float) -> tuple[int, float]:

@@ -15,7 +15,7 @@ from ...schema.blocks import DIRECTIONS
 from ...schema.records import Tangent
 from ...schema.request import Request
 from ..simulation.run import Runner
-from .steps import CLOSING, MOST_STAGES, StepsAgain, check_growth, powers_at, segment_at
+from .steps import CLOSING, MOST_STAGES, StepsAgain, powers_at, segment_at
 
 # entries of a state per change along a direction, from which on that costs less than a derivative
 FEW = 8
@@ -141,7 +141,7 @@ class Tangents(StepsAgain):
         self.record.changes = changes.ctypes.data
         self.swept(rows, self.runner.library.cardan_tangent_sweep, self.record)
         # columns by parameters begin with nothing: from the end of the first step on
-        check_growth(changes[min(1, len(changes) - 1)], changes[-1], rows[:, 0])
+        self.check_growth(changes[min(1, len(changes) - 1)], changes[-1], rows[:, 0])
         return changes
 
     def input_changes(self, t: float) -> Array:

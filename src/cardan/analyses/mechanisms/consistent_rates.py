@@ -134,9 +134,11 @@ def _separation(m: Mechanism, row: int, residual: float) -> str:
 def _metric(m: Mechanism, q: Array, free: NDArray[np.intp]) -> Array:
     """L with L L^T the inverse mass matrix of the free speeds, without units; else the identity."""
     M = m.mass(q)
-    if M is None:
-        return np.eye(len(free))
-    part = M[np.ix_(free, free)]
-    values, vectors = np.linalg.eigh(part)
+    return np.eye(len(free)) if M is None else inverse_root(M[np.ix_(free, free)])
+
+
+def inverse_root(M: Array) -> Array:
+    """L with L L^T the inverse of a mass matrix (n, n), which bounds what has hardly any mass."""
+    values, vectors = np.linalg.eigh(M)
     least = 1e-9 * max(float(values.max(initial=0.0)), 1e-300)
     return np.asarray(vectors / np.sqrt(np.maximum(values, least)))
