@@ -133,4 +133,5 @@ const cardan_export cardan_scene = {
     .rates = 6,
     .size = 1.0,
     .columns = NULL,
+    .cost = NULL,
 };

@@ -103,4 +103,5 @@ const cardan_export cardan_scene = {
     .rates = 5,
     .size = 1.0,
     .columns = NULL,
+    .cost = NULL,
 };

@@ -99,4 +99,5 @@ const cardan_export cardan_scene = {
     .rates = 4,
     .size = 1.0,
     .columns = NULL,
+    .cost = NULL,
 };

@@ -75,4 +75,5 @@ const cardan_export cardan_scene = {
     .rates = 0,
     .size = 1.0,
     .columns = NULL,
+    .cost = NULL,
 };

@@ -209,6 +209,7 @@ const cardan_export cardan_scene = {
     .rates = 0,
     .size = 1.0,
     .columns = columns,
+    .cost = NULL,
     .mesh = &mesh,
     .elements = &elements,
     .calls = &cardan_calls_of_elements,

@@ -82,4 +82,5 @@ const cardan_export cardan_scene = {
     .rates = 1,
     .size = 1.0,
     .columns = NULL,
+    .cost = NULL,
 };

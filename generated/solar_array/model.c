@@ -115,4 +115,5 @@ const cardan_export cardan_scene = {
     .rates = 3,
     .size = 1.0,
     .columns = NULL,
+    .cost = NULL,
 };

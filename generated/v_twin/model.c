@@ -94,4 +94,5 @@ const cardan_export cardan_scene = {
     .rates = 5,
     .size = 1.0,
     .columns = NULL,
+    .cost = NULL,
 };

@@ -213,8 +213,7 @@ def test_derivatives_are_those_of_differences(name: str, aside: float) -> None:
     at = replace(at, values=values(0.0))
     exact = shooting.derivative(at, residual, size + 1, values=values)
     assert problem.reasons == []
-    # closed loops lose digits in projections of steps that differences see, and so do runs whose
-    # steps are measured together with entries at rest
+    # closed loops lose digits in projections of steps that differences see, and so do nodes
     coarse = problem.constrained or problem.model.manifest.absolute
     bound = DIFFERENCES * (10 if coarse else 1) * (1 + np.abs(exact).max())
     columns = shooting._by_differences(at, residual, size + 1, rough=False)
@@ -325,10 +324,11 @@ def test_other_laps_take_differences_of_runs(monkeypatch: pytest.MonkeyPatch) ->
     assert cycle.derivatives == "differences of runs: there is no C compiler"
 
 
-def test_events_of_nodes_take_differences_of_runs() -> None:
-    exact, nodes = (stopped(None, coordinates)[0] for coordinates in ("relative", "absolute"))
-    assert nodes.derivatives.startswith("differences of runs: jvp of events: model 'stopped' is in")
-    np.testing.assert_allclose(nodes.multipliers, exact.multipliers, atol=1e-8)
+@pytest.mark.parametrize("section", [None, "stop.lower"])
+def test_impacts_of_nodes(section: str | None) -> None:
+    joints, nodes = (stopped(section, coordinates)[0] for coordinates in ("relative", "absolute"))
+    assert nodes.derivatives == joints.derivatives == "exact"
+    np.testing.assert_allclose(nodes.multipliers, joints.multipliers, atol=1e-9)
 
 
 def test_functions_as_inputs_take_differences_of_runs() -> None:

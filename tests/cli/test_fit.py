@@ -155,3 +155,24 @@ def test_what_makes_no_sense(case: str, capsys: pytest.CaptureFixture[str]) -> N
     assert status("pendulum.yaml", "run.csv", *words) == answer
     assert message in capsys.readouterr().err
     assert not Path("fit.png").exists()
+
+
+def test_beams(capsys: pytest.CaptureFixture[str]) -> None:
+    """A scene that is compiled in absolute coordinates, measured at its tip."""
+    scene = cd.Scene("hose", gravity=(0, 0, -9.81))
+    hub = scene.body("hub", mass=0.2, inertia=(0.002, 0.002, 0.002))
+    scene.joint("hinge", cd.Revolute("y"), scene.ground, hub)
+    rubber = cd.material(E=scene.parameter("E", 3e6), nu=0.45, rho=1100, damping=1e-3)
+    square = cd.section.rectangle(0.03, 0.02)
+    bar = scene.beam("bar", hub, (0.4, 0, 0), square, rubber, elements=1)
+    scene.force("spring", cd.JointSpring("hinge", stiffness=8.0))
+    scene.output("tip", bar.end.position()[2])
+    scene.save("hose.yaml")
+    t = np.linspace(0, 0.3, 31)
+    truth = cd.compile(scene).simulate(t, q={"hinge": 0.3}, parameters={"E": 4e6}, rtol=1e-10)
+    table = np.column_stack([t, truth["tip"]])
+    np.savetxt("tip.csv", table, delimiter=",", header="t,tip", comments="", fmt="%.15g")
+    words = ("hose.yaml", "tip.csv", "--unknown", "E", "--q", "hinge=0.3", "--json")
+    assert status(*words) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["estimates"]["E"]["value"] == pytest.approx(4e6, rel=1e-6)

@@ -191,7 +191,8 @@ def test_files_of_integrators_are_there_and_records_know_them() -> None:
 
 def test_the_package_runs_without_cardan(tmp_path: Path) -> None:
     equations = cd.derive(arm())
-    folder = equations.export(tmp_path / "arm", ["rhs", "forward_dynamics", ("pose", "tool")])
+    functions = ["rhs", "forward_dynamics", ("pose", "tool"), "balance"]
+    folder = equations.export(tmp_path / "arm", functions)
     environment = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
     setup = folder / "setup.py"
     text = setup.read_text("utf-8")
@@ -219,6 +220,7 @@ print(json.dumps([
     m.forward_dynamics(q, u, parameters=heavy).tolist(),
     m.rhs(0.0, np.concatenate([q[0], u])).tolist(),
     m.pose__tool(q).tolist(),
+    m.balance(q, u, u, []).tolist(),
     failures,
 ]))
 """
@@ -237,6 +239,7 @@ print(json.dumps([
         model.with_parameters(heavy).forward_dynamics(q, u),
         model.rhs(0.0, np.concatenate([q[0], u])),
         model.pose("tool", q),
+        model.inverse_dynamics(q, u, u),
     ]
     for ours, theirs in zip(expected, found, strict=False):
         np.testing.assert_allclose(theirs, ours, rtol=1e-11, atol=1e-12)

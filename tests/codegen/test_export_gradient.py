@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import importlib.util
+import os
 import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -286,6 +289,43 @@ def test_the_example_shows_it(tmp_path: Path) -> None:
     assert numbers(lines, "by_r") == pytest.approx([found.slope["tau"]], rel=1e-11)
     assert numbers(lines, "by_p") == pytest.approx(found.slope["p"].tolist(), rel=1e-11, abs=1e-12)
     assert "motion_gradient.h" in (folder / "README.md").read_text("utf-8")
+
+
+def test_the_package_for_numpy_has_it(tmp_path: Path) -> None:
+    equations = cd.derive(arm())
+    options: dict[str, Any] = {"integrators": ["rk4"], "gradient": COST}
+    folder = equations.export(tmp_path / "c", ["energy"], language="cython", **options)
+    build = [sys.executable, "setup.py", "-q", "build_ext", "--inplace"]
+    flags = {**os.environ, "CFLAGS": "-O0"}
+    answer = subprocess.run(build, cwd=folder, env=flags, capture_output=True, text=True)
+    assert answer.returncode == 0, answer.stderr
+    package, model = loaded(next(folder.glob("arm*.so")), "arm"), cd.compile(equations)
+    x0 = np.array(X0)
+    x0[:4] /= np.linalg.norm(x0[:4])
+    value, slope = package.gradient(0.6, x0, r={"tau": 0.2}, parameters={"m": 1.3}, step=1e-3)
+    expected = model.gradient(
+        0.6, COST, x0=x0, inputs={"tau": 0.2}, parameters={"m": 1.3}, wrt=("u0", "p", "tau"),
+        method="RK4", step=1e-3,
+    )  # fmt: skip
+    assert value == pytest.approx(expected.value, rel=1e-13)
+    size = CLOSE * np.abs(expected.slope["p"]).max()
+    np.testing.assert_allclose(slope["x"][5:], expected.slope["u0"], atol=size, rtol=0)
+    np.testing.assert_allclose(slope["p"], expected.slope["p"], atol=size, rtol=0)
+    np.testing.assert_allclose(slope["r"], [expected.slope["tau"]], atol=size, rtol=0)
+    assert package.gradient(0.1)[1]["x"].shape == (9,)
+    with pytest.raises(ValueError, match="no method 'euler'"):
+        package.gradient(0.1, method="euler")
+    with pytest.raises(package.GradientError, match="status 2"):
+        package.gradient(0.6, step=1e-3, most_steps=10)
+
+
+def loaded(path: Path, name: str) -> Any:
+    spec = importlib.util.spec_from_file_location(name, path)
+    assert spec
+    assert spec.loader
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 REFUSED = [

@@ -14,7 +14,7 @@ import numpy as np
 from cardan.analyses.simulation.simulate import simulate
 from cardan.runtime.build import cache, kernels
 from cardan.runtime.calls import abi
-from cardan.runtime.calls.methods import Energy
+from cardan.runtime.calls.layout import Layout
 from cardan.runtime.trajectory.trajectory import TrajectoryRecord
 from cardan.schema import kernel_files
 from cardan.schema.c_functions import ResultRow
@@ -160,7 +160,7 @@ class Problem(CompiledModel):
 
     @property
     def _layout(self) -> Any:
-        return SimpleNamespace(start=lambda block: np.zeros(self.ns))
+        return Layout(self.manifest)
 
     def parts_of(self, x: Any) -> tuple[Any, Any, Any]:
         n = self.nq + self.nu
@@ -169,14 +169,15 @@ class Problem(CompiledModel):
     def split(self, x: Any) -> tuple[Any, Any, Any]:
         return self.parts_of(x)
 
-    def energy(self, q: Any, u: Any, *, t: Any, r: Any = None) -> Energy:
-        """Of every row."""
-        function, out = self._function("energy"), np.empty((len(q), 3))
-        for k, row in enumerate(out):
-            given = {"t": np.array([t[k]]), "q": q[k], "u": u[k], "r": r[k] if self.nr else None}
-            blocks = [given.get(name) for name in abi.ORDER]
+    def _evaluate(self, key: Any, values: Any, parameters: None, out: None) -> np.ndarray:
+        """Energies of every row."""
+        t, q, u, r = values
+        function, rows = self._function(key[0]), np.empty((len(q), 3))
+        for k, row in enumerate(rows):
+            at = {"t": np.array([t[k]]), "q": q[k], "u": u[k], "r": r[k] if self.nr else None}
+            blocks = [at.get(name) for name in abi.ORDER]
             abi.run(function.address, blocks, [0] * len(blocks), 1, row[None, :], 0)
-        return Energy(*out.T)
+        return rows
 
     @property
     def bodies(self) -> tuple[str, ...]:

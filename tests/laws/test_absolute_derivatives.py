@@ -57,9 +57,8 @@ def keys_of(model: cd.CompiledModel) -> list[Key]:
     for name in DIRECT:
         row = FUNCTIONS[name]
         # those of events: test_absolute_event_derivatives.py
-        if name in EVENTS or row.of == "formula":
-            continue
-        if not all(having(model, need) for need in row.needs):
+        available = all(having(model, need) for need in row.needs)
+        if name in EVENTS or row.of == "formula" or not available:
             continue
         listed += [(name, each) for each in of[row.of]] if row.of else [name]
     return listed

@@ -248,8 +248,7 @@ class CompiledModel(LoadedModel):
 
         Args:
             t: End, ``(start, end)`` or output times [s], which ``t_eval`` takes too.
-            vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values or
-                distribution.
+            vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values, distributions.
             x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
                 ``{"elbow": values}``. One is that of all runs; ``cd.sample.normal(0, 0.1)`` is drawn.
             parameters, inputs: Name -> number, values (runs,) or a distribution; inputs of all runs
@@ -836,7 +835,8 @@ class CompiledModel(LoadedModel):
             bounds: Parameter -> (least, most).
             loss: ``"linear"`` for least squares, ``"huber"`` where some samples are wrong.
             segments: Number of runs that the motion is divided into; ``"auto"``: as many as errors
-                grow by e^2, and as leave what was measured, at most one for every eight samples and 60.
+                grow by e^2, and as leave what was measured, at most one for every eight samples and 60;
+                1 in absolute coordinates, where nodes follow joints, and starts are joints by name.
             seeds: ``"identify"``: unknown masses, inertias and coefficients of forces begin with what
                 :meth:`identify` says of the measured coordinates and the inputs, however far off their
                 values are; or an identification, such as ``model.identify(data, cutoff=10)``.

@@ -93,6 +93,15 @@ ABI_ORDER = tuple(block for block in ORDER if block not in ("w", "zdot"))
 COORDINATES = "coordinates"
 # those that functions are differentiated by; of one number there is no axis of columns
 DIRECTIONS = ("t", "q", COORDINATES, "u", "z", "s", "r", "p", "udot", "tau")
+
+
+class Blocks(tuple[str, ...]):
+    """Names that stand for blocks, whatever parameters and inputs are called.
+
+    People who name a block that is also a parameter are asked which they mean.
+    """
+
+
 SLOT = {name: k for k, name in enumerate(ORDER)}
 
 

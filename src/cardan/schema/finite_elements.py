@@ -29,13 +29,12 @@ GRADIENTS = {
     "reactions_gradient": ("reactions",),
     "element_forces_gradient": ("element_forces",),
     "bodies_gradient": ("bodies",),
-    # of M udot and G udot, whose slopes these matrices are
-    "matrices_gradient": ("balance_tangent",),
-}
-# of events, which have no Hessians: M udot - Gᵀ lam and G udot - H lam, which impulses obey, values
-# of events, impulses that these ask for, states behind them, and friction by reactions
-EVENT_GRADIENTS = {
+    # of M udot - Gᵀ lam and G udot - H lam, which impulses obey, and whose slopes M and G are
     "impulse_gradient": ("balance_tangent",),
+}
+# of events, which have no Hessians: values of events, impulses that these ask for, states behind
+# them, and friction by reactions
+EVENT_GRADIENTS = {
     "signs_gradient": ("signs",),
     "jumps_gradient": ("jumps",),
     "states_gradient": ("change",),
@@ -52,7 +51,7 @@ DERIVATIVES = GRADIENTS | CHANGES | CURVATURES
 EVENT_DERIVATIVES = tuple(
     f"{name}_{mode}" for name in ("signs", "jumps", "states") for mode in ("gradient", "change")
 )
-IMPULSE_DERIVATIVES = ("impulse_gradient", "impulse_change")
+IMPULSE_DERIVATIVES = ("impulse_gradient", "impulse_change", "impulse_curvature")
 # those of the rates of coordinates of a place, by q and u
 RATES = ("qdot_gradient", "qdot_change", "qdot_curvature")
 # a formula in the names of the model with outputs in v, its gradient, and changes of that

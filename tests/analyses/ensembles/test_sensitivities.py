@@ -150,14 +150,18 @@ def test_a_run_without_derivative_is_named() -> None:
         scene.joint(f"slide {name}", cd.Prismatic("z"), scene.ground, ball)
         scene.force(f"floor of {name}", cd.Stop(f"slide {name}", lower=-height, restitution=0.5))
     model = cd.compile(scene)
-    heights = [0.7, 1.0, 1.3]
-    with pytest.warns(cd.SolveWarning, match=r"1 of 3 runs .* run 1: .*at the same time"):
-        runs = model.ensemble(0.6, vary={"drop": heights}, sensitivity="drop")
+    heights, reduced = [0.7, 1.0, 1.3], ["mean of slide right", "max of slide right"]
+    with pytest.warns(cd.SolveWarning, match=r"1 of 3 runs have no .* run 1: .*at the same time"):
+        runs = model.ensemble(0.6, vary={"drop": heights}, sensitivity="drop", reduce=reduced)
     assert runs.status.tolist() == ["finished", "no_derivative", "finished"]
     assert np.isnan(runs.sensitivity["drop"][1]).all()
     assert np.isfinite(runs.sensitivity["drop"][[0, 2]]).all()
     # where it ends is right all the same
-    np.testing.assert_array_equal(runs.final, model.ensemble(0.6, vary={"drop": heights}).final)
+    plain = model.ensemble(0.6, vary={"drop": heights}, reduce=reduced)
+    np.testing.assert_array_equal(runs.final, plain.final)
+    assert runs.finished.all()
+    for name, result in plain.results.items():
+        np.testing.assert_array_equal(np.asarray(runs[name]), np.asarray(result))
     assert not runs.run(1).sensitivity
     with pytest.raises(cd.SolveError, match="at the same time"):
         model.ensemble(0.6, vary={"drop": heights}, sensitivity="drop", check=True)

@@ -50,15 +50,6 @@ def test_a_closed_loop_against_single_shooting_by_differences() -> None:
         model.fit(data, unknown="x0")
 
 
-def test_nodes_are_refused() -> None:
-    scene = cd.Scene("nodes", gravity=(0, 0, -9.81))
-    bar = scene.body("bar", mass=1.0, com=(0, 0, -0.4), inertia=(0.05, 0.05, 0.01))
-    scene.joint("hinge", cd.Revolute("y"), scene.ground, bar)
-    model = cd.compile(scene, coordinates="absolute")
-    with pytest.raises(ModelError, match="'nodes' is in absolute coordinates"):
-        model.fit({"t": [0, 1], "hinge": [0, 0]}, unknown="bar.mass")
-
-
 def test_impacts_and_stiff_models() -> None:
     """Restitution of a ball that bounces; a stiffness by a method for stiff models."""
     scene = cd.Scene("ball", gravity=(0, 0, -9.81))

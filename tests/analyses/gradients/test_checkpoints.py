@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import re
+import signal
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -14,7 +15,10 @@ import sympy as sp
 import cardan as cd
 from analyses.gradients.test_gradients import TIGHT, ball, double_pendulum
 from analyses.gradients.test_passes import UP, windows
+from cardan.analyses.gradients.checkpoints import StepStore
 from cardan.analyses.gradients.schedule import Action, repeated_steps, repeats, schedule
+from cardan.analyses.simulation import run_record as abi
+from cardan.analyses.simulation.run import Runner
 from cardan.errors import ArgumentError, SolveError
 from table import each
 
@@ -188,6 +192,44 @@ def test_steps_that_differ_are_refused() -> None:
     with pytest.raises(SolveError, match=r"differently.*depend on t and x alone"):
         model.gradient(2.0, cd.cost(final="a"), memory=4e4, **given)
     assert expected.note == ""
+
+
+def test_ctrl_c_is_heard_while_steps_are_repeated(monkeypatch: pytest.MonkeyPatch) -> None:
+    model, t, cost, given = fixed_steps()
+    given = {**given, "memory": 3e4}
+    expected = model.gradient(t, cost, **given)
+    again, number = StepStore._again, [0]
+
+    def interrupted(store: StepStore, *arguments: Any) -> Any:
+        number[0] += 1
+        drive = store.runner.drive
+
+        def signaled(budget: int) -> int:
+            store.runner.drive = drive  # type: ignore[method-assign]
+            signal.raise_signal(signal.SIGINT)
+            return drive(budget)
+
+        if number[0] == last:
+            store.runner.drive = signaled  # type: ignore[method-assign]
+        return again(store, *arguments)
+
+    monkeypatch.setattr(StepStore, "_again", interrupted)
+    # ahead to a checkpoint, and with rows
+    for last in range(1, 6):
+        number[0] = 0
+        with pytest.raises(KeyboardInterrupt):
+            model.gradient(t, cost, **given)
+        assert number[0] == last
+    last = 0
+    np.testing.assert_array_equal(model.gradient(t, cost, **given).slope["p"], expected.slope["p"])
+
+
+def test_ctrl_c_is_heard_before_the_first_row(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As in a model in Python, whose first call it may come in."""
+    model, t, cost, given = tree()
+    monkeypatch.setattr(Runner, "start", lambda *_: abi.STOPPED)
+    with pytest.raises(KeyboardInterrupt):
+        model.gradient(t, cost, **given)
 
 
 def test_several_runs_say_each() -> None:

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import ModelError
 from laws.absolute_scenes import cantilever, rubber
 from table import each
 
@@ -134,13 +133,3 @@ def test_forward_is_backward() -> None:
     at = model.coordinates.index("hinge")
     for name in names:
         assert motion.sensitivity[name][-1, at] == pytest.approx(found[name], rel=1e-9)
-
-
-def test_what_is_left_is_refused() -> None:
-    """Events of elements have no derivatives yet."""
-    scene = rubber()
-    scene.force("floor", cd.Stop("hinge", lower=0.2, restitution=0.5))
-    model = cd.compile(scene, coordinates="absolute")
-    start = {"q": {"hinge": 0.21}, "u": {"hinge": -2.0}}
-    with pytest.raises(ModelError, match="have derivatives"):
-        model.gradient(0.02, cd.cost(final="z"), wrt="m", **start, **HOW)

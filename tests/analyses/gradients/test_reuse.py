@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.analyses.gradients.adjoint import Sweep
 
 COSTS = (
     cd.cost(final="swing^2 + 0.1*swing.u^2"),
@@ -93,3 +94,23 @@ def test_memory_goes_with_the_model():
     del model, first
     gc.collect()
     assert kept() is None
+
+
+def test_what_serves_no_other_run_is_freed_at_once():
+    """Rows are large, and cycles are looked for when many objects were made, not many numbers."""
+    model, runners = pendulum(), []
+
+    def noted(runner, cost, parameters):
+        runners.append(weakref.ref(runner))
+        return of(runner, cost, parameters)
+
+    with pytest.MonkeyPatch.context() as patch:
+        of = Sweep.of
+        patch.setattr(Sweep, "of", noted)
+        gc.disable()
+        try:
+            calls()[5](model)
+            left = [one() for one in runners]
+        finally:
+            gc.enable()
+    assert left == [None]

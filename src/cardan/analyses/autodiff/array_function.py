@@ -18,7 +18,7 @@ from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, near
 from ...runtime.models.derivatives import has_columns
 from ...runtime.models.loaded_model import LoadedModel
-from ...schema.blocks import COORDINATES, DIRECTIONS, STATE
+from ...schema.blocks import COORDINATES, DIRECTIONS, STATE, Blocks
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
 from ...schema.rows import column
 
@@ -60,8 +60,6 @@ class ArrayFunction:
         if name not in DIFFERENTIABLE:
             hint = near(name, DIFFERENTIABLE)
             raise ModelError(f"{what}: '{name}' does not exist, or has no derivative.{hint}")
-        if model.manifest.absolute:
-            raise ModelError(f"{what}: functions in absolute coordinates have no derivatives")
         model._check_of(name, of)
         row = FUNCTIONS[name]
         odd = [x for x in row.arguments if x not in (*DIRECTIONS, CONSTANT, STATE.name)]
@@ -79,7 +77,12 @@ class ArrayFunction:
         needed = [x for x in ("t", STATE.name) if STATE.name in row.arguments] or row.required
         arguments = (*needed, *(x for x in row.arguments if x not in needed))
         blocks = tuple(block for block in (*parts, "p") if sizes[block])
-        return cls(model, name, of, arguments, len(needed), blocks, sizes, shape)
+        plain = cls(model, name, of, arguments, len(needed), blocks, sizes, shape)
+        if model.manifest.absolute:
+            # not every function has products over elements: that too is told here
+            for wrt in plain._groups(plain.moving)[:1]:
+                model.prepare(("vjp", model.vjp(plain._key, wrt=Blocks(map(_stored, wrt))).request))
+        return plain
 
     @property
     def size(self) -> int:
@@ -134,6 +137,10 @@ class ArrayFunction:
 
     def value(self, *arrays: Array) -> Array:
         """Results (..., size); NaN where there are none."""
+        return self._by_sets(self._value, arrays)
+
+    def _value(self, *arrays: Array) -> Array:
+        """The same with one set of parameters, or in joint coordinates."""
         lead = np.broadcast_shapes(*(np.shape(x)[:-1] for x in arrays))
         values, parameters = self._values(arrays)
         row = FUNCTIONS[self.name].arguments
@@ -151,13 +158,17 @@ class ArrayFunction:
             along: Blocks in their order.
             arrays: Blocks, then weights (..., size).
         """
+        return self._by_sets(partial(self._gradient, along), arrays)
+
+    def _gradient(self, along: Sequence[str], *arrays: Array) -> Array:
+        """The same with one set of parameters, or in joint coordinates."""
         *blocks, weights = map(np.asarray, arrays)
         lead = np.broadcast_shapes(*(x.shape[:-1] for x in (*blocks, weights)))
         values, parameters = self._values(blocks)
         values["weights"] = weights.reshape(*weights.shape[:-1], *self.shape)
         by_block: dict[str, Array] = {}
         for wrt in self._groups(along):
-            product = self.model.vjp(self._key, wrt=tuple(map(_stored, wrt)))
+            product = self.model.vjp(self._key, wrt=Blocks(map(_stored, wrt)))
             ends = [*accumulate(self.sizes[block] for block in wrt)]
             call = partial(_joined, product, wrt, lead, {**values, "parameters": parameters})
             flat = _filled(call, (*lead, ends[-1]), (ends[-1],))
@@ -173,6 +184,10 @@ class ArrayFunction:
             along: Blocks that move, in their order.
             arrays: Blocks, then the direction (..., columns) of those that move.
         """
+        return self._by_sets(partial(self._change, along), arrays)
+
+    def _change(self, along: Sequence[str], *arrays: Array) -> Array:
+        """The same with one set of parameters, or in joint coordinates."""
         *blocks, direction = map(np.asarray, arrays)
         lead = np.broadcast_shapes(*(x.shape[:-1] for x in (*blocks, direction)))
         values, parameters = self._values(blocks)
@@ -180,7 +195,7 @@ class ArrayFunction:
         moves = {b: direction[..., e - self.sizes[b] : e] for b, e in zip(along, ends, strict=True)}
         total = np.zeros((*lead, self.size))
         for wrt in self._groups(along):
-            product: Callable[..., Array] = self.model.jvp(self._key, wrt=tuple(map(_stored, wrt)))
+            product: Callable[..., Array] = self.model.jvp(self._key, wrt=Blocks(map(_stored, wrt)))
             # what stands still costs little beside another C function for every choice of blocks
             parts = [moves.get(block, np.zeros(self.sizes[block])) for block in wrt]
             parts = [x if has_columns(b) else x[..., 0] for b, x in zip(wrt, parts, strict=True)]
@@ -188,6 +203,37 @@ class ArrayFunction:
             call = partial(product, **arguments)
             total = total + _filled(call, (*lead, self.size), self.shape)
         return total
+
+    def _by_sets(self, function: Callable[..., Array], arrays: Sequence[Array]) -> Array:
+        """Results (..., n) of a function of blocks, for one set of parameters after the other.
+
+        Tables of elements are filled for one set; in joint coordinates a call takes any.
+        """
+        arrays = [np.asarray(x) for x in arrays]
+        if not self.model.manifest.absolute or "p" not in self.blocks:
+            return function(*arrays)
+        place = self.blocks.index("p")
+        sets, which = np.unique(
+            arrays[place].reshape(-1, arrays[place].shape[-1]), axis=0, return_inverse=True
+        )
+        if len(sets) == 1:
+            lead = np.broadcast_shapes(*(x.shape[:-1] for x in arrays))
+            arrays[place] = sets[0]
+            result = function(*arrays)
+            return np.broadcast_to(result, (*lead, result.shape[-1]))
+        lead = np.broadcast_shapes(*(x.shape[:-1] for x in arrays))
+        which = np.broadcast_to(which.reshape(arrays[place].shape[:-1]), lead).ravel()
+        flat = [np.broadcast_to(x, (*lead, x.shape[-1])).reshape(-1, x.shape[-1]) for x in arrays]
+        results: Array | None = None
+        for k, one in enumerate(sets):
+            part = [x[which == k] for x in flat]
+            part[place] = one
+            rows = function(*part)
+            if results is None:
+                results = np.zeros((len(which), rows.shape[-1]))
+            results[which == k] = rows
+        assert results is not None
+        return results.reshape(*lead, -1)
 
     @property
     def _key(self) -> str | tuple[str, str]:

@@ -90,8 +90,7 @@ def ensemble(
     Args:
         model: The compiled model.
         t: End, ``(start, end)`` or output times [s], which ``t_eval`` takes too.
-        vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values or
-            distribution.
+        vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values, distributions.
         x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
             ``{"elbow": values}``. One is that of all runs; ``cd.sample.normal(0, 0.1)`` is drawn.
         parameters, inputs: Name -> number, values (runs,) or a distribution; inputs of all runs

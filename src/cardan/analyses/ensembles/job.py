@@ -169,7 +169,7 @@ def histories(job: Job, part: Varied, ends: Ends) -> Histories:
             histories.update((n, values[:, :, k]) for k, n in enumerate(ENERGIES))
         return histories[name]
 
-    status = np.array(ends.status)
+    status = np.array([ends.motions.get(k, text) for k, text in enumerate(ends.status)])
     return Histories(t, x, status == FINISHED, status == EVENT, of, ends.sensitivity)
 
 

@@ -52,6 +52,7 @@ class Ends:
         warnings: Messages of warnings, by index in the block.
         sensitivity: At the output times, by name (count, nt, nx, ...); NaN as in rows, and where
             there is none.
+        motions: Status of the motion alone, by index in the block, where it is another one.
     """
 
     x: Array
@@ -61,6 +62,7 @@ class Ends:
     numbers: Array
     warnings: dict[int, list[str]] = field(default_factory=dict)
     sensitivity: dict[str, Array] = field(default_factory=dict)
+    motions: dict[int, str] = field(default_factory=dict)
 
 
 def suits(

@@ -18,7 +18,7 @@ from ...runtime.trajectory.trajectory import TrajectoryRecord
 from .collection import UNFINISHED, Gathered, PartResults
 from .job import Job, entries
 from .lane_runner import NUMBERS
-from .sensitivity import RunSensitivities
+from .sensitivity import NO_DERIVATIVE, RunSensitivities
 from .share import Share
 
 
@@ -240,7 +240,7 @@ class EnsembleRecord:
     @property
     def finished(self) -> Booleans:
         """Mask of the runs that reached their end, or one that an event made, (runs,)."""
-        return np.isin(self.status, (FINISHED, EVENT))
+        return np.isin(self.status, (FINISHED, EVENT, NO_DERIVATIVE))
 
     @property
     def done(self) -> int:
@@ -350,7 +350,9 @@ def reported(ensemble: EnsembleRecord, missed: Mapping[int, str], check: bool) -
         SolveError: with ``check``.
     """
     failed = len(ensemble) - int(ensemble.finished.sum())
-    messages = {k: text for k, text in ensemble.messages.items() if ensemble.finished[k]}
+    alone = ensemble.status == NO_DERIVATIVE
+    counted = ensemble.finished & ~alone
+    messages = {k: text for k, text in ensemble.messages.items() if counted[k]}
     missing = {**messages, **missed}
     said = []
     if failed and ensemble.interrupted:
@@ -362,6 +364,10 @@ def reported(ensemble: EnsembleRecord, missed: Mapping[int, str], check: bool) -
         first = int(np.argmin(ensemble.finished))
         why = ensemble.message(first)
         said += [f"{failed} of {len(ensemble)} runs did not reach their end; run {first}: {why}"]
+    if alone.any():
+        first = int(np.argmax(alone))
+        why = ensemble.message(first)
+        said += [f"{alone.sum()} of {len(ensemble)} runs have no sensitivities; run {first}: {why}"]
     if missing:
         first = min(missing)
         said += [

@@ -221,6 +221,8 @@ class Single:
         try:
             changes = run.sensitivities(dense).at(inside)
         except SolveError as problem:
+            # reductions take its states as they are
+            ends.motions[k] = ends.status[k]
             ends.status[k], ends.messages[k] = NO_DERIVATIVE, str(problem)
             return
         for name, values in changes.items():

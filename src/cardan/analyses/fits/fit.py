@@ -12,11 +12,13 @@ from ...arguments import Inputs, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
-from ..gradients.unknowns import start_blocks, start_places
+from ...schema.blocks import DIRECTIONS
+from ..gradients.unknowns import refuse_two_meanings, start_blocks, start_places
 from ..identification.base_parameters import circuits
 from ..identification.result import IdentificationRecord
 from ..simulation.settings import Values
 from .division import divided
+from .joint_start import ONE, JointStart
 from .nodes import Begin, first_states, locked_names, nodes_of
 from .record import FitRecord
 from .samples import inputs_of, samples_of, table_of
@@ -65,7 +67,8 @@ def fit(
         bounds: Parameter -> (least, most).
         loss: ``"linear"`` for least squares, ``"huber"`` where some samples are wrong.
         segments: Number of runs that the motion is divided into; ``"auto"``: as many as errors
-            grow by e^2, and as leave what was measured, at most one for every eight samples and 60.
+            grow by e^2, and as leave what was measured, at most one for every eight samples and 60;
+            1 in absolute coordinates, where nodes follow joints, and starts are joints by name.
         seeds: ``"identify"``: unknown masses, inertias and coefficients of forces begin with what
             :meth:`identify` says of the measured coordinates and the inputs, however far off their
             values are; or an identification, such as ``model.identify(data, cutoff=10)``.
@@ -85,30 +88,44 @@ def fit(
     """
     if loss not in ("linear", "huber"):
         raise ArgumentError(f"fit: loss='{loss}': give 'linear' or 'huber'")
-    if model.manifest.absolute:
-        raise ModelError(
-            f"fit: '{model.name}' is in absolute coordinates, whose states no fit takes. Compile "
-            "it in joint coordinates, or minimize with model.gradient where it has beams"
-        )
     model = model if parameters is None else model.with_parameters(parameters)
     table = table_of(data)
     samples, inputs = samples_of(model, table, measured, noise), inputs_of(model, table, inputs)
-    chosen, free = _unknowns(model, unknown)
+    chosen, free, starts = _unknowns(model, unknown)
     limits = _bounds(chosen, bounds)
-    nodes = nodes_of(samples, segments)
-    begin = (q, u, z)
-    locked = locked_names(model, begin, free)
-    shooting = Shooting(model, samples, nodes, chosen, inputs, method, rtol, locked)
+    begin, absolute = (q, u, z), model.manifest.absolute
+    nodes = nodes_of(samples, _segments(model, segments))
+    locked = None if absolute else locked_names(model, begin, free)
+    joints = JointStart.of(model, begin, starts) if absolute else None
+    shooting = Shooting(model, samples, nodes, chosen, inputs, method, rtol, locked, joints)
     if seeds is not None:
         shooting = replace(shooting, model=_seeded(shooting, begin, free, seeds))
     values = np.clip([shooting.model.parameters[name] for name in chosen], *limits.T)
     first = first_states(shooting, begin, free)
-    if segments == "auto":
+    if segments == "auto" and not absolute:
         begins = divided(shooting, first, values)
         shooting = replace(shooting, nodes=(*(nodes[k] for k in begins), nodes[-1]))
         first = first[begins]
     search = Search(shooting, free, limits, loss, values)
-    return search.run(first, values, most, progress)
+    record = search.run(first, values, most, progress)
+    noted = absolute and segments == "auto"
+    return replace(record, message=f"{record.message}; {ONE}") if noted else record
+
+
+def _segments(model: LoadedModel, segments: str | int) -> str | int:
+    """Segments as they were given; one in absolute coordinates.
+
+    Raises:
+        ModelError: several there.
+    """
+    if not model.manifest.absolute:
+        return segments
+    if segments not in ("auto", 1):
+        raise ModelError(
+            f"fit: segments={brief(segments)}: '{model.name}' is in absolute coordinates: {ONE}. "
+            "Give segments=1, and first values from which that run is near to the measured one"
+        )
+    return 1
 
 
 def _seeded(
@@ -127,12 +144,16 @@ def _seeded(
     return min(seed_models(shooting, seeds), key=misfit)
 
 
-def _unknowns(model: LoadedModel, unknown: str | Sequence[str]) -> tuple[tuple[str, ...], Places]:
-    """Names of parameters, and places of unknown starts along the speeds."""
+def _unknowns(
+    model: LoadedModel, unknown: str | Sequence[str]
+) -> tuple[tuple[str, ...], Places, tuple[str, ...]]:
+    """Names of parameters, places of unknown starts along the speeds, and names of these."""
     names = (unknown,) if isinstance(unknown, str) else tuple(unknown)
+    # measured formulas have derivatives by blocks and by these names together
+    refuse_two_meanings("fit: unknown", model, names, DIRECTIONS)
     blocks = start_blocks(model)
     places = start_places(model) | blocks
-    chosen, starts = list[str](), set[int]()
+    chosen, starts, start_names = list[str](), set[int](), list[str]()
     for name in names:
         if name in model.parameters:
             chosen.append(name)
@@ -144,6 +165,7 @@ def _unknowns(model: LoadedModel, unknown: str | Sequence[str]) -> tuple[tuple[s
             )
         elif name in places:
             starts |= {*range(places[name].start, places[name].stop)}
+            start_names.append(name)
         else:
             candidates = [*model.parameters, *places]
             raise ModelError(
@@ -152,7 +174,8 @@ def _unknowns(model: LoadedModel, unknown: str | Sequence[str]) -> tuple[tuple[s
             )
     if not names:
         raise ArgumentError("fit: unknown is empty; name parameters or starts, such as 'q0'")
-    return tuple(dict.fromkeys(chosen)), np.array(sorted(starts), dtype=np.intp)
+    free = np.array(sorted(starts), dtype=np.intp)
+    return tuple(dict.fromkeys(chosen)), free, tuple(dict.fromkeys(start_names))
 
 
 def _bounds(chosen: tuple[str, ...], bounds: Mapping[str, Sequence[float]] | None) -> Array:

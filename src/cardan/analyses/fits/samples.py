@@ -15,7 +15,7 @@ from ...runtime.calls.calling import numbers
 from ...runtime.calls.loaded_function import LoadedFunction
 from ...runtime.models.derivatives import Derivative
 from ...runtime.models.loaded_model import LoadedModel
-from ...schema.blocks import COORDINATES
+from ...schema.blocks import COORDINATES, Blocks
 from ..identification.data import HEADING, names_of, read
 
 TIME = "t"
@@ -183,7 +183,8 @@ class Channels:
     ) -> None:
         self.model, self.formulas = model, formulas
         blocks = {COORDINATES: model.nq, "u": model.nu, "z": model.nz}
-        wrt = (*[block for block, size in blocks.items() if size], *parameters)
+        # of parameters that are called like a block there are no fits
+        wrt = Blocks((*[block for block, size in blocks.items() if size], *parameters))
         self._values, self._slopes = list[LoadedFunction](), list[Derivative]()
         for formula in formulas:
             try:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -15,10 +16,13 @@ from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import SolveError
 from ...runtime.models.loaded_model import LoadedModel
+from ...schema.blocks import Blocks
 from ..gradients.sensitivities import SensitiveRuns, Sensitivities
+from ..gradients.unknowns import start_places
 from ..simulation.driving import beginning, run_setup
-from ..simulation.settings import Start
+from ..simulation.settings import Start, start
 from ..simulation.times import Span
+from .joint_start import JointStart
 from .samples import Channels, Samples
 
 
@@ -78,6 +82,8 @@ class Shooting:
         method, rtol: Of the runs.
         locked: Of a model with loops: names of coordinates and speeds, by ``"q"`` and ``"u"``, that
             the start was given by, whereas loops determine the others; None of a tree.
+        joint_start: Of a model in absolute coordinates: its start, which is that of its only
+            segment.
     """
 
     model: LoadedModel
@@ -88,6 +94,7 @@ class Shooting:
     method: str
     rtol: float
     locked: Mapping[str, tuple[str, ...]] | None = None
+    joint_start: JointStart | None = None
 
     def every(self, states: Array, values: Array) -> list[Segment]:
         """All segments.
@@ -112,6 +119,9 @@ class Shooting:
     def increments(self, nodes: Array, ends: Array) -> Array:
         """Increments along the speeds (m, 2 nu + nz) from states (m, nx) to others."""
         model = self.model
+        if not len(nodes):
+            # of one segment, as in absolute coordinates, where no function says what they are
+            return np.zeros((0, 2 * model.nu + model.nz))
         q0, u0, z0 = model.parts_of(nodes)
         q, u, z = model.parts_of(ends)
         return np.hstack([model.difference(q0, q), u - u0, z - z0])
@@ -136,8 +146,15 @@ class Trial:
         span = (float(t[0]), float(t[-1])), None
         options = shooting.method, shooting.rtol, None, None, None
         setup = run_setup(model, span, None, None, options, inputs, None)
-        self._setup, self._runs = setup, SensitiveRuns(setup, ("x0", *names), inputs)
+        self._setup = setup
         self._channels = Channels(model, shooting.samples.formulas, names)
+
+    @cached_property
+    def _runs(self) -> SensitiveRuns:
+        shooting = self.shooting
+        joints = shooting.joint_start
+        starts = ("x0",) if joints is None else joints.unknown
+        return SensitiveRuns(self._setup, (*starts, *shooting.parameters), shooting.inputs)
 
     def begin(self, number: int, x: Array) -> Start:
         """The start at a node next to a state (nx,): loops are closed, what is locked there stays.
@@ -146,12 +163,17 @@ class Trial:
             ModelError: loops cannot be closed.
         """
         setup, t = self._setup, float(self.shooting.samples.t[self.shooting.nodes[number]])
-        state = self._named(number, x)
-        return beginning(setup.model, Start(x, ()), state, t, setup.input_signals)
+        state, begin = self._named(number, x), Start(x, ())
+        if self.shooting.joint_start is not None:
+            # nodes are where joints carry them, as in a run by itself
+            begin = start(setup.model, None, state["q"], state["u"], state["z"])
+        return beginning(setup.model, begin, state, t, setup.input_signals)
 
     def _named(self, number: int, x: Array) -> dict[str, object]:
         """A start as ``simulate`` takes it: whole, or by what is locked at the first node."""
         locked, model = self.shooting.locked, self._setup.model
+        if self.shooting.joint_start is not None:
+            return self.shooting.joint_start.state(model, x)
         if locked is None:
             return {"x0": x, "q": None, "u": None, "z": None}
         entries = dict(zip((*model.coordinates, *model.speeds), x.tolist(), strict=False))
@@ -176,11 +198,26 @@ class Trial:
         rows = slice(None, None if number + 2 == len(nodes) else -1)
         assert isinstance(motion.sensitivity, Sensitivities)
         states, changes = motion.sensitivity.states_at(times)
+        if self.shooting.joint_start is not None:
+            changes = self._in_places(changes, self.shooting.joint_start)
         places = np.searchsorted(motion.t, times, side="right") - 1
         r = motion.r[places] if motion.inputs_at is None else motion.inputs_at(times)
         s = motion.event_log.s.reshape(len(motion.t), -1)[places]
         end, moved = states[-1], changes[-1]
         return NodeRun(first, begin.x, states[rows], r[rows], s[rows], changes[rows], end, moved)
+
+    def _in_places(self, changes: Array, joints: JointStart) -> Array:
+        """Changes (m, k, nx) with a row for every entry of the start along the speeds.
+
+        Those that nobody asked for stay 0: the search does not move them.
+        """
+        model, count = self._setup.model, len(self.shooting.parameters)
+        n, places = 2 * model.nu + model.nz, start_places(model)
+        rows = [k for name in joints.unknown for k in range(places[name].start, places[name].stop)]
+        result = np.zeros((len(changes), n + count, model.nx))
+        result[:, rows] = changes[:, : len(rows)]
+        result[:, n:] = changes[:, len(rows) :]
+        return result
 
     def _watch(self, done: float) -> None:
         """End a run that parameters without sense, such as a negative mass, let go astray."""
@@ -225,6 +262,6 @@ class Trial:
         """
         model = self._setup.model
         q, u, _ = model.parts_of(x)
-        N = model.derivative("qdot", wrt="u")(q, u)
+        (N,) = model.derivative("qdot", wrt=Blocks("u"))(q, u)
         along = np.linalg.pinv(N) @ np.swapaxes(changes[:, :, : model.nq], 1, 2)
         return np.concatenate([along, np.swapaxes(changes[:, :, model.nq :], 1, 2)], axis=1)

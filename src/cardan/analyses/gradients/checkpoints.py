@@ -239,6 +239,9 @@ class StepStore:
 
         Returns:
             Rows with that before them, and what happened.
+
+        Raises:
+            KeyboardInterrupt: by Ctrl-C.
         """
         runner, run = self.runner, self.runner.record
         parts, logs, left = [begin.row[None]], [begin.log], size
@@ -255,5 +258,8 @@ class StepStore:
                 if answer != abi.FULL or left <= 0:
                     break
         runner.check_interrupt()
+        # Ctrl-C, whether or not it left a step undone
+        if run.stop:
+            raise KeyboardInterrupt
         self._repeated += size
         return np.concatenate(parts), np.concatenate(logs)

@@ -16,6 +16,7 @@ from ...arrays import Array
 from ...runtime.calls.methods import ByName
 from ...runtime.models.constraint_projection import columns_of
 from ...runtime.models.loaded_model import LoadedModel
+from ...schema.blocks import Blocks
 from ...schema.request import reads
 from ..simulation.driving import RunSetup
 from ..simulation.settings import start
@@ -100,7 +101,7 @@ class NamedStart:
             if not function:
                 continue
             speeds = letter == "u"
-            wrt = ("q", *["u"] * speeds, *blocks)
+            wrt = Blocks(("q", *["u"] * speeds, *blocks))
             states: ByName = {"u": u, "z": z, "s": s} if speeds else {}
             columns = dict(
                 zip(wrt, model.derivative(function, wrt=wrt)(q=q, **states, **at), strict=True)

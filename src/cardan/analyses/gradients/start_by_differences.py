@@ -25,7 +25,7 @@ from ...runtime.models.finite_elements.joint_driven_nodes import SAVED, leading
 from ...runtime.models.finite_elements.table_loading import entries_read, tables_of
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.verification.differences import REACH, central
-from ...schema.blocks import COORDINATES
+from ...schema.blocks import COORDINATES, Blocks
 from ...schema.mechanism import JointRow
 from ..simulation.driving import RunSetup
 from ..simulation.settings import start
@@ -179,7 +179,7 @@ class StartByDifferences:
 
     # starts that were given as a whole
 
-    def _arguments(self, name: str) -> tuple[tuple[str, ...], ByName]:
+    def _arguments(self, name: str) -> tuple[Blocks, ByName]:
         """Blocks that a projection has derivatives by, and where it is taken."""
         model = self.model
         q, u, z = model.parts_of(self.setup.begin.x)
@@ -189,7 +189,7 @@ class StartByDifferences:
             at |= {"u": u, "z": z, "s": self.s}
             blocks.append("u")
         blocks += ["r"] * (model.nr > 0) + ["p"] * self.wide
-        return tuple(blocks), at
+        return Blocks(blocks), at
 
     def _through_projections(
         self, lam: Array, by_r: Array, by_p: Array
@@ -210,7 +210,7 @@ class StartByDifferences:
             by_r += slopes.get("r", 0.0)
             by_p += slopes.get("p", 0.0)
         q, u, _ = model.parts_of(self.setup.begin.x)
-        along = model.vjp("qdot", wrt="u")(
+        (along,) = model.vjp("qdot", wrt=Blocks("u"))(
             q=q, u=u, t=self.setup.over.start, r=self.r, weights=lam[:nq]
         )
         return np.concatenate([along, lam[nq:]]), by_r, by_p
@@ -219,8 +219,8 @@ class StartByDifferences:
         model = self.model
         nq, nu = model.nq, model.nu
         q, u, _ = model.parts_of(self.setup.begin.x)
-        along = model.jvp("qdot", wrt="u")(
-            q=q, u=u, direction=start_change[:nu], t=self.setup.over.start, r=self.r
+        along = model.jvp("qdot", wrt=Blocks("u"))(
+            q=q, u=u, direction=(start_change[:nu],), t=self.setup.over.start, r=self.r
         )
         change = np.concatenate([along, start_change[nu:]])
         for name in self.closing:

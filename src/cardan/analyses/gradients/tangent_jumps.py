@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...arrays import Array
+from ...schema.blocks import Blocks
 from ..simulation import run_record as abi
 from ..simulation.events import EventTable
 from .jumps import EventInstant, check_touch, event_names, root_of, slope_of_watched
@@ -107,8 +108,8 @@ class TangentJumps:
         check_touch(at, name, slope, before, rate - float(slope @ before[: len(slope)]))
         return -changes / rate
 
-    def _blocks(self) -> tuple[str, ...]:
-        return tuple(name for name in self.tangents.sizes() if name not in ("s", "r"))
+    def _blocks(self) -> Blocks:
+        return Blocks(name for name in self.tangents.sizes() if name not in ("s", "r"))
 
     def _transition(
         self, at: EventInstant, k: int, x: Array, delay: Array, by_r: Array, inputs: Array

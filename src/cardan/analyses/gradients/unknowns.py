@@ -151,6 +151,7 @@ def unknowns(model: LoadedModel, wrt: object, values: Mapping[str, object]) -> U
         raise ArgumentError(
             f"gradient: wrt={brief(wrt)}: give names, such as ('x0', 'p', 'elbow.damping', 'tau')"
         )
+    refuse_two_meanings("gradient: wrt", model, names)
     available = [*BLOCKS, *start_places(model), *model.parameters, *model.inputs]
     for name in names:
         if name not in available:
@@ -160,3 +161,28 @@ def unknowns(model: LoadedModel, wrt: object, values: Mapping[str, object]) -> U
                 f"{near(name, available)}"
             )
     return Unknowns(model, tuple(dict.fromkeys(names)), values)
+
+
+def refuse_two_meanings(
+    what: str, model: LoadedModel, names: Sequence[str], blocks: Sequence[str] = ()
+) -> None:
+    """Refuse names that a start, or all parameters, and a parameter or input have.
+
+    Args:
+        what: Who asks.
+        model, names: Whose names.
+        blocks: Names of blocks of functions that are taken too.
+
+    Raises:
+        ModelError: with the cure.
+    """
+    starts = {*BLOCKS, *start_places(model)}
+    for listed, kind in ((model.parameters, "parameter"), (model.inputs, "input")):
+        for name in names:
+            if (name in starts or name in blocks) and name in listed:
+                other = "a start of the motion" if name in starts else "a block of all functions"
+                other = "all parameters" if name == "p" else other
+                raise ModelError(
+                    f"{what}: '{name}' is {other} and a {kind} of '{model.name}', and cannot be "
+                    f"told from it: rename the {kind}"
+                )

@@ -270,7 +270,7 @@ def _loop(
     """Go on until the run is over. Returns the last answer of the kernels."""
     stops = stops_of(runner.model, runner.signals, over.start, over.end, more=over.stops)
     answer = runner.start(over.start, begin.x, stops)
-    if store is not None and answer >= 0:
+    if store is not None and answer >= 0 and answer != abi.STOPPED:
         store.begin(recorder)
     if file is not None and answer >= 0:
         answer_saved = file.go_on(runner, recorder)

@@ -18,6 +18,7 @@ from ...runtime.calls.calling import numbers
 from ...runtime.calls.evaluation import State, Values
 from ...runtime.models.constraint_projection import Closing
 from ...runtime.models.loaded_model import LoadedModel
+from ...schema.blocks import Blocks
 
 
 @checked
@@ -88,7 +89,7 @@ def _constraints(
 ) -> Array:
     """Residuals (..., m) of the constraints at a level."""
     if index == 1:
-        wrt = ("t", "q", "u")
+        wrt = Blocks(("t", "q", "u"))
         by_t, by_q, by_u = model.derivative("constraint_rates", wrt)(q, u, **arguments)
         moving = np.einsum("...mu,...u->...m", by_q, model._vector("u", u))
         gamma: Array = by_t + moving + np.einsum("...mu,...u->...m", by_u, model._vector("u", udot))

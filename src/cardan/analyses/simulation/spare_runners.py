@@ -55,3 +55,6 @@ def put_aside(runner: Runner) -> None:
             runner.rows, runner.dense_room = runner.rows[:0].copy(), runner.dense_room[:0].copy()
         runner.spreads = runner.dense_room[:0]
         runner.model._derived[Runner, runner.settings.method.name] = runner
+    else:
+        # which refers to the runner: both would stay until cycles are looked for
+        runner.sweep = None

@@ -14,7 +14,7 @@ from ...arrays import Array
 from ...errors import ModelError
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.verification.rotations import unit
-from ...schema.blocks import of_rate
+from ...schema.blocks import Blocks, of_rate
 from ..mechanisms.assemble import assemble_by_constraints
 from ..mechanisms.consistent_rates import speeds
 from ..mechanisms.mechanism import Mechanism
@@ -151,9 +151,10 @@ class JointSystem(CompiledSystem):
     def _strain_tangents(self, at: Moment) -> Tangents:
         """Those of strains and constraints, which have neither damping nor mass."""
         nu, m = self.model.nu, len(self.multipliers)
-        K = self.model.derivative("strain_balance", "q")(
+        (slopes,) = self.model.derivative("strain_balance", Blocks("q"))(
             t=at.t, q=at.q, lam=at.lam, r=at.r, s=at.s, parameters=at.parameters
-        )[:nu]
+        )
+        K = slopes[:nu]
         none, G = np.zeros((nu, nu)), np.zeros((m, nu))
         if m:
             G = self._call("constraint_jacobian", at, at.t, at.q, at.r, at.s)
@@ -204,15 +205,15 @@ class JointSystem(CompiledSystem):
         if not nz:
             none = np.zeros((0, nu))
             return Internal(none.T, none, none, np.zeros((0, 0)))
-        forces = self.model.derivative("inverse_dynamics", "z")
+        forces = self.model.derivative("inverse_dynamics", Blocks("z"))
         rates = self.rates(at)
-        by_z = forces(at.q, at.u, at.udot, **self._forcing(at))
+        (by_z,) = forces(at.q, at.u, at.udot, **self._forcing(at))
         return Internal(by_z, rates.along[nu:], rates.by_u[nu:], rates.by_z[nu:])
 
     def rates(self, at: Moment, tau: Array | None = None) -> Rates:
         """Same as :meth:`DynamicSystem.rates`."""
         model = self.model
-        wrt = tuple(b for b, n in (("q", 1), ("u", 1), ("z", model.nz), ("r", model.nr)) if n)
+        wrt = Blocks(b for b, n in (("q", 1), ("u", 1), ("z", model.nz), ("r", model.nr)) if n)
         forward = model.derivative("forward_dynamics", wrt)
         slopes = forward(at.q, at.u, tau=tau, **self._forcing(at))
         if model.nz:
@@ -246,7 +247,7 @@ class JointSystem(CompiledSystem):
         sizes = {"q": model.nu, "u": model.nu, "z": model.nz, "r": model.nr}
         jacobians = {b: np.zeros((count, n)) for b, n in sizes.items()}
         if count:
-            wrt = tuple(b for b, n in sizes.items() if n)
+            wrt = Blocks(b for b, n in sizes.items() if n)
             rows = model.derivative("outputs", wrt)(at.q, at.u, **self._forcing(at))
             jacobians |= {b: matrix[:count] for b, matrix in zip(wrt, rows, strict=True)}
         return OutputJacobians(jacobians["q"], jacobians["u"], jacobians["z"], jacobians["r"])
@@ -286,7 +287,7 @@ class JointSystem(CompiledSystem):
         if self._plain:
             return np.zeros((nu, nu))
         arguments: dict[str, Any] = {"t": at.t, "r": at.r, "parameters": at.parameters}
-        slope = self.model.derivative("qdot", ("q", "u", "t"))
+        slope = self.model.derivative("qdot", Blocks(("q", "u", "t")))
         basis = np.concatenate([np.zeros((1, nu)), np.eye(nu)])
         here, N, _ = slope(at.q, at.u, **arguments)
         along, _, by_t = slope(at.q, basis, **arguments)

@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 import keyword
 import sys
+from collections.abc import Sequence
 
 from ...schema.blocks import ARGUMENTS, ORDER, SLOT
 from ...schema.c_functions import FunctionRow, ResultRow
+from ...schema.functions import FUNCTIONS
 from ...schema.manifest import Manifest
 from ..program.naming import mangle
 from ..sources import source
@@ -16,7 +18,7 @@ from .binding import names as listed_names
 from .binding import sizes as block_sizes
 
 SUFFIX = ".pyx"
-SIZED = ("q", "q0", "r", "wrench", "u", "udot", "tau", "du", "z", "s")
+SIZED = ("q", "q0", "r", "wrench", "u", "udot", "lam", "tau", "du", "z", "s")
 NEEDED = ("numpy", "cython", "setuptools", "setup", "cardan")
 
 HEAD = '''\
@@ -129,16 +131,17 @@ def files(model: BoundModel) -> dict[str, str | bytes]:
     """The files of the package, by name."""
     name = package(model.manifest)
     return {
-        f"{name}.pyx": write(model.manifest),
+        f"{name}.pyx": write(model.manifest, model.swept),
         "setup.py": SETUP.format(name=name, flags=json.dumps(list(model.flags))),
         "pyproject.toml": PROJECT.format(name=name),
     }
 
 
-def write(manifest: Manifest) -> str:
-    """The ``.pyx`` of a model."""
+def write(manifest: Manifest, swept: Sequence[str] = ()) -> str:
+    """The ``.pyx`` of a model; ``swept``: methods of runs that have a gradient."""
     names = listed_names(manifest)
-    lengths = block_sizes(manifest) | {"wrench": 6 * len(names["bodies"])}
+    lengths = block_sizes(manifest) | {"lam": len(manifest.multipliers)}
+    lengths["wrench"] = 6 * len(names["bodies"])
     sizes = {name: lengths[name] for name in SIZED} | {"e": len(manifest.events)}
     head = HEAD.format(
         title=plain(f"{manifest.name}: C functions of a multibody model."),
@@ -152,8 +155,11 @@ def write(manifest: Manifest) -> str:
         vectors=literal({k: len(f.vector) for k, f in manifest.functions.items() if f.vector}),
         **{key: literal(value) for key, value in names.items()},
     )
-    functions = manifest.functions.items()
+    # what runs alone ask for, such as times of jumps, is no function of a model
+    functions = [(k, f) for k, f in manifest.functions.items() if k.split("__")[0] in FUNCTIONS]
     parts = [_function(name, entry) for name, entry in functions]
+    if swept:
+        parts.append(f"METHODS = {literal(list(swept))}\n\n{source('package_gradient.pyx')}")
     return "\n\n".join([head + source("package.pyx"), *parts])
 
 

@@ -1,8 +1,8 @@
 """Derivatives of what elements give by everything that they read: in reverse, forward, and both.
 
-Of forces, of constraints on all levels and of internal states together, of products with M and G,
-of energies, momenta, powers, outputs, reactions, forces by name and motions of bodies, of events
-and what they change: gradients of weighted sums, changes along a direction, and changes of those
+Of forces, of constraints on all levels and of internal states together, of what impulses obey, of
+energies, momenta, powers, outputs, reactions, forces by name and motions of bodies, of events and
+what they change: gradients of weighted sums, changes along a direction, and changes of those
 gradients.
 
 Source: Griewank and Walther, Evaluating Derivatives (2008), sections 3.1, 3.2 and 5.1.
@@ -44,12 +44,12 @@ def derivative_of(kind: Kind, form: str, group: Group, inputs: int) -> Function:
     Returns:
         What is multiplied by the derivative is the block v. Of a gradient it has weights: of
         ``dynamics_gradient`` those of the balance (nu), of g (mp), of the rates (m), of
-        G udot - H lam - gamma (m) and of its own internal states, of ``matrices_gradient`` those of
-        M udot (nu) and G udot (m), of ``impulse_gradient`` those of M udot - Gᵀ lam (nu) and
-        G udot - H lam (m), else those of the results of the function. The results are derivatives
-        by q as it is stored, u, udot, lam, z, s, r, t, of events by du and tau too, then by the
-        data that parameters change. Of a change v and the results are the other way round. Of a
-        curvature v has the weights, then a direction; the results are those of the gradient.
+        G udot - H lam - gamma (m) and of its own internal states, of ``impulse_gradient`` those of
+        M udot - Gᵀ lam (nu) and G udot - H lam (m), else those of the results of the function. The
+        results are derivatives by q as it is stored, u, udot, lam, z, s, r, t, of events by du and
+        tau too, then by the data that parameters change. Of a change v and the results are the
+        other way round. Of a curvature v has the weights, then a direction; the results are those
+        of the gradient.
     """
     graph = Graph()
     read = {name: kind.functions[name] for name in DERIVATIVES[form] if name in kind.functions}
@@ -139,9 +139,14 @@ def _dynamics(graph: Graph, kind: Kind, read: Mapping[str, Function]) -> list[in
         for name in ("balance", "gamma", "zdot")
     )
     tangent = results["balance_tangent"]
-    missed = _times_udot(graph, kind, tangent, "G", m)
+    udot, lam = (
+        Matrix(graph, n, 1, [graph.var(letter, k) for k in range(n)])
+        for letter, n in (("udot", kind.nu), ("lam", m))
+    )
+    missed = Matrix.zeros(graph, m)
+    if "G" in tangent:
+        missed = Matrix(graph, m, kind.nu, tangent["G"]) @ udot
     if "H" in tangent:
-        lam = Matrix(graph, m, 1, [graph.var("lam", k) for k in range(m)])
         missed = missed - Matrix(graph, m, m, tangent["H"]) @ lam
     if gamma:
         missed = missed - Matrix(graph, m, 1, gamma)
@@ -152,32 +157,20 @@ def _impulse(graph: Graph, kind: Kind, read: Mapping[str, Function]) -> list[int
     """M udot - Gᵀ lam and G udot - H lam: without forces, which would round beside masses."""
     nu, m = kind.nu, kind.m
     tangent = _copied(graph, read["balance_tangent"])
-    lam = Matrix(graph, m, 1, [graph.var("lam", k) for k in range(m)])
-    balance = _times_udot(graph, kind, tangent, "M", nu)
-    missed = _times_udot(graph, kind, tangent, "G", m)
+    udot, lam = (
+        Matrix(graph, n, 1, [graph.var(letter, k) for k in range(n)])
+        for letter, n in (("udot", nu), ("lam", m))
+    )
+    balance, missed = Matrix.zeros(graph, nu), Matrix.zeros(graph, m)
+    if "M" in tangent:
+        balance = Matrix(graph, nu, nu, tangent["M"]) @ udot
     if "G" in tangent:
-        balance = balance - Matrix(graph, m, nu, tangent["G"]).T @ lam
+        G = Matrix(graph, m, nu, tangent["G"])
+        balance, missed = balance - G.T @ lam, G @ udot
     if "H" in tangent:
         missed = missed - Matrix(graph, m, m, tangent["H"]) @ lam
     return [*balance.nodes, *missed.nodes]
 
 
-def _matrices(graph: Graph, kind: Kind, read: Mapping[str, Function]) -> list[int]:
-    """M udot and G udot."""
-    tangent = _copied(graph, read["balance_tangent"])
-    rows = {"M": kind.nu, "G": kind.m}
-    return [n for x in rows for n in _times_udot(graph, kind, tangent, x, rows[x]).nodes]
-
-
-def _times_udot(
-    graph: Graph, kind: Kind, tangent: Mapping[str, Sequence[int]], name: str, rows: int
-) -> Matrix:
-    """A matrix (rows, nu) of the tangent times udot; zeros where it has none."""
-    if name not in tangent:
-        return Matrix.zeros(graph, rows)
-    udot = Matrix(graph, kind.nu, 1, [graph.var("udot", k) for k in range(kind.nu)])
-    return Matrix(graph, rows, kind.nu, tangent[name]) @ udot
-
-
 # what is differentiated where it is not the results of functions as they are
-ROOTS = {"dynamics": _dynamics, "matrices": _matrices, "impulse": _impulse}
+ROOTS = {"dynamics": _dynamics, "impulse": _impulse}

@@ -18,13 +18,10 @@ DERIVATIVE_HEADERS = (
 )
 # what derivatives read besides weights or directions; results: of forces as many as speeds
 DERIVATIVE_READS = {
-    "dynamics": ("q", "u", "udot", "p"),
-    **dict.fromkeys(("matrices", "impulse"), ("q", "udot", "p")),
+    **dict.fromkeys(("dynamics", "impulse"), ("q", "u", "udot", "p")),
     **dict.fromkeys(("energy", "momentum", "power"), ("q", "u", "p")),
 }
 RESULTS = {"energy": 2, "momentum": 6, "power": 1}
-# without constraints an impulse is a product with the masses
-ROUTINES = {"impulse": "matrices"}
 
 
 def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
@@ -59,7 +56,7 @@ def superelement_derivative(kind: Kind, form: str, inputs: int) -> Routine:
         inputs=(*(one for one in tangent.inputs if one.name in DERIVATIVE_READS[quantity]), v),
         outputs=tuple(result(graph, name, (k,)) for name, k in slopes.items()),
         about=f"derivative of {quantity}",
-        call=f"cardan_superelement_{ROUTINES.get(quantity, quantity)}_{mode}",
+        call=f"cardan_superelement_{form}",
         headers=(*before, *DERIVATIVE_HEADERS, *behind),
         sizes=(n, on_node, drifting, inputs),
         work=work,

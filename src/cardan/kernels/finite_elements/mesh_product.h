@@ -85,8 +85,8 @@ typedef struct cardan_mesh_product {
     ptrdiff_t results;             /* numbers of that function */
     ptrdiff_t solved;              /* 1: it follows from accelerations or multipliers */
     const cardan_form *dynamics;   /* (groups) gradients of balances, of constraints and of zdot */
-    const cardan_form *direct;     /* (groups) of what is summed up, of M udot (nu) and G udot (m), of values of
-                                      events, or of states behind events; NULL */
+    const cardan_form *direct;     /* (groups) of what is summed up, of values of events, or of states behind
+                                      these; NULL */
     const cardan_summands *summands; /* (groups); NULL: nothing is summed up */
     ptrdiff_t sums;                /* how many sums there are */
     const cardan_frame *frame;     /* of which the function is; NULL: of none */

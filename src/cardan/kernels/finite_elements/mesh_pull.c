@@ -85,7 +85,8 @@ static void take_gradient(const cardan_mesh *mesh, const cardan_group *g,
     if (here->at.behind)
         next = cardan_mesh_add_events(mesh, g, some, next, by);
     if (here->product->data)
-        cardan_mesh_add_data(here->product->data + (g - mesh->groups), some, next, by->p, here->by_data);
+        cardan_mesh_add_data(here->product->data + (g - mesh->groups), some, next, by->p,
+                             here->by_data);
 }
 
 /* Weights of the results of elements, in the layout of `gift`: see mesh_pull.h. */
@@ -302,10 +303,6 @@ int cardan_mesh_pull_stored(cardan_place *here, const real *v)
         return pull_sums(here);
     case CARDAN_OF_EXPRESSION:
         return pull_expression(here, v[0]);
-    case CARDAN_OF_EVENTS:
-        return cardan_mesh_pull_events(here, v);
-    case CARDAN_OF_TRANSITION:
-        return cardan_mesh_pull_transition(here, v);
     case CARDAN_OF_MASS_MATRIX:
     case CARDAN_OF_CONSTRAINT_JACOBIAN:
         return cardan_mesh_pull_matrix(here, v, 0);
@@ -314,6 +311,10 @@ int cardan_mesh_pull_stored(cardan_place *here, const real *v)
     case CARDAN_OF_ACCELERATION:
     case CARDAN_OF_FRAME_JACOBIAN:
         return cardan_mesh_pull_frame(here, v);
+    case CARDAN_OF_EVENTS:
+        return cardan_mesh_pull_events(here, v);
+    case CARDAN_OF_TRANSITION:
+        return cardan_mesh_pull_transition(here, v);
     case CARDAN_OF_CLOSE_POSITION:
         copy(nq, v, by->q);
         copy(mesh->mp, v + nq, gaps);

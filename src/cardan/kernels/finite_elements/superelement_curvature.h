@@ -80,12 +80,12 @@ CARDAN_INLINE int cardan_superelement_energy_curvature(int n, int on_node, int d
                                          constants, in, out, work);
 }
 
-CARDAN_INLINE int cardan_superelement_matrices_curvature(int n, int on_node, int drifts, int nr,
+CARDAN_INLINE int cardan_superelement_impulse_curvature(int n, int on_node, int drifts, int nr,
                                                        const double *constants, const cardan_in *in,
                                                        real *CARDAN_RESTRICT out,
                                                        real *CARDAN_RESTRICT work)
 {
-    return cardan_superelement_curvature(cardan_superelement_matrices_gradient, n + 6 * on_node, n, on_node,
+    return cardan_superelement_curvature(cardan_superelement_impulse_gradient, n + 6 * on_node, n, on_node,
                                          drifts, nr, constants, in, out, work);
 }
 

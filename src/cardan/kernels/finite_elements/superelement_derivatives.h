@@ -1,6 +1,6 @@
 /*
  * superelement_derivatives.h: gradients of weighted forces and energies of a superelement, and changes.
- * Those of the products with its mass matrix are called `matrices`.
+ * What an impulse is to it is M udot.
  *
  * Weights are in->v; results are derivatives by q as it is stored, u, udot, then nr inputs, the time and
  * the data. Those by how the frame is turned on its node are not known: NaN. Of a change in->v is a
@@ -154,7 +154,7 @@ CARDAN_INLINE int cardan_superelement_dynamics_gradient(int n, int on_node, int 
     return cardan_superelement_forces_gradient(n, on_node, drifts, nr, 0, constants, in, out, work);
 }
 
-CARDAN_INLINE int cardan_superelement_matrices_gradient(int n, int on_node, int drifts, int nr,
+CARDAN_INLINE int cardan_superelement_impulse_gradient(int n, int on_node, int drifts, int nr,
                                                         const double *constants, const cardan_in *in,
                                                         real *CARDAN_RESTRICT out,
                                                         real *CARDAN_RESTRICT work)
@@ -291,12 +291,6 @@ CARDAN_INLINE int cardan_superelement_forces_change(int n, int on_node, int drif
     return status;
 }
 
-/* Numbers of a direction, or of derivatives, by all that a superelement reads. */
-CARDAN_INLINE int cardan_superelement_reads(int n, int on_node, int nr)
-{
-    return n + 7 * on_node + 2 * (n + 6 * on_node) + nr + 1 + 15;
-}
-
 CARDAN_INLINE int cardan_superelement_dynamics_change(int n, int on_node, int drifts, int nr,
                                                       const double *constants, const cardan_in *in,
                                                       real *CARDAN_RESTRICT out,
@@ -305,7 +299,7 @@ CARDAN_INLINE int cardan_superelement_dynamics_change(int n, int on_node, int dr
     return cardan_superelement_forces_change(n, on_node, drifts, nr, 0, constants, in, out, work);
 }
 
-CARDAN_INLINE int cardan_superelement_matrices_change(int n, int on_node, int drifts, int nr,
+CARDAN_INLINE int cardan_superelement_impulse_change(int n, int on_node, int drifts, int nr,
                                                       const double *constants, const cardan_in *in,
                                                       real *CARDAN_RESTRICT out,
                                                       real *CARDAN_RESTRICT work)
@@ -335,7 +329,7 @@ CARDAN_INLINE int cardan_superelement_energy_change(int n, int on_node, int drif
                                                     real *CARDAN_RESTRICT out,
                                                     real *CARDAN_RESTRICT work)
 {
-    const int count = cardan_superelement_reads(n, on_node, nr), states = count - 15;
+    const int states = n + 7 * on_node + 2 * (n + 6 * on_node) + nr + 1;
     real weights[2];
     cardan_in there = *in;
 

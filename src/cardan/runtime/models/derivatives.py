@@ -15,7 +15,7 @@ import numpy as np
 from ...arguments import checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief, near
-from ...schema.blocks import COORDINATES, DIRECTIONS
+from ...schema.blocks import COORDINATES, DIRECTIONS, Blocks
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
 from ...schema.request import Request, reads
 from ..calls.evaluation import Values, into
@@ -124,9 +124,22 @@ class Derivatives(Functions, ABC):
         entries = (wrt,) if isinstance(wrt, str) else tuple(wrt)
         if wrt is STANDARD:
             entries = tuple(block for block in STANDARD if block in reads)
+        if wrt is not STANDARD and not isinstance(wrt, Blocks):
+            self._check_one_meaning(what, entries)
         for entry in entries:
             self._check_wrt(what, name, entry, reads)
         return name, of, entries
+
+    def _check_one_meaning(self, what: str, entries: tuple[str, ...]) -> None:
+        """Refuse names of blocks that parameters or inputs have too, with the cure."""
+        listed = {"parameter": self.manifest.parameters, "input": self.manifest.inputs}
+        for kind, rows in listed.items():
+            both = [row.name for row in rows if row.name in entries and row.name in DIRECTIONS]
+            if both:
+                raise ModelError(
+                    f"{what}: wrt: '{both[0]}' is a block of the function and a {kind} of "
+                    f"'{self.manifest.name}', and cannot be told from it: rename the {kind}"
+                )
 
     def _check_wrt(self, what: str, function: str, entry: str, reads: set[str]) -> None:
         if entry in DIRECTIONS and entry not in reads:

@@ -77,7 +77,7 @@ class ProductColumns:
             outputs = {"expression": shape}
         elif row == "jvp":
             outputs = {"change": shape}
-        elif row == "hessian" or row == "hessian":
+        elif row == "hessian":
             columns = sum(prod(size) for size in widths.values())
             outputs = {"hessian": (columns, columns)}
         else:

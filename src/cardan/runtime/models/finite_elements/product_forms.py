@@ -10,7 +10,7 @@ import numpy as np
 
 from ....arrays import Array
 from ....errors import ModelError
-from ....schema.finite_elements import FORMULAS, requested_name
+from ....schema.finite_elements import DERIVATIVES, EVENT_DERIVATIVES, FORMULAS, requested_name
 from ....schema.records import Form
 from ...calls.code import Code
 from ...calls.lanes import width
@@ -79,10 +79,12 @@ class ProductForms:
             read += self.objects.function(group.common).outputs[0].shape[-1]
         if quantity == "dynamics":
             weights = kind.nu + kind.mp + 2 * kind.m + kind.states[0]
-        elif quantity == "matrices":
+        elif quantity == "impulse":
             weights = kind.nu + kind.m
         else:
-            weights = int(functions[kind.functions[quantity]].output_size)
+            weights = int(functions[kind.functions[DERIVATIVES[form][0]]].output_size)
+        if form in EVENT_DERIVATIVES:
+            read += kind.nu + kind.frictions + kind.responses
         expected = {
             "gradient": (weights, read),
             "change": (read, weights),

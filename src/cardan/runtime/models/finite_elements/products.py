@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
 FRAMES = ("pose", "velocity", "acceleration", "frame_jacobian")
 MATRICES = ("mass_matrix", "constraint_jacobian")
-# derivatives of elements that those of events are made of, by fields of the record
+# derivatives of elements that those of events take, by fields of the record
 EVENTS = {
     "events": {"direct": "signs", "impulse": "impulse", "friction": "friction"},
     "transition": {"direct": "states", "impulse": "impulse", "jumps": "jumps"},
@@ -55,7 +55,7 @@ BALANCED = ("inverse_dynamics", "constraints", "constraint_rates", *PROJECTIONS,
 # what results of elements add up to
 SUMMED = ("energy", "momentum", "power", "outputs", "expression", "reaction", "element_forces")
 # functions with derivatives, and those with second derivatives
-DIRECT = (*BALANCED, *SUMMED, "qdot", *MATRICES, *FRAMES)
+DIRECT = (*BALANCED, *SUMMED, "qdot", *MATRICES, *FRAMES, *EVENTS)
 CURVED = tuple(name for name in DIRECT if name not in EVENTS)
 # what has to be loaded of elements
 LOADED = {"expression": "outputs", "reaction": "accelerations", "element_forces": "accelerations"}
@@ -178,11 +178,11 @@ class Products:
         """Derivatives of one mode that a function needs."""
         name, every = request.function, range(len(self.tables.groups))
         forms: dict[str, Records] = {"rates": self.forms.rates(f"qdot_{mode}")}
-        if name in BALANCED or self._solved(name):
+        if name in (*BALANCED, *EVENTS) or self._solved(name):
             self.mesh.connect("balance_tangent", "gamma", "zdot")
             forms["dynamics"] = self.forms.derivatives(f"dynamics_{mode}", every)
         if name in MATRICES:
-            forms["direct"] = self.forms.derivatives(f"matrices_{mode}", every)
+            forms["direct"] = self.forms.derivatives(f"impulse_{mode}", every)
         if sums is not None:
             self.mesh.connect(sums.form)
             forms["direct"] = self.forms.derivatives(f"{sums.form}_{mode}", [*sums.which])

@@ -32,7 +32,7 @@ def _results(members: Members, form: str, blocks: Blocks | None = None) -> Array
         return _impulse(members, blocks)
     read = [name for name in DERIVATIVES[form] if name in kind.functions]
     quantity = form.rpartition("_")[0]
-    if quantity not in ("dynamics", "matrices"):
+    if quantity != "dynamics":
         return call(read[0], blocks)
     at = {**members.inputs, **(blocks or {})}
     n, nu, m = len(at["q"]), kind.nu, kind.m
@@ -46,8 +46,6 @@ def _results(members: Members, form: str, blocks: Blocks | None = None) -> Array
         matrix = flat[:, first : first + rows * columns].reshape(n, rows, columns)
         return times(matrix, np.broadcast_to(at[block], (n, columns)))
 
-    if quantity == "matrices":
-        return np.concatenate([product("M", nu, "udot", nu), product("G", m, "udot", nu)], axis=1)
     balance = call("balance", blocks) if "balance" in read else np.zeros((n, 0))
     missed = product("G", m, "udot", nu) - product("H", m, "lam", m)
     if "gamma" in read:
@@ -205,9 +203,7 @@ def _curvature(form: str, members: Members) -> float | str:
     return worst
 
 
-GRADIENT_OF: Mapping[str, str] = {
-    form: form.replace("curvature", "gradient") for form in CURVATURES
-}
+GRADIENT_OF: Mapping[str, str] = {f: f.replace("curvature", "gradient") for f in CURVATURES}
 LAWS: dict[str, Callable[[Members], float | str]] = {
     **{form: partial(_gradient, form) for form in GRADIENTS},
     **{form: partial(_change, form) for form in CHANGES},
