@@ -191,7 +191,7 @@ static real left_of_rows(const cardan_mesh *mesh, const cardan_mesh_system *syst
         else
             left = fmax(left, fabs(system->rows[i] * r[i]));
     }
-    return left > 0 ? left / (moved + required) : 0;
+    return left > 0 ? left / fmax(moved + required, CARDAN_LEAST) : 0;
 }
 
 /* Solve where pivots were lost, and improve that until rounding, or what cannot fit, is all there is.

@@ -121,6 +121,9 @@ void cardan_sparse_multiply(const cardan_sparse *plan, const double *a, const do
 void cardan_sparse_multiply_transposed(const cardan_sparse *plan, const double *a, const double *x,
                                        double *y);
 
+/* Sizes below which numbers have too few digits left for relative errors: they count as exact. */
+#define CARDAN_LEAST 1e-280
+
 /* r = b - a x. Returns the backward error: the largest entry of r over the largest sum of magnitudes
  * |b| + |a| |x|, both scaled by units; infinity if a number is not finite. */
 double cardan_sparse_residual(const cardan_sparse *plan, const cardan_sparse_factors *f,

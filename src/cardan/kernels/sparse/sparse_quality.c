@@ -69,7 +69,7 @@ double cardan_sparse_residual(const cardan_sparse *plan, const cardan_sparse_fac
     }
     if (!finite)
         return INFINITY;
-    return most > 0 ? most / size : 0;
+    return most > 0 ? most / fmax(size, CARDAN_LEAST) : 0;
 }
 
 double cardan_sparse_refine(const cardan_sparse *plan, const cardan_sparse_factors *f,
