@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import ModelError
 
 
 @pytest.fixture(scope="module")
@@ -101,11 +100,20 @@ def test_jax_takes_many_states_and_parameters(
     np.testing.assert_allclose(found, by_model, rtol=1e-9, atol=1e-12)
 
 
-def test_what_has_no_derivative_is_refused(rubber: cd.CompiledModel, jax: Any) -> None:
-    with pytest.raises(ModelError, match=r"vjp of pose: .*has one as an output of the scene"):
-        rubber.to_jax(("pose", "hub"))
-    with pytest.raises(ModelError, match=r"these have derivatives: inverse_dynamics"):
-        rubber.to_jax("mass_matrix")
+@pytest.mark.parametrize("name", [("pose", "hub"), "mass_matrix"])
+def test_frames_and_matrices(
+    rubber: cd.CompiledModel, state: np.ndarray, jax: Any, name: str | tuple[str, str]
+) -> None:
+    """Reverse mode is the product of the model, of coordinates as they are stored."""
+    q = state[: rubber.nq].copy()
+    q[1:5] /= np.linalg.norm(q[1:5])
+    function = rubber.to_jax(name)
+    direct = rubber.pose("hub", q) if isinstance(name, tuple) else rubber.mass_matrix(q)
+    np.testing.assert_allclose(function(q), direct, rtol=1e-10, atol=1e-12)
+    weights = np.random.default_rng(1).uniform(-1, 1, direct.shape)
+    (product,) = jax.vjp(function, q)[1](weights)
+    expected = rubber.vjp(name, wrt="coordinates")(q, weights)
+    np.testing.assert_allclose(product, expected, atol=1e-12 * np.abs(expected).max())
 
 
 def test_torch(rubber: cd.CompiledModel, state: np.ndarray) -> None:

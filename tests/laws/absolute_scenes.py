@@ -45,6 +45,7 @@ def cantilever(elements: int = 2) -> cd.Scene:
     material = cd.material(E=E, nu=0.45, rho=rho)
     bar = scene.beam("bar", scene.ground, (1, 0, 0), section, material, elements=elements)
     scene.output("deflection", bar.end.position()[2])
+    bar.end.at(0.05, 0, -0.1, rotation=("XYZ", 0, 0.4, 0), name="eye")
     return scene
 
 

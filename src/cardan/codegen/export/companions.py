@@ -53,7 +53,7 @@ def kernels(
         elements: Whether it consists of elements in tables.
         sweeps: Files of gradients.
     """
-    roots = ["export.c", *(["mesh_export.c"] if elements else [])]
+    roots = ["export.c", *(["mesh_export.c", "mesh_events.c"] if elements else [])]
     roots += ["simulate.c", *(f"{one}.c" for one in integrators)] if integrators else []
     roots += sweeps
     return {name: kernel_files.text(name) for name in linkage.closure(roots)}
