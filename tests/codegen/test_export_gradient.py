@@ -278,6 +278,17 @@ def test_events_end_with_their_name(tmp_path: Path) -> None:
     np.testing.assert_allclose(np.array(lines[1:4], float), [found.value, *found.slope["x0"]])
 
 
+def test_costs_without_a_derivative_are_refused(tmp_path: Path) -> None:
+    """NaN is no gradient."""
+    folder = cd.derive(arm()).export(
+        tmp_path / "c", ["energy"], language="c", integrators=["rk4"],
+        gradient=cd.cost(final="sqrt(elbow - 100)"),
+    )  # fmt: skip
+    said = program(folder, X0, 0.1, {"step": 1e-2})
+    assert said.startswith("-20 ")
+    assert "no finite value" in said
+
+
 def test_the_example_shows_it(tmp_path: Path) -> None:
     equations = cd.derive(arm())
     options: dict[str, Any] = {"integrators": ["rk4"], "gradient": COST}

@@ -92,6 +92,13 @@ def test_many_motions_are_one_call(module: ModuleType) -> None:
 def test_what_is_refused(module: ModuleType, tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="no method 'radau'"):
         module.cost(START, end=1.0, method="radau")
+    # none of a time is not zero
+    late = lambda end, x: module.cost(x, end=end, method="rk4", step=1e-2)  # noqa: E731
+    with pytest.raises(TypeError, match=r"no derivatives by times.*stop_gradient"):
+        jax.grad(late)(0.1, START)
+    held = jax.grad(lambda x: late(jax.lax.stop_gradient(0.1 * x[0]), x))(jnp.array(START))
+    fixed = jax.grad(late, argnums=1)(0.1 * START[0], START)
+    np.testing.assert_array_equal(held, fixed)
     scene = cd.Scene("ball", gravity=(0, 0, -9.81))
     scene.joint("z", cd.Prismatic("z"), scene.ground, scene.body("ball", mass=1.0))
     scene.force("floor", cd.Stop("z", lower=0.0, restitution=0.8))

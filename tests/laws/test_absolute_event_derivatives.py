@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import itertools
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -204,3 +205,37 @@ def test_derivatives(name: str) -> None:
     for function in {*judged} - {"rhs"}:
         # differences of stiff forces may tell nothing
         assert judged[function] >= {"u", "p"}, (function, judged)
+
+
+@each("name", ["inclined", "braked", "two frictions in a loop", "smooth frictions in a loop"])
+def test_second_derivatives_with_friction(name: str) -> None:
+    """Columns of Hessians are slopes of gradients where friction follows from reactions."""
+    model, rng, wrt, judged = model_of(name), np.random.default_rng(3), ("q", "u", "p"), set[str]()
+    product = model.vjp("rhs", wrt=wrt)
+    for state in itertools.islice(states(name), 2):
+        weights = rng.uniform(-1, 1, model.nx)
+        H = model.hessian("rhs", wrt=wrt)(**arguments("rhs", state), weights=weights)
+        for block, columns in zip(
+            "qu", np.split(H, [model.nu, 2 * model.nu], axis=1), strict=False
+        ):
+            way = rng.uniform(0.3, 1, model.nu)
+            rate = model.qdot(state["q"], way) if block == "q" else way
+
+            def gradients(
+                places: dict[str, Any], state: Any = state, weights: Any = weights
+            ) -> Array:
+                (moved, rows), *_ = places.items()
+                at = [arguments("rhs", {**state, moved: row}) for row in rows]
+                parts = [product(**one, weights=weights) for one in at]
+                return np.array([np.concatenate([np.ravel(x) for x in one]) for one in parts])
+
+            change, off = slope(
+                gradients, {block: state[block][None]}, {block: rate[None]}, np.ones(1)
+            )
+            # gradients along speeds turn with coordinates
+            rows = slice(model.nu if block == "q" else 0, None)
+            terms = (columns * way)[rows]
+            error = missing(change[:, rows], off, terms.sum(axis=1)[None], np.abs(terms).max())
+            assert np.isnan(error) or error <= BOUND, (block, state["s"], error)
+            judged |= set() if np.isnan(error) else {block}
+    assert judged == {"q", "u"}

@@ -79,9 +79,9 @@ class Equations(Explained, Linearizable):
             precision: ``"single"`` for float instead of double everywhere, as processors of
                 microcontrollers have it. With ``language="c"``.
             gradient: A cost, ``cd.cost(final="elbow^2")``: C that runs a motion and sweeps back
-                over its steps comes along, ``motion_gradient.h``; with JAX and NumPy a function
-                ``gradient`` and ``cost``. With ``integrators`` ``"dop853"``, ``"rk45"``, ``"rk4"``,
-                ``"radau"``.
+                over its steps comes along, ``motion_gradient.h``; with NumPy a function
+                ``gradient``, with JAX ``cost``. With ``integrators`` ``"dop853"``, ``"rk45"``,
+                ``"rk4"``, ``"radau"``.
             fmi: Of an FMU: version ``"3.0"`` (default) or ``"2.0"``.
             kinds: Of an FMU: ``"me"`` (model exchange) and ``"cs"`` (co-simulation); by default
                 both, of elements in absolute coordinates, such as beams, co-simulation alone.

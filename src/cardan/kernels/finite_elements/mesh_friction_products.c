@@ -19,27 +19,14 @@ typedef struct shares {
     real *coefficient; /* (k) */
     real *along;       /* (k, nu) */
     real *normal;      /* (k, 3, m) */
-    real *force;       /* (k, k, 3) of joint i by friction j at [j, i] */
 } shares;
 
 static shares lay(const cardan_mesh *mesh, real *block)
 {
     const ptrdiff_t k = mesh->frictions;
-    shares all = {block, block + k, NULL, NULL};
+    const shares all = {block, block + k, block + k + k * mesh->nu};
 
-    all.normal = all.along + k * mesh->nu;
-    all.force = all.normal + 3 * k * mesh->m;
     return all;
-}
-
-/* Number of the first friction of a group. */
-static ptrdiff_t first_friction(const cardan_mesh *mesh, const cardan_group *g)
-{
-    ptrdiff_t first = 0;
-
-    for (const cardan_group *other = mesh->groups; other != g; other++)
-        first += other->count * other->frictions;
-    return first;
 }
 
 /* Where the i-th of the rows of an element is among all. */
@@ -54,7 +41,7 @@ static ptrdiff_t row_of(const cardan_group *g, ptrdiff_t element, ptrdiff_t i)
 static real *exchange(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element, ptrdiff_t lanes,
                       const shares *all, int adding, real *to)
 {
-    const ptrdiff_t first = first_friction(mesh, g) + element * g->frictions, k = g->frictions;
+    const ptrdiff_t first = cardan_mesh_first_friction(mesh, g) + element * g->frictions, k = g->frictions;
 
     for (ptrdiff_t j = first; j < first + k; j++, to += lanes) {
         if (adding)
@@ -132,7 +119,7 @@ int cardan_mesh_pull_certainty(cardan_place *here)
     real *answer = here->event.answer;
     int status = 0;
 
-    memset(by.coefficient, 0, (size_t)(k * (1 + nu + 3 * m + 3 * k)) * sizeof(real));
+    memset(by.coefficient, 0, (size_t)(k * (1 + nu + 3 * m)) * sizeof(real));
     /* friction by friction: forces across lines by a unit of it, then the motion that makes them */
     for (ptrdiff_t j = 0; j < k && status == 0; j++) {
         const real *moved = friction->moved + j * n;
@@ -179,7 +166,7 @@ int cardan_mesh_push_certainty(cardan_place *here)
     real *answer = here->event.answer;
     int status;
 
-    memset(by.coefficient, 0, (size_t)(k * (1 + nu + 3 * m + 3 * k)) * sizeof(real));
+    memset(by.coefficient, 0, (size_t)(k * (1 + nu + 3 * m)) * sizeof(real));
     memset(here->way.certainty, 0, (size_t)k * sizeof(real));
     /* friction is told without multipliers */
     here->at.udot = here->at.lam = here->at.certainty = NULL;

@@ -151,6 +151,8 @@ int cardan_mesh_motion_of(const cardan_mesh *mesh, cardan_mesh_system *system, c
  * set `answer` of the event to the changes of these. */
 int cardan_mesh_pull_impulse(cardan_place *here, const real *motion, const real *weights);
 int cardan_mesh_push_impulse(cardan_place *here, const real *motion);
+/* Number of the first friction of a group. */
+ptrdiff_t cardan_mesh_first_friction(const cardan_mesh *mesh, const cardan_group *g);
 /* mesh_friction_products.c: of how certain friction is that follows from reactions */
 int cardan_mesh_pull_certainty(cardan_place *here);
 int cardan_mesh_push_certainty(cardan_place *here);

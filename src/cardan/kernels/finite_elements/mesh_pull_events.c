@@ -30,7 +30,7 @@ ptrdiff_t cardan_mesh_lay_event(const cardan_mesh_product *product, real *block,
     to->answer = cardan_reserve(block, &used, n);
     to->before = cardan_reserve(block, &used, n);
     to->values = cardan_reserve(block, &used, mesh->ne);
-    to->shares = cardan_reserve(block, &used, k * (1 + mesh->nu + 3 * mesh->m + 3 * k));
+    to->shares = cardan_reserve(block, &used, k * (1 + mesh->nu + 3 * mesh->m));
     to->work = cardan_reserve(block, &used, cardan_mesh_call_work(mesh));
     return used;
 }
@@ -52,8 +52,7 @@ int cardan_mesh_enter_event(const cardan_in *in, real *solution, real *work, car
                        : cardan_mesh_jump(mesh, &here->at, &event->all, &event->released, event->work);
 }
 
-/* Numbers of the first friction and of the first response of a group. */
-static ptrdiff_t first_friction(const cardan_mesh *mesh, const cardan_group *g)
+ptrdiff_t cardan_mesh_first_friction(const cardan_mesh *mesh, const cardan_group *g)
 {
     ptrdiff_t first = 0;
 
@@ -62,6 +61,7 @@ static ptrdiff_t first_friction(const cardan_mesh *mesh, const cardan_group *g)
     return first;
 }
 
+/* Number of the first response of a group. */
 static ptrdiff_t first_response(const cardan_mesh *mesh, const cardan_group *g)
 {
     ptrdiff_t first = 0;
@@ -86,7 +86,7 @@ const real *cardan_mesh_add_events(const cardan_mesh *mesh, const cardan_group *
                                    const cardan_slopes *by)
 {
     next = cardan_mesh_add_places(g, some, mesh->u, next, by->behind);
-    next = add_numbered(some, g->frictions, next, by->certainty + first_friction(mesh, g));
+    next = add_numbered(some, g->frictions, next, by->certainty + cardan_mesh_first_friction(mesh, g));
     return add_numbered(some, g->responses, next, by->responses + first_response(mesh, g));
 }
 
@@ -104,7 +104,7 @@ real *cardan_mesh_give_events(const cardan_mesh *mesh, const cardan_group *g, co
                               ptrdiff_t lanes, const cardan_slopes *way, real *to)
 {
     to = cardan_mesh_fetch_places(g, element, lanes, mesh->u, way->behind, to);
-    to = give_numbered(way->certainty + first_friction(mesh, g), g->frictions, element, lanes, to);
+    to = give_numbered(way->certainty + cardan_mesh_first_friction(mesh, g), g->frictions, element, lanes, to);
     return give_numbered(way->responses + first_response(mesh, g), g->responses, element, lanes, to);
 }
 

@@ -194,12 +194,13 @@ static int begin(const cardan_export *model, const sweep *at)
     return status == 0 ? 0 : CARDAN_MODEL;
 }
 
+/* Size of the largest of n numbers; infinite where one is not finite. */
 static real largest(const real *x, ptrdiff_t n)
 {
     real most = 0;
 
     for (ptrdiff_t i = 0; i < n; i++)
-        most = fmax(most, fabs(x[i]));
+        most = x[i] - x[i] == 0 ? fmax(most, fabs(x[i])) : INFINITY;
     return most;
 }
 
@@ -276,7 +277,10 @@ int cardan_gradient_of(const cardan_export *model, cardan_gradient *of, void *me
         return refuse(of, "the motion passes too many places where branches meet: take a shorter one");
     status = begin(model, &at);
     status = status == 0 ? pull(&at) : status;
-    if (status != 0)
+    /* a cost may have no derivative at the end */
+    if (status != 0 || largest(at.adjoint.lam, at.run.nx) == INFINITY
+        || largest(at.adjoint.by_p, at.adjoint.np) == INFINITY
+        || largest(at.adjoint.by_r, at.run.nr) == INFINITY)
         return refuse(of, "a derivative has no finite value within a step, or stages do not settle: take "
                           "tighter tolerances");
     if (!(largest(at.adjoint.lam, at.run.nx) <= GROWTH * largest(at.before, at.run.nx))
