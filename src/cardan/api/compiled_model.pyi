@@ -815,7 +815,7 @@ class CompiledModel(LoadedModel):
         z: Values | ArrayLike | None = None,
         inputs: Inputs | None = None,
         parameters: Values | None = None,
-        method: str = "DOP853",
+        method: str = "auto",
         rtol: float = 1e-09,
         most: int = 60,
         progress: bool | Callable[[float], None] | None = None,
@@ -842,7 +842,8 @@ class CompiledModel(LoadedModel):
                 values are; or an identification, such as ``model.identify(data, cutoff=10)``.
             q, u, z: Start at the first sample, where the search begins; what is not unknown stays.
             inputs: As :meth:`simulate` takes them; else columns of data with their names.
-            parameters, method, rtol, progress: As :meth:`simulate` takes them.
+            parameters, rtol, progress: As :meth:`simulate` takes them.
+            method: As of :meth:`gradient`: ``"auto"`` takes DOP853, of elements Radau.
             most: Iterations.
 
         Returns:

@@ -4,8 +4,9 @@ Finds parameters of a scene and the start of a motion from samples of whatever w
 coordinates, speeds, outputs such as the position of a hand, any formula in names of the scene.
 
 The search begins with the values of FILE and --set, and goes over many short runs at once, so that
-chaotic motions and poor first values do no harm. Printed are the estimates with standard errors and
-95 % intervals, combinations that the data do not tell, and a test of the residuals.
+chaotic motions and poor first values do no harm (of models with beams over one run). Printed are
+the estimates with standard errors and 95 % intervals, combinations that the data cannot determine,
+and a test of the residuals.
 
 examples:
   cardan fit pendulum.yaml swing.csv --unknown length,damping,q0
@@ -59,7 +60,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--bounds", metavar="NAME=LOW,HIGH", type=bounds, action="append",
                        default=[], help="of a parameter; either may be left out")  # fmt: skip
     group.add_argument("--robust", action="store_true",
-                       help="some samples are wrong: they count by their size alone")  # fmt: skip
+                       help="some samples are wrong: large ones count less (Huber)")  # fmt: skip
     group.add_argument("--segments", metavar="N", type=segments, default="auto",
                        help="runs that the motion is divided into (default auto)")  # fmt: skip
     group.add_argument("--seeds", choices=("identify",),
@@ -77,7 +78,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     run.add_argument("--input", metavar="NAME=COLUMN", type=pair, action="append", default=[],
                      help="input by a column, or a number")  # fmt: skip
     run.add_argument("--method", metavar="NAME",
-                     help="integrator (default DOP853)")  # fmt: skip
+                     help="integrator (default auto: DOP853, of beams Radau)")  # fmt: skip
     run.add_argument("--rtol", type=run_options.positive,
                      help="relative tolerance per step (default 1e-9)")  # fmt: skip
     results = parser.add_argument_group("results")
@@ -114,7 +115,7 @@ def run(options: argparse.Namespace) -> int:
             z=z,
             inputs=_inputs(options),
             parameters=dict(options.set) or None,
-            method=options.method or scene.settings.get("method", "DOP853"),
+            method=options.method or scene.settings.get("method", "auto"),
             rtol=options.rtol or scene.settings.get("rtol", 1e-9),
             most=options.most,
             progress=lambda part: show("fitting", part),

@@ -138,3 +138,15 @@ def test_results_by_name(double: cd.CompiledModel) -> None:
     with pytest.raises(cd.ArgumentError, match="there are runs 0 to 4"):
         made.run(5)
     np.testing.assert_array_equal(made.run(-1).x[-1], made.final[4])
+
+
+def test_a_run_that_starts_beyond_a_stop_is_not_begun() -> None:
+    scene = cd.Scene("gate")
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("gate", mass=1.0))
+    scene.force("limit", cd.Stop("x", upper=0.4))
+    model = cd.compile(scene)
+    for more in ({}, {"sensitivity": "q0.x"}):
+        with pytest.warns(cd.SolveWarning, match="1 of 3 runs"):
+            runs = model.ensemble(0.1, vary={"x": [-0.1, 0.5, 0.4]}, **more)
+        assert list(runs.status) == ["finished", "not_begun", "finished"]
+        assert "beyond its upper stop" in runs.messages[1]

@@ -136,7 +136,7 @@ def test_what_a_bound_holds_is_not_known_exactly() -> None:
 
 def test_samples_are_more_than_unknowns_and_in_units_of_the_model() -> None:
     model, t, h = pendulum_data()
-    with pytest.raises(ArgumentError, match="2 samples do not tell 3 unknowns"):
+    with pytest.raises(ArgumentError, match="2 samples cannot determine 3 unknowns"):
         model.fit({"t": t[:2], "h": h[:2]}, unknown=("L", "q0.h", "u0.h"))
     with pytest.raises(ArgumentError, match=r"'t \[ms\]': 't' is in s"):
         model.fit({"t [ms]": 1e3 * t, "h": h}, unknown="L")

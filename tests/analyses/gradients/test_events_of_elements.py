@@ -258,3 +258,19 @@ def test_events_have_no_hessians() -> None:
     q, u = model.split(model.initial(q={"z": 0.5}))
     with pytest.raises(ModelError, match="events have no second derivatives"):
         model.hessian("events", wrt="q")(q, u, np.ones(len(model.event_names)))
+
+
+def test_a_bar_that_comes_to_rest_at_a_stop() -> None:
+    """What is left of its speeds are numbers of 1e-300, which round as they like.
+
+    Runs with sensitivities take the method of gradients.
+    """
+    model = cd.compile(pendulum())
+    for speed in (-1.0, -0.9):
+        found = model.gradient(1.0, cd.cost(final="tip"), wrt="E", u={"hinge": speed}, rtol=1e-8)
+        run = model.simulate(1.0, u={"hinge": speed}, sensitivity="E", rtol=1e-8)
+        assert run.solver_info.method == found.motion.solver_info.method == "Radau"
+        q, u, _ = model.parts_of(run.x[-1])
+        by_q = model.derivative("outputs", wrt="coordinates")(q, u)[0]
+        forward = by_q @ run.sensitivity["E"][-1][: model.nq]
+        assert found.slope["E"] == pytest.approx(forward, rel=1e-9)

@@ -73,3 +73,10 @@ def test_progress_and_ctrl_c() -> None:
     for more in ({"vary": {"m1": masses}}, {}):
         with pytest.raises(KeyboardInterrupt):
             model.gradient(0.5, cost, wrt="m1", events={"stop": stop}, **more)
+
+
+def test_times_of_rows_are_refused() -> None:
+    """A cost is one of the end and of the entire way: rows at other times are no steps."""
+    for more in ({}, {"vary": {"m1": [1.0, 1.1]}}):
+        with pytest.raises(cd.ArgumentError, match=r"t has 11 times: give the end"):
+            double_pendulum().gradient(np.linspace(0, 1, 11), cd.cost(final="a"), wrt="m1", **more)

@@ -20,6 +20,7 @@ from ...arguments import Count, Inputs, Seed, checked
 from ...errors import CardanError, ModelError, SolveWarning, brief, collected_warnings, warn
 from ...runtime.calls.batch import threads as threads_of
 from ...runtime.models.loaded_model import LoadedModel
+from ..gradients.differentiable import exact_method
 from ..simulation.driving import case_of, chosen
 from ..simulation.events import event_table_of
 from ..simulation.files.append_log import build_key, digest, model_key
@@ -122,7 +123,9 @@ def ensemble(
     """
     over, event_table = span(t, t_eval), event_table_of(model, events)
     event_table.forward(over.start, over.end)
-    how = settings(method, rtol, atol, step, max_step, over.length)
+    exact = method == "auto" and sensitivity is not None
+    chosen_method = exact_method(model) if exact else method
+    how = settings(chosen_method, rtol, atol, step, max_step, over.length)
     variations, input_signals = varied(
         model, x0=x0, q=q, u=u, z=z, parameters=parameters, inputs=inputs, sample_time=sample,
         vary=vary, runs=runs, seed=seed, over=(over.start, over.end),
@@ -130,8 +133,7 @@ def ensemble(
     how = watched(how, input_signals, over.length, max_step)
     job = Job(model, how, input_signals, event_table, over, variations, {})
     job = _with_results(job, reduce, sensitivity, inputs)
-    # as simulate does, runs with sensitivities take the method that they are exact for
-    job = _settled(job, rtol) if method == "auto" and job.sensitivity is None else job
+    job = _settled(job, rtol) if method == "auto" and not exact else job
     portion, executor, file = part_of(part), _executor(client, threads), _file(checkpoint)
     return reported(*_computed(_sized(job, lanes), portion, executor, file, progress), check)
 

@@ -14,7 +14,7 @@ from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..gradients.sensitivities import SensitiveRuns, Sensitivities, columns_by_name
 from ..simulation.driving import RunSetup, driven, runner_of
-from ..simulation.events import EventTable
+from ..simulation.events import EventTable, check_start
 from ..simulation.method_choice import Case
 from ..simulation.run import Runner
 from ..simulation.settings import Settings, Start, start
@@ -39,7 +39,7 @@ def setup_of(
     """The only run of a part before it begins.
 
     Raises:
-        ModelError: its loops cannot be assembled.
+        ModelError: its loops cannot be assembled, or it begins beyond a stop.
     """
     if part.varies_parameters:
         model = model._with(Parameters(model.manifest, part.block("p")[0]))
@@ -59,6 +59,7 @@ def setup_of(
         begin = Start(part.states()[0], ())
     if Closing.of(model).rows or model.manifest.absolute:
         begin = closed_start(model, begin, *named, over.start, run_signals.first(over.start))
+    check_start(model, begin.x, over.start, run_signals.first(over.start))
     return RunSetup(model, how, run_signals, event_table, over, begin, None)
 
 

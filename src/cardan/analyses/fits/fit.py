@@ -13,6 +13,7 @@ from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.blocks import DIRECTIONS
+from ..gradients.differentiable import exact_method
 from ..gradients.unknowns import refuse_two_meanings, start_blocks, start_places
 from ..identification.base_parameters import circuits
 from ..identification.result import IdentificationRecord
@@ -46,7 +47,7 @@ def fit(
     z: Values | ArrayLike | None = None,
     inputs: Inputs | None = None,
     parameters: Values | None = None,
-    method: str = "DOP853",
+    method: str = "auto",
     rtol: float = 1e-9,
     most: int = 60,
     progress: bool | Callable[[float], None] | None = None,
@@ -74,7 +75,8 @@ def fit(
             values are; or an identification, such as ``model.identify(data, cutoff=10)``.
         q, u, z: Start at the first sample, where the search begins; what is not unknown stays.
         inputs: As :meth:`simulate` takes them; else columns of data with their names.
-        parameters, method, rtol, progress: As :meth:`simulate` takes them.
+        parameters, rtol, progress: As :meth:`simulate` takes them.
+        method: As of :meth:`gradient`: ``"auto"`` takes DOP853, of elements Radau.
         most: Iterations.
 
     Returns:
@@ -94,6 +96,7 @@ def fit(
     chosen, free, starts = _unknowns(model, unknown)
     limits = _bounds(chosen, bounds)
     begin, absolute = (q, u, z), model.manifest.absolute
+    method = exact_method(model) if method == "auto" else method
     nodes = nodes_of(samples, _segments(model, segments))
     locked = None if absolute else locked_names(model, begin, free)
     joints = JointStart.of(model, begin, starts) if absolute else None

@@ -27,7 +27,7 @@ class FitRecord:
         start: State [q, u, z] (nx,) at the first sample.
         names: Of the unknowns: those of the start, then parameters.
         values: Of the unknowns by name; of a start along a rotation in space nan.
-        standard_errors: Of every unknown by name, infinite where the data do not tell.
+        standard_errors: Of every unknown by name, infinite where the data cannot determine it.
         covariance: Of the unknowns (k, k), in this order.
         t: Times of the samples (nt,).
         measured: The samples, channel by channel (nt,); nan where nothing was measured.
@@ -36,7 +36,7 @@ class FitRecord:
         freedom: Number of residuals less that of unknowns.
         durbin_watson: Of every channel: near 2 where residuals are independent; far below, the
             standard errors are too small.
-        undetermined: Combinations of unknowns that the data do not tell: name -> change, of
+        undetermined: Combinations of unknowns that the data cannot determine: name -> change, of
             parameters as a part of their value.
         at_bounds: Parameters that their bounds hold. Their standard errors are infinite, those of
             the others are for these held.
@@ -124,21 +124,21 @@ class FitRecord:
             else:
                 row = f"  {name:{width}}  {self.values[name]:13.8g} {error:9.2g}"
                 lines.append(f"{row}  {low:.6g} ... {high:.6g}")
-        lines += [f"  the data do not tell {one}" for one in self.combinations]
+        lines += [f"  the data cannot determine {one}" for one in self.combinations]
         lines += [f"  {name} is held by its bound" for name in self.at_bounds]
         tests = [f"{name} {number:.2f}" for name, number in self.durbin_watson.items()]
         lines.append(f"sigma {self.sigma:.4g}, Durbin-Watson {', '.join(tests)}")
         if self.serially_correlated:
             names = ", ".join(self.serially_correlated)
             lines.append(
-                f"residuals of {names} depend on those before them: the model misses something, "
-                "and errors are larger than that"
+                f"residuals of {names} are serially correlated: the model misses something, and "
+                "the true errors are larger than the standard errors"
             )
         return "\n".join(lines)
 
     @property
     def combinations(self) -> tuple[str, ...]:
-        """Combinations that the data do not tell, as text."""
+        """Combinations that the data cannot determine, as text."""
         return tuple(
             " ".join(f"{x:+.3g} {name}" for name, x in one.items()) for one in self.undetermined
         )

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, warn
+from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, counted, warn
 from ..simulation.progress import showing
 from ..simulation.simulate import simulate
 from .estimate import Condensed, Solved, condensed, solved
@@ -73,8 +73,8 @@ class Search:
         count, unknowns = len(point.residuals), len(self._names())
         if count <= unknowns:
             raise ArgumentError(
-                f"fit: {count} samples do not tell {unknowns} unknowns. Name fewer, or give more "
-                "samples"
+                f"fit: {count} samples cannot determine {unknowns} unknowns. Name fewer, or give "
+                "more samples"
             )
         converged, interrupted, iterations = False, False, 0
         message = f"not converged after {most} iterations"
@@ -89,7 +89,7 @@ class Search:
                     break
                 show(min(0.99, iterations / most))
                 if size <= EXACT or (change <= FLAT and point.gap <= CLOSED):
-                    converged, message = True, f"converged after {iterations} iterations"
+                    converged, message = True, f"converged after {counted(iterations, 'iteration')}"
                     break
                 if size == np.inf:
                     message = f"the motion breaks down along the step of iteration {iterations}"
@@ -188,7 +188,7 @@ class Search:
             said = "; ".join(", ".join(one) for one in untold)
             warn(
                 f"fit of '{model.name}': {message}"
-                + (f"; the data do not tell combinations of {said}" if said else ""),
+                + (f"; the data cannot determine combinations of {said}" if said else ""),
                 SolveWarning,
             )
         return FitRecord(

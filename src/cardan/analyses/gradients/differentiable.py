@@ -17,6 +17,11 @@ from .jumps import EventInstant
 from .unknowns import Unknowns
 
 
+def exact_method(model: LoadedModel) -> str:
+    """The method that ``"auto"`` stands for where a run is differentiated."""
+    return "Radau" if model.manifest.absolute else "DOP853"
+
+
 def refuse(model: LoadedModel, how: Settings, input_signals: Signals, unknowns: Unknowns) -> None:
     """Refuse what has no gradient.
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ...arguments import Count, Inputs, Seed, checked
 from ...arrays import Array
-from ...errors import SolveWarning, warn
+from ...errors import ArgumentError, SolveWarning, warn
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT
 from ...runtime.trajectory.trajectory import TrajectoryRecord
@@ -22,7 +22,7 @@ from ..simulation.settings import Values
 from ..simulation.spare_runners import put_aside
 from .adjoint import Sweep
 from .checkpoints import MEMORY, Block, StepStore
-from .differentiable import check_complete, refuse, row_behind
+from .differentiable import check_complete, exact_method, refuse, row_behind
 from .jumps import Jumps, event_instants
 from .over_runs import OneRun, Variation, over_runs
 from .start import named_start
@@ -108,6 +108,7 @@ def gradient(
             not known; memory= that holds nothing. SolveError: the run ends early, or has no
             derivative: two events at one time, an event that happens by a touch.
     """
+    _check_times(t)
     named_inputs = dict(inputs or {})
     state = {"x0": x0, "q": q, "u": u, "z": z}
     if vary is not None or runs is not None:
@@ -119,25 +120,43 @@ def gradient(
                 inputs=run.inputs, memory=memory, progress=False,
             )  # fmt: skip
 
-        variation = Variation(vary, runs, seed)
-        return _stacked(
-            *over_runs(model, variation, t, state, named_inputs, parameters, single, progress)
-        )
+        several = Variation(vary, runs, seed), t, state, named_inputs, parameters
+        return _stacked(*over_runs(model, *several, single, progress))
     if method == "auto":
-        method = "Radau" if model.manifest.absolute else "DOP853"
+        method = exact_method(model)
     options = (method, rtol, atol, step, max_step)
     setup = run_setup(model, (t, None), state, events, options, inputs, parameters)
     names = unknowns(setup.model, wrt, {str(k): v for k, v in named_inputs.items()})
     refuse(setup.model, setup.how, setup.input_signals, names)
     runner = runner_of(setup.model, chosen(setup.how, None), setup.input_signals, setup.event_table)
-    store = StepStore(runner, memory)
-    motion = driven(runner, setup.over, setup.begin, progress, dense=False, store=store)
-    if motion.status == "interrupted":
-        raise KeyboardInterrupt
-    check_complete(motion, runner)
-    result = _swept(setup, store, reported(motion, False), cost, names, state)
+    result = _driven_and_swept(setup, StepStore(runner, memory), progress, cost, names, state)
     put_aside(runner)
     return result
+
+
+def _check_times(t: float | Sequence[float]) -> None:
+    """Refuse output times, which a cost knows nothing of."""
+    if np.size(t) > 2:
+        raise ArgumentError(
+            f"gradient: t has {np.size(t)} times: give the end, or (start, end). A cost is one of "
+            "the end and of the entire way; changes at times come from simulate(sensitivity=)"
+        )
+
+
+def _driven_and_swept(
+    setup: RunSetup,
+    store: StepStore,
+    progress: bool | Callable[[float], None] | None,
+    cost: Cost,
+    names: Unknowns,
+    state: Mapping[str, object],
+) -> Gradient:
+    """The motion, and the gradient by a sweep back over it."""
+    motion = driven(store.runner, setup.over, setup.begin, progress, dense=False, store=store)
+    if motion.status == "interrupted":
+        raise KeyboardInterrupt
+    check_complete(motion, store.runner)
+    return _swept(setup, store, reported(motion, False), cost, names, state)
 
 
 def _stacked(gradients: Sequence[Gradient], runs: int) -> Gradient:

@@ -15,12 +15,13 @@ from ...errors import ModelError, SolveError, near
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT
 from ...runtime.trajectory.trajectory import TrajectoryRecord
-from ..simulation.driving import RunSetup, chosen, driven, reported, runner_of
+from ...schema.integrators import INTEGRATORS
+from ..simulation.driving import RunSetup, driven, reported, runner_of
 from ..simulation.settings import Start
 from ..simulation.signals import signals
 from ..simulation.spare_runners import rewind
 from ..simulation.times import Span
-from .differentiable import check_complete, refuse, row_behind, rows_of
+from .differentiable import check_complete, exact_method, refuse, row_behind, rows_of
 from .jumps import event_instants
 from .start import named_start
 from .tangent import Directions, Tangents, columns_of, directions_of
@@ -172,7 +173,11 @@ class SensitiveRuns:
         Raises:
             ModelError, ArgumentError: what has no gradient.
         """
-        self.setup = setup = replace(setup, how=chosen(setup.how, None), case=None)
+        how = setup.how
+        if setup.case is not None:
+            # the method was left open
+            how = replace(how, method=INTEGRATORS[exact_method(setup.model)])
+        self.setup = setup = replace(setup, how=how, case=None)
         listed = unknowns(setup.model, names, {str(k): v for k, v in (inputs or {}).items()})
         refuse(setup.model, setup.how, setup.input_signals, listed)
         self.names, self._unknowns = listed.names, listed
