@@ -24,6 +24,10 @@ print(runs.success, runs.status[0], runs.finished.all(), runs.done, runs.interru
 # Ensemble.varied
 print(runs.varied["m"][:3])
 
+# Ensemble.sensitivity, RunSensitivities
+few = model.ensemble(0.5, vary={"m": [1.0, 1.2]}, sensitivity="m")
+print(few.sensitivity["m"].shape)  # (runs, times, states)
+
 # Ensemble.statistics
 print(runs.statistics.keys())
 
