@@ -123,7 +123,7 @@ def ensemble(
     """
     over, event_table = span(t, t_eval), event_table_of(model, events)
     event_table.forward(over.start, over.end)
-    exact = method == "auto" and sensitivity is not None
+    exact = method == "auto" and bool(sensitivity)
     chosen_method = exact_method(model) if exact else method
     how = settings(chosen_method, rtol, atol, step, max_step, over.length)
     variations, input_signals = varied(
