@@ -879,7 +879,7 @@ class CompiledModel(LoadedModel):
         memory: float = 1000000000.0,
         progress: bool | Callable[[float], None] | None = None,
     ) -> Gradient:
-        """The gradient of a cost of a motion, through its events, by whatever many unknowns.
+        """The gradient of a cost of a motion, through its events, by any number of unknowns.
 
         ``value, slope = model.gradient(2.0, cd.cost(final="(hand.x - 0.4)^2"), wrt=("q0", "m"))``
 

@@ -107,11 +107,8 @@ class Equations(Explained, Linearizable):
         from ..runtime.build.unit_binary import unit_binary
 
         foreign: dict[str, object] = {
-            "functions": functions,
-            "language": language,
-            "loops": loops,
-            "prefix": prefix,
-        }
+            "functions": functions, "language": language, "loops": loops, "prefix": prefix
+        }  # fmt: skip
         foreign |= {"precision": precision, "gradient": gradient}
         options, name = FmuOptions(fmi, kinds, platforms, q, u), self.system.name
         fmu = request_of(directory, name, False, options, foreign, integrators, reproducible)

@@ -123,9 +123,9 @@ def ensemble(
     """
     over, event_table = span(t, t_eval), event_table_of(model, events)
     event_table.forward(over.start, over.end)
-    exact = method == "auto" and bool(sensitivity)
-    chosen_method = exact_method(model) if exact else method
-    how = settings(chosen_method, rtol, atol, step, max_step, over.length)
+    if method == "auto" and sensitivity:
+        method = exact_method(model)
+    how = settings(method, rtol, atol, step, max_step, over.length)
     variations, input_signals = varied(
         model, x0=x0, q=q, u=u, z=z, parameters=parameters, inputs=inputs, sample_time=sample,
         vary=vary, runs=runs, seed=seed, over=(over.start, over.end),
@@ -133,7 +133,7 @@ def ensemble(
     how = watched(how, input_signals, over.length, max_step)
     job = Job(model, how, input_signals, event_table, over, variations, {})
     job = _with_results(job, reduce, sensitivity, inputs)
-    job = _settled(job, rtol) if method == "auto" and not exact else job
+    job = _settled(job, rtol) if method == "auto" else job
     portion, executor, file = part_of(part), _executor(client, threads), _file(checkpoint)
     return reported(*_computed(_sized(job, lanes), portion, executor, file, progress), check)
 

@@ -94,8 +94,7 @@ def fit(
     table = table_of(data)
     samples, inputs = samples_of(model, table, measured, noise), inputs_of(model, table, inputs)
     chosen, free, starts = _unknowns(model, unknown)
-    limits = _bounds(chosen, bounds)
-    begin, absolute = (q, u, z), model.manifest.absolute
+    limits, begin, absolute = _bounds(chosen, bounds), (q, u, z), model.manifest.absolute
     method = exact_method(model) if method == "auto" else method
     nodes = nodes_of(samples, _segments(model, segments))
     locked = None if absolute else locked_names(model, begin, free)
@@ -109,8 +108,7 @@ def fit(
         begins = divided(shooting, first, values)
         shooting = replace(shooting, nodes=(*(nodes[k] for k in begins), nodes[-1]))
         first = first[begins]
-    search = Search(shooting, free, limits, loss, values)
-    record = search.run(first, values, most, progress)
+    record = Search(shooting, free, limits, loss, values).run(first, values, most, progress)
     noted = absolute and segments == "auto"
     return replace(record, message=f"{record.message}; {ONE}") if noted else record
 

@@ -1,4 +1,4 @@
-"""Gradients of costs of motions, by one sweep backward whatever they are by."""
+"""Gradients of costs of motions, by one sweep backward, whatever they are by."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def gradient(
     memory: float = MEMORY,
     progress: bool | Callable[[float], None] | None = None,
 ) -> Gradient:
-    """The gradient of a cost of a motion, through its events, by whatever many unknowns.
+    """The gradient of a cost of a motion, through its events, by any number of unknowns.
 
     ``value, slope = model.gradient(2.0, cd.cost(final="(hand.x - 0.4)^2"), wrt=("q0", "m"))``
 
