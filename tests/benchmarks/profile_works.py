@@ -71,13 +71,13 @@ def importing() -> Prepared:
 
 def loading() -> Prepared:
     """A scene file; the floor is what its parser takes."""
-    import yaml
+    from ruamel.yaml import YAML
 
     import cardan as cd
 
     file = Path(cd.examples.path("slider_crank"))
-    parser = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-    return lambda: cd.load(file), least(lambda: yaml.load(file.read_text("utf-8"), parser))
+    text = file.read_text("utf-8")
+    return lambda: cd.load(file), least(lambda: YAML(typ="safe").load(text))
 
 
 def deriving() -> Prepared:

@@ -64,7 +64,7 @@ def by_room(profile: cProfile.Profile) -> Share:
 def place(file: str) -> str:
     """Package of a source file; with the room, where it is cardan's."""
     parts = Path(file).parts
-    for package in ("cardan", "numpy", "scipy", "sympy", "yaml", "Cython"):
+    for package in ("cardan", "numpy", "scipy", "sympy", "ruamel", "Cython"):
         if package in parts:
             after = parts[len(parts) - 1 - parts[::-1].index(package) + 1 :]
             return f"cardan.{Path(after[0]).stem}" if package == "cardan" and after else package
@@ -135,6 +135,8 @@ def split(name: str) -> dict[str, Any]:
     call, _ = work.prepare()
     if not work.compiled:
         profile = cProfile.Profile()
+        if not work.once:
+            call()
         profile.runcall(call)
         return {"parts": by_room(profile)}
     call()
