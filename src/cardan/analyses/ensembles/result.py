@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ...arguments import checked
 from ...arrays import Array, Booleans
 from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, counted, near, warn
+from ...records import dataclass
 from ...runtime.trajectory.solver_info import EVENT, FINISHED
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from .collection import UNFINISHED, Gathered, PartResults

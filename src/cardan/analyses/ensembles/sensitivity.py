@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
 from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import ModelError, near
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ..gradients.differentiable import refuse
 from ..gradients.sensitivities import columns_by_name

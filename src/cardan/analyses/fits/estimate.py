@@ -10,12 +10,12 @@ Equations (1983), 95-121.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
+from ...records import dataclass
 from .shooting import Segment
 
 # of the largest singular value, columns in their units: combinations below are not told

@@ -7,7 +7,6 @@ Treatment of Inverse Problems in Differential and Integral Equations (1983), 95-
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -15,6 +14,7 @@ import numpy as np
 from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.blocks import Blocks
 from ..gradients.sensitivities import SensitiveRuns, Sensitivities

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 from typing import final
 
@@ -12,6 +12,7 @@ import numpy as np
 from ...arguments import Inputs, Times, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, near
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT
 from ...runtime.trajectory.trajectory import TrajectoryRecord

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any
 
 import numpy as np
@@ -21,6 +21,7 @@ from ...errors import (
     outside,
     warn,
 )
+from ...records import dataclass
 from ...runtime.calls.calling import numbers
 from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel

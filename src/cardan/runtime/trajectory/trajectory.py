@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self
 
@@ -13,6 +13,7 @@ from ...arguments import Times, checked
 from ...arrays import Array
 from ...errors import ModelError
 from ...notebooks import html
+from ...records import dataclass
 from ...schema.manifest import Manifest
 from ..calls.methods import Energy
 from ..models.finite_elements.beam_sections import sections
