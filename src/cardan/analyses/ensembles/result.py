@@ -189,9 +189,13 @@ class EnsembleRecord:
         """Name -> (runs, nt, nx): what states at output times change by, as it was asked for.
 
         (runs, nt, nx, k) of what consists of several numbers, such as ``"x0"``. NaN behind the end
-        of a run, and of runs that broke down.
+        of a run, and of runs that broke down. ``of("tip")`` is what an output changes by.
         """
-        return RunSensitivities(self.results)
+
+        def again(k: int) -> TrajectoryRecord:
+            return self.job.motion(k, None)
+
+        return RunSensitivities(self.results, self.t, len(self), again)
 
     @property
     def t(self) -> Array:

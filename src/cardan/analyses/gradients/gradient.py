@@ -19,7 +19,7 @@ from ...schema.cost import Cost
 from ..ensembles.sampling import Plan
 from ..simulation.alpha_methods import Alpha, GeneralizedAlpha
 from ..simulation.driving import RunSetup, chosen, driven, reported, run_setup, runner_of
-from ..simulation.settings import Values
+from ..simulation.settings import DERIVATIVE_RTOL, Values
 from ..simulation.spare_runners import put_aside
 from .adjoint import Sweep
 from .checkpoints import MEMORY, Block, StepStore
@@ -66,7 +66,7 @@ def gradient(
     z: Values | ArrayLike | None = None,
     events: Mapping[str, object] | None = None,
     method: str | GeneralizedAlpha | Alpha = "auto",
-    rtol: float = 1e-9,
+    rtol: float = DERIVATIVE_RTOL,
     atol: float | None = None,
     step: float | None = None,
     max_step: float | None = None,
