@@ -836,12 +836,12 @@ class CompiledModel(LoadedModel):
             bounds: Parameter -> (least, most).
             loss: ``"linear"`` for least squares, ``"huber"`` where some samples are wrong.
             segments: Number of runs that the motion is divided into; ``"auto"``: as many as errors
-                grow by e^2, and as leave what was measured, at most one for every eight samples and 60;
-                1 in absolute coordinates, where nodes follow joints, and starts are joints by name.
+                grow by e^2, and as leave what was measured, at most one for every eight samples and 60.
             seeds: ``"identify"``: unknown masses, inertias and coefficients of forces begin with what
                 :meth:`identify` says of the measured coordinates and the inputs, however far off their
                 values are; or an identification, such as ``model.identify(data, cutoff=10)``.
-            q, u, z: Start at the first sample, where the search begins; what is not unknown stays.
+            q, u, z: Start at the first sample, where the search begins; what is not unknown stays. In
+                absolute coordinates by names of joints, which nodes follow.
             inputs: As :meth:`simulate` takes them; else columns of data with their names.
             parameters, rtol, progress: As :meth:`simulate` takes them.
             method: As of :meth:`gradient`: ``"auto"`` takes DOP853, of elements Radau.

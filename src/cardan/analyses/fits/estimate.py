@@ -9,14 +9,11 @@ Equations (1983), 95-121.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...records import dataclass
-from .shooting import Segment
 
 # of the largest singular value, columns in their units: combinations below are not told
 RANK = 1e-9
@@ -27,7 +24,7 @@ class Condensed:
     """The linear problem about the present nodes: residuals + slopes @ free unknowns.
 
     Attributes:
-        residuals: (m,).
+        residuals: With the gaps closed (m,).
         slopes: (m, free).
         nodes: Increments of every node per unit of the free unknowns (nodes, n, free).
         offsets: Increments of every node without any (nodes, n): what closes the gaps.
@@ -37,35 +34,6 @@ class Condensed:
     slopes: Array
     nodes: Array
     offsets: Array
-
-
-def condensed(segments: Sequence[Segment], gaps: Array, first: Array, count: int) -> Condensed:
-    """The problem of all segments.
-
-    Args:
-        segments: In their order.
-        gaps: What the end of each but for the last misses the next node by (segments - 1, n).
-        first: Increments of the first node per unit of the free unknowns (n, free).
-        count: Number of parameters, the last of the free unknowns.
-    """
-    n, free = first.shape
-    by_parameters = np.hstack([np.zeros((count, free - count)), np.eye(count)])
-    node, offset = first, np.zeros(n)
-    nodes, offsets, rows, values = [node], [offset], list[Array](), list[Array]()
-    for k, segment in enumerate(segments):
-        by_node, by_p = segment.slopes[:, :n], segment.slopes[:, n:]
-        rows.append(by_node @ node + by_p @ by_parameters)
-        values.append(segment.residuals + by_node @ offset)
-        # what the first node and parameters do to the next one
-        if k + 1 < len(segments):
-            moves = segment.transition
-            node = moves[:, :n] @ node + moves[:, n:] @ by_parameters
-            offset = moves[:, :n] @ offset + gaps[k]
-            nodes.append(node)
-            offsets.append(offset)
-    return Condensed(
-        np.concatenate(values), np.concatenate(rows), np.array(nodes), np.array(offsets)
-    )
 
 
 @dataclass(frozen=True)

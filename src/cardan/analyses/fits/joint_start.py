@@ -13,7 +13,6 @@ from ..gradients.unknowns import start_blocks, start_places
 from ..simulation.settings import start
 
 LETTERS = {"q0": "q", "u0": "u", "z0": "z"}
-ONE = "the motion is one run: models in absolute coordinates are not divided into segments"
 
 
 @dataclass(frozen=True)

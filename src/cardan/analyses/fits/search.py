@@ -5,17 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, counted, warn
 from ...records import dataclass
 from ..simulation.progress import showing
 from ..simulation.simulate import simulate
-from .estimate import Condensed, Solved, condensed, solved
+from .estimate import Condensed, Solved, solved
 from .nodes import speed_places
 from .record import FitRecord
-from .shooting import Segment, Shooting
+from .shooting import Shooting, Shots
 
 CLOSED = 1e-8  # gaps between nodes that are none
 EXACT = 1e-10  # of the units of the unknowns: a step that changes nothing
@@ -29,33 +28,30 @@ HALVINGS = 12
 class _Point:
     """Unknowns with what they miss."""
 
-    states: Array
     values: Array
-    segments: list[Segment]
-    gaps: Array
+    shots: Shots
+
+    @property
+    def states(self) -> Array:
+        return self.shots.states
 
     @property
     def residuals(self) -> Array:
-        return np.concatenate([one.residuals for one in self.segments])
+        return self.shots.residuals
 
     @property
     def gap(self) -> float:
-        return float(np.abs(self.gaps).max(initial=0.0))
+        return float(np.abs(self.shots.gaps).max(initial=0.0))
 
 
 class Search:
     """The search for the minimum."""
 
-    def __init__(
-        self, shooting: Shooting, free: NDArray[np.intp], limits: Array, loss: str, values: Array
-    ) -> None:
+    def __init__(self, shooting: Shooting, limits: Array, loss: str, values: Array) -> None:
         self.shooting, self.limits, self.loss = shooting, limits, loss
         # of parameters: what they begin with, so that one which becomes small may grow again
         self.units = np.where(values != 0, np.abs(values), 1.0)
-        model = shooting.model
-        self.n, self.count = 2 * model.nu + model.nz, len(shooting.parameters)
-        self.free = free
-        self.first = np.hstack([np.eye(self.n)[:, self.free], np.zeros((self.n, self.count))])
+        self.free = shooting.free
 
     def run(
         self,
@@ -97,11 +93,7 @@ class Search:
         return self._fit(point, converged, interrupted, message, iterations)
 
     def _point(self, states: Array, values: Array) -> _Point:
-        segments = self.shooting.every(states, values)
-        # where loops are closed
-        states = np.array([one.begin for one in segments])
-        ends = np.array([one.end for one in segments])
-        return _Point(states, values, segments, self.shooting.increments(states[1:], ends[:-1]))
+        return _Point(values, self.shooting.every(states, values))
 
     def _weights(self, residuals: Array) -> Array:
         if self.loss == "linear":
@@ -110,8 +102,8 @@ class Search:
         return np.minimum(1.0, HUBER * deviation / np.maximum(np.abs(residuals), 1e-300))
 
     def _step(self, point: _Point) -> tuple[Condensed, Solved]:
-        problem = condensed(point.segments, point.gaps, self.first, self.count)
-        fixed = np.zeros(len(self.free) + self.count, dtype=bool)
+        problem = point.shots.problem
+        fixed = np.zeros(self.shooting.unknowns, dtype=bool)
         weights = self._weights(point.residuals)
         units = np.concatenate([np.ones(len(self.free)), self.units])
         while True:
@@ -160,7 +152,7 @@ class Search:
 
     def _merit(self, point: _Point) -> float:
         weighted = self._weights(point.residuals) * point.residuals**2
-        return float(np.sum(weighted) + np.sum(point.gaps**2))
+        return float(np.sum(weighted) + np.sum(point.shots.gaps**2))
 
     def _fit(
         self, point: _Point, converged: bool, interrupted: bool, message: str, iterations: int
@@ -208,7 +200,7 @@ class Search:
             durbin_watson={name: _durbin_watson(x) for name, x in by_channel.items()},
             undetermined=untold,
             motion=motion,
-            segments=len(point.segments),
+            segments=len(point.states),
             cost=float(residuals @ residuals) / 2,
             iterations=iterations,
             converged=converged,

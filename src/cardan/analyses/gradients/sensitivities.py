@@ -222,11 +222,19 @@ class SensitiveRuns:
         runner: What takes their steps.
     """
 
-    def __init__(self, setup: RunSetup, names: str | Sequence[str], inputs: Inputs | None) -> None:
+    def __init__(
+        self,
+        setup: RunSetup,
+        names: str | Sequence[str],
+        inputs: Inputs | None,
+        directions: Directions | None = None,
+    ) -> None:
         """Args:
         setup: Of the first one.
         names: What they are differentiated by.
         inputs: As ``simulate`` takes them.
+        directions: Along which, of parameters and inputs, where each run has columns of its start;
+            by default one for every number that is named.
 
         Raises:
             ModelError, ArgumentError: what has no gradient.
@@ -240,7 +248,9 @@ class SensitiveRuns:
         refuse(setup.model, setup.how, setup.input_signals, listed)
         self.names, self._unknowns = listed.names, listed
         self.runner = runner_of(setup.model, setup.how, setup.input_signals, setup.event_table)
-        directions, self._parts = _directions(setup, listed)
+        self._parts: dict[str, tuple[slice, bool]] = {}
+        if directions is None:
+            directions, self._parts = _directions(setup, listed)
         self._tangents = Tangents(self.runner, directions)
 
     @property
@@ -256,6 +266,7 @@ class SensitiveRuns:
         check: bool = False,
         progress: bool | Callable[[float], None] | None = False,
         dense: bool = True,
+        columns: Array | None = None,
     ) -> TrajectoryRecord:
         """A motion with its sensitivities.
 
@@ -264,6 +275,8 @@ class SensitiveRuns:
             state: x0, q, u and z as they were given.
             check, progress: As ``simulate`` takes them.
             dense: Keep what tells states between steps.
+            columns: Of the start along the speeds, of every direction (k, 2 nu + nz); by default
+                those of the names.
 
         Raises:
             SolveError: it is not complete, or has no derivative. KeyboardInterrupt: by Ctrl-C.
@@ -271,7 +284,7 @@ class SensitiveRuns:
         motion = self.drive(over, begin, progress, dense)
         if motion.status == "interrupted":
             raise KeyboardInterrupt
-        along = self.along(motion, over, begin, state)
+        along = self.along(motion, over, begin, state, columns)
         return replace(reported(motion, check), sensitivity=along)
 
     def drive(
@@ -286,13 +299,18 @@ class SensitiveRuns:
         return driven(self.runner, over, begin, progress, dense=dense)
 
     def along(
-        self, motion: TrajectoryRecord, over: Span, begin: Start, state: Mapping[str, object]
+        self,
+        motion: TrajectoryRecord,
+        over: Span,
+        begin: Start,
+        state: Mapping[str, object],
+        columns: Array | None = None,
     ) -> Sensitivities:
         """Changes along the motion that was driven last.
 
         Args:
             motion: What :meth:`drive` gave.
-            over, begin, state: As :meth:`run` takes them.
+            over, begin, state, columns: As :meth:`run` takes them.
 
         Raises:
             SolveError: it is not complete, or has no derivative.
@@ -306,9 +324,8 @@ class SensitiveRuns:
         named = named_start(setup, tangents, state, log.s[0], self._unknowns, wide)
         by_r = tangents.input_changes(setup.over.start)
         by_p = directions.p if directions.moved else np.zeros((len(by_r), 0))
-        first = np.array(
-            [named.forward(*one) for one in zip(directions.start, by_r, by_p, strict=True)]
-        ).reshape(len(by_r), model.nx)
+        starts = directions.start if columns is None else columns
+        first = named.forward(starts, by_r, by_p)
         jumps = TangentJumps(tangents, setup.event_table, setup.over.start)
         rows, changes = rows_of(motion, self.runner), list[Array]()
         modes, start = [(0, tangents.by_s.copy())], 0
