@@ -6,8 +6,8 @@ Treatment of Inverse Problems in Differential and Integral Equations (1983), 95-
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -66,6 +66,13 @@ class NodeRun:
     moved: Array
 
 
+class Watch:
+    """Shows that runs go on."""
+
+    def __init__(self) -> None:
+        self.show: Callable[[], None] = lambda: None
+
+
 MOST_STEPS = 100_000  # of the run over a segment
 
 
@@ -84,6 +91,7 @@ class Shooting:
             the start was given by, whereas loops determine the others; None of a tree.
         joint_start: Of a model in absolute coordinates: its start, which is that of its only
             segment.
+        watch: Is told that a run goes on.
     """
 
     model: LoadedModel
@@ -95,6 +103,7 @@ class Shooting:
     rtol: float
     locked: Mapping[str, tuple[str, ...]] | None = None
     joint_start: JointStart | None = None
+    watch: Watch = field(default_factory=Watch)
 
     def every(self, states: Array, values: Array) -> list[Segment]:
         """All segments.
@@ -221,6 +230,7 @@ class Trial:
 
     def _watch(self, done: float) -> None:
         """End a run that parameters without sense, such as a negative mass, let go astray."""
+        self.shooting.watch.show()
         if self._runs.steps > MOST_STEPS:
             raise SolveError(
                 f"fit: a run takes more than {MOST_STEPS:,} steps for {100 * done:.0f} % of a "
