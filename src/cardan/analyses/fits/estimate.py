@@ -17,6 +17,10 @@ from ...records import dataclass
 
 # of the largest singular value, columns in their units: combinations below are not told
 RANK = 1e-9
+# standard deviation of a combination in units of its size, from which on it is as good as unknown
+UNKNOWN = 1.0
+NOISE = 3.0  # standard deviations: what noise gains
+FARTHEST = 1.0  # units that a step goes along a combination
 
 
 @dataclass(frozen=True)
@@ -26,12 +30,15 @@ class Condensed:
     Attributes:
         residuals: With the gaps closed (m,).
         slopes: (m, free).
+        spread: Root of the sum of squares of the residuals of the segments as they are, which say
+            more of the noise than those of segments that are made to meet.
         nodes: Increments of every node per unit of the free unknowns (nodes, n, free).
         offsets: Increments of every node without any (nodes, n): what closes the gaps.
     """
 
     residuals: Array
     slopes: Array
+    spread: float
     nodes: Array
     offsets: Array
 
@@ -45,12 +52,16 @@ class Solved:
         covariance: Of them, for residuals of variance 1 (free, free); infinite where the data do
             not tell.
         untold: Combinations that the data do not tell (k, free), of length 1 in their units.
+        told: Those that they tell (m, free), likewise.
+        deviations: Standard deviations of these in their units (m,), for residuals of variance 1.
         fixed: True for unknowns that bounds hold (free,): nothing is known of their errors.
     """
 
     step: Array
     covariance: Array
     untold: Array
+    told: Array
+    deviations: Array
     fixed: NDArray[np.bool_]
 
 
@@ -71,7 +82,13 @@ def solved(problem: Condensed, units: Array, fixed: NDArray[np.bool_], weights: 
     significant = sizes > RANK * max(float(sizes.max(initial=0.0)), np.finfo(float).tiny)
     step = np.zeros(len(units))
     along = -(U.T @ (problem.residuals * root))
-    step[moving] = units[moving] * (V[significant].T @ (along[significant] / sizes[significant]))
+    amounts = along[significant] / sizes[significant]
+    # the problem is one of these directions each by itself: one that would go far stops short and
+    # lets the others go on, one that gains no more than noise does, wherever it goes, stays
+    sigma = problem.spread / np.sqrt(max(1, A.shape[0] - len(V)))
+    idle = (sigma / sizes[significant] > UNKNOWN) & (np.abs(along[significant]) < NOISE * sigma)
+    amounts = np.where(idle, 0.0, np.clip(amounts, -FARTHEST, FARTHEST))
+    step[moving] = units[moving] * (V[significant].T @ amounts)
     covariance = np.zeros((len(units), len(units)))
     inner = (V[significant].T / sizes[significant] ** 2) @ V[significant]
     # what is not told may be anything
@@ -84,5 +101,7 @@ def solved(problem: Condensed, units: Array, fixed: NDArray[np.bool_], weights: 
         directions = np.linalg.svd(missing)[0][:, : round(float(np.trace(missing)))].T
         untold = np.zeros((len(directions), len(units)))
         untold[:, moving] = directions
+    told = np.zeros((int(significant.sum()), len(units)))
+    told[:, moving] = V[significant]
     covariance[fixed, fixed] = np.inf
-    return Solved(step, covariance, untold, fixed)
+    return Solved(step, covariance, untold, told, 1 / sizes[significant], fixed)

@@ -12,7 +12,8 @@ Parameteridentifizierung (1988).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import field
 from functools import cached_property
 
 import numpy as np
@@ -75,6 +76,13 @@ class Shots:
     problem: Condensed
 
 
+class Watch:
+    """Shows that runs go on."""
+
+    def __init__(self) -> None:
+        self.show: Callable[[], None] = lambda: None
+
+
 MOST_STEPS = 100_000  # of the run over a segment
 
 
@@ -94,6 +102,7 @@ class Shooting:
             the start was given by, whereas loops determine the others; None of a tree.
         joint_start: Of a model in absolute coordinates: the start of its first segment by names;
             None where that is any state next to which constraints are closed, like other starts.
+        watch: Is told that a run goes on.
     """
 
     model: LoadedModel
@@ -106,6 +115,7 @@ class Shooting:
     rtol: float
     locked: Mapping[str, tuple[str, ...]] | None = None
     joint_start: JointStart | None = None
+    watch: Watch = field(default_factory=Watch)
 
     @property
     def size(self) -> int:
@@ -149,6 +159,7 @@ class Shooting:
         moves = np.array(nodes)
         problem = Condensed(
             residuals + slopes[:, last:].sum(axis=1), slopes[:, :last],
+            float(np.linalg.norm(residuals)),
             moves[:, :, :last], moves[:, :, last:].sum(axis=2),
         )  # fmt: skip
         return Shots(np.array([one.x for one in begins]), gaps, residuals, problem)
@@ -282,6 +293,7 @@ class Trial:
 
     def _watch(self, done: float) -> None:
         """End a run that parameters without sense, such as a negative mass, let go astray."""
+        self.shooting.watch.show()
         if self._runs.steps > MOST_STEPS:
             raise SolveError(
                 f"fit: a run takes more than {MOST_STEPS:,} steps for {100 * done:.0f} % of a "
