@@ -30,15 +30,15 @@ class Condensed:
     Attributes:
         residuals: With the gaps closed (m,).
         slopes: (m, free).
-        spread: Root of the sum of squares of the residuals of the segments as they are, which say
-            more of the noise than those of segments that are made to meet.
+        residual_norm: Root of the sum of squares of the residuals of the segments as they are,
+            which say more of the noise than those of segments that are made to meet.
         nodes: Increments of every node per unit of the free unknowns (nodes, n, free).
         offsets: Increments of every node without any (nodes, n): what closes the gaps.
     """
 
     residuals: Array
     slopes: Array
-    spread: float
+    residual_norm: float
     nodes: Array
     offsets: Array
 
@@ -52,7 +52,7 @@ class Solved:
         covariance: Of them, for residuals of variance 1 (free, free); infinite where the data do
             not tell.
         untold: Combinations that the data do not tell (k, free), of length 1 in their units.
-        told: Those that they tell (m, free), likewise.
+        determined: Those that they tell (m, free), likewise.
         deviations: Standard deviations of these in their units (m,), for residuals of variance 1.
         fixed: True for unknowns that bounds hold (free,): nothing is known of their errors.
     """
@@ -60,7 +60,7 @@ class Solved:
     step: Array
     covariance: Array
     untold: Array
-    told: Array
+    determined: Array
     deviations: Array
     fixed: NDArray[np.bool_]
 
@@ -85,7 +85,7 @@ def solved(problem: Condensed, units: Array, fixed: NDArray[np.bool_], weights: 
     amounts = along[significant] / sizes[significant]
     # the problem is one of these directions each by itself: one that would go far stops short and
     # lets the others go on, one that gains no more than noise does, wherever it goes, stays
-    sigma = problem.spread / np.sqrt(max(1, A.shape[0] - len(V)))
+    sigma = problem.residual_norm / np.sqrt(max(1, A.shape[0] - len(V)))
     idle = (sigma / sizes[significant] > UNKNOWN) & (np.abs(along[significant]) < NOISE * sigma)
     amounts = np.where(idle, 0.0, np.clip(amounts, -FARTHEST, FARTHEST))
     step[moving] = units[moving] * (V[significant].T @ amounts)
@@ -101,7 +101,7 @@ def solved(problem: Condensed, units: Array, fixed: NDArray[np.bool_], weights: 
         directions = np.linalg.svd(missing)[0][:, : round(float(np.trace(missing)))].T
         untold = np.zeros((len(directions), len(units)))
         untold[:, moving] = directions
-    told = np.zeros((int(significant.sum()), len(units)))
-    told[:, moving] = V[significant]
+    determined = np.zeros((int(significant.sum()), len(units)))
+    determined[:, moving] = V[significant]
     covariance[fixed, fixed] = np.inf
-    return Solved(step, covariance, untold, told, 1 / sizes[significant], fixed)
+    return Solved(step, covariance, untold, determined, 1 / sizes[significant], fixed)

@@ -12,9 +12,10 @@ from ...arguments import Inputs, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.models.node_names import nodes_last
 from ...schema.blocks import DIRECTIONS
 from ..gradients.differentiable import exact_method
-from ..gradients.unknowns import refuse_two_meanings, start_blocks, start_places
+from ..gradients.unknowns import listed, refuse_two_meanings, start_blocks, start_places
 from ..identification.base_parameters import circuits
 from ..identification.result import IdentificationRecord
 from ..simulation.settings import DERIVATIVE_RTOL, Values
@@ -148,7 +149,7 @@ def _unknowns(
             starts |= {*range(places[name].start, places[name].stop)}
             start_names.append(name)
         else:
-            candidates = [*model.parameters, *places]
+            candidates = nodes_last(model.manifest, [*model.parameters, *listed(model, places)])
             raise ModelError(
                 f"fit: unknown: '{name}' is neither a parameter nor a start."
                 f"{near(name, candidates)}"

@@ -244,7 +244,7 @@ class Search:
         with np.errstate(invalid="ignore"):
             covariance = variance * last.covariance
         # what is known to less than its size is as good as unknown
-        hardly = last.told[last.deviations * np.sqrt(variance) > UNKNOWN]
+        hardly = last.determined[last.deviations * np.sqrt(variance) > UNKNOWN]
         untold = tuple(
             self._combination(names, one, point.values, sizes) for one in (*last.untold, *hardly)
         )

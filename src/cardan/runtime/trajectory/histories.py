@@ -13,6 +13,7 @@ from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, near
 from ...schema.entries import Entry
 from ...schema.manifest import Manifest
+from ..models.node_names import nodes_last
 from ..models.wrenches import PARTS, force_names, force_part, reaction_part
 from . import dependent_joints
 
@@ -55,8 +56,9 @@ def history(motion: TrajectoryRecord, name: str) -> Array:
         energy: Array = getattr(motion.energy, ENERGIES[name])
         return energy
     reactions = [f"{joint}.{part}" for joint in joint_names(manifest) for part in PARTS]
-    histories = [*motion._places, *follow, *outputs, *force_names(rows), *reactions]
-    histories += [*multipliers, *ENERGIES]
+    # what the scene names comes first
+    histories = [*outputs, *motion._places, *follow, *force_names(rows), *ENERGIES]
+    histories = nodes_last(manifest, [*histories, *multipliers, *reactions])
     joint, _, suffix = name.rpartition(".")
     if suffix == "driving_force" and joint in joint_names(manifest):
         raise ModelError(
