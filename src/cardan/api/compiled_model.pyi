@@ -86,7 +86,7 @@ class CompiledModel(LoadedModel):
         z: Values | ArrayLike | None = None,
         events: Mapping[str, object] | None = None,
         method: str | GeneralizedAlpha | Alpha = "auto",
-        rtol: float = 1e-06,
+        rtol: float | None = None,
         atol: float | None = None,
         step: float | None = None,
         max_step: float | None = None,
@@ -118,7 +118,8 @@ class CompiledModel(LoadedModel):
                 takes what the scene and the first steps ask for, and says why.
             rtol, atol: Tolerances of a step: ``rtol |x| + atol``, root mean square over the state; of
                 generalized-alpha and Radau on nodes (rtol + atol) times the extent, of angles 1, and of
-                speeds in Radau that over the step. Unless given atol is 1e-3 rtol, at most 1e-9.
+                speeds in Radau that over the step. Unless given rtol is 1e-6, with sensitivity= 1e-9 as
+                for gradients and fits, and atol is 1e-3 rtol, at most 1e-9.
             step: Step of fixed methods and of generalized-alpha, first one of others [s].
             max_step: Largest step of an adaptive method [s]; with input functions 1/1000 of the span.
             inputs: Name -> constant, ``(times, values)`` (straight lines between, a time twice is a
@@ -232,7 +233,7 @@ class CompiledModel(LoadedModel):
         reduce: str | Sequence[str] | Mapping[str, object] | None = None,
         sensitivity: str | Sequence[str] = (),
         method: str = "auto",
-        rtol: float = 1e-06,
+        rtol: float | None = None,
         atol: float | None = None,
         step: float | None = None,
         max_step: float | None = None,

@@ -9,12 +9,11 @@ Equations (1983), 95-121.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
+from ...records import dataclass
 
 # of the largest singular value, columns in their units: combinations below are not told
 RANK = 1e-9

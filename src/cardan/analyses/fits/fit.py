@@ -17,7 +17,7 @@ from ..gradients.differentiable import exact_method
 from ..gradients.unknowns import refuse_two_meanings, start_blocks, start_places
 from ..identification.base_parameters import circuits
 from ..identification.result import IdentificationRecord
-from ..simulation.settings import Values
+from ..simulation.settings import DERIVATIVE_RTOL, Values
 from .division import divided
 from .joint_start import JointStart
 from .nodes import Begin, first_states, locked_names, nodes_of
@@ -48,7 +48,7 @@ def fit(
     inputs: Inputs | None = None,
     parameters: Values | None = None,
     method: str = "auto",
-    rtol: float = 1e-9,
+    rtol: float = DERIVATIVE_RTOL,
     most: int = 60,
     progress: bool | Callable[[float], None] | None = None,
 ) -> FitRecord:

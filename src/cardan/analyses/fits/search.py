@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, counted, warn
+from ...records import dataclass
 from ..simulation.progress import showing
 from ..simulation.simulate import simulate
 from .estimate import Condensed, Solved, solved

@@ -13,7 +13,6 @@ Parameteridentifizierung (1988).
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -22,6 +21,7 @@ from numpy.typing import NDArray
 from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from ...runtime.models.finite_elements.frames import increments_from
 from ...runtime.models.finite_elements.table_loading import tables_of
 from ...runtime.models.loaded_model import LoadedModel

@@ -7,12 +7,12 @@ the shortest change that keeps the loops closed.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import null_space
 
 from ...arrays import Array
+from ...records import dataclass
 from ...runtime.calls.methods import ByName
 from ...runtime.models.constraint_projection import columns_of
 from ...runtime.models.loaded_model import LoadedModel

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
@@ -19,6 +19,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError, SolveError
+from ...records import dataclass
 from ...runtime.calls.methods import ByName
 from ...runtime.models.constraint_projection import columns_of, size_of
 from ...runtime.models.finite_elements.joint_driven_nodes import SAVED, leading

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import final
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.blocks import DIRECTIONS
 from ...schema.records import Tangent
