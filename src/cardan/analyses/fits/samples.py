@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +10,7 @@ import numpy as np
 from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import ArgumentError, DerivationError, ModelError, SolveError, brief, near
+from ...records import dataclass
 from ...runtime.calls.calling import numbers
 from ...runtime.calls.loaded_function import LoadedFunction
 from ...runtime.models.derivatives import Derivative

@@ -6,7 +6,7 @@ import csv
 import io
 import re
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
 
@@ -16,6 +16,7 @@ from ... import regular_file
 from ...arrays import Array
 from ...atomic_file import written
 from ...errors import ArgumentError, near
+from ...records import dataclass
 from ...runtime import formats
 from ...runtime.calls.calling import numbers
 from ...runtime.trajectory.storage import load

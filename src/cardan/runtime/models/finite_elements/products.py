@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cached_property, partial
 from math import prod
 from typing import TYPE_CHECKING, TypeAlias, final
@@ -13,6 +12,7 @@ import numpy as np
 
 from ....arrays import Array, Integers
 from ....errors import ModelError, SolveError
+from ....records import dataclass
 from ....schema.blocks import ORDER
 from ....schema.c_functions import FunctionRow
 from ....schema.finite_elements import EXPRESSION
