@@ -17,8 +17,8 @@ from ...schema.request import Request
 from ..simulation.run import Runner
 from .steps import CLOSING, MOST_STAGES, StepsAgain, powers_at, segment_at
 
-# over elements: entries of a state per column, from which on columns one by one, at factors that they
-# share, cost less than a derivative
+# over elements: entries of a state per column, from which on columns one by one, at factors that
+# they share, cost less than a derivative
 FEW = 1
 # the same where stages of an implicit method follow each other
 FEW_IN_STAGES = 3
