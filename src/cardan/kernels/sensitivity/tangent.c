@@ -7,11 +7,6 @@
 #include <string.h>
 
 enum { MOST_SWEEPS = 100 };
-/* numbers of so many columns; they need no alignment */
-typedef real side_by_side
-    __attribute__((vector_size(CARDAN_SIDE_BY_SIDE * sizeof(real)), aligned(sizeof(real)), may_alias));
-#define AT(at) (*(side_by_side *)(void *)(at))
-#define OF(at) (*(const side_by_side *)(const void *)(at))
 
 /* Change of inputs (nr) at t along a column, as far as signals and constants change them. */
 static void inputs_of(const cardan_tangent *tangent, ptrdiff_t column, real t, real *change)
@@ -77,13 +72,6 @@ static void multiply(const cardan_tangent *tangent, ptrdiff_t rows, ptrdiff_t ta
                 changed[i * wide + tangent->named_columns[n]] += tangent->named_changes[n] * by[i];
 }
 
-/* A column of a table (size, wide) into `along`. */
-static void take(const cardan_tangent *tangent, ptrdiff_t column, const real *table, ptrdiff_t size)
-{
-    for (ptrdiff_t i = 0; i < size; i++)
-        tangent->along[i] = table[i * tangent->wide + column];
-}
-
 /* Changes by a function that gives them along one column, at a stage; of passes and projections 0. */
 static int push(const cardan_tangent *tangent, const cardan_call *call, cardan_in in, ptrdiff_t stage,
                 ptrdiff_t taken)
@@ -99,7 +87,7 @@ static int push(const cardan_tangent *tangent, const cardan_call *call, cardan_i
     if (repeated && repeated->enter(&in, room) != 0)
         return CARDAN_MODEL;
     for (ptrdiff_t column = 0; column < tangent->columns; column++) {
-        take(tangent, column, tangent->moved, size);
+        cardan_take_column(tangent, column, tangent->moved, size);
         for (ptrdiff_t k = 0, n = 0; k < tangent->named; k++)
             for (along[size + k] = 0; n < tangent->named_ends[k]; n++)
                 if (tangent->named_columns[n] == column)
@@ -228,7 +216,7 @@ static void move(const cardan_tangent *tangent, ptrdiff_t stage, real h)
         AT(tangent->moved + i) = OF(tangent->before + i) + h * sum;
     }
     for (ptrdiff_t k = 0; k < tangent->columns && steps->kind == CARDAN_COUPLED; k++) {
-        take(tangent, k, tangent->moved, nx);
+        cardan_take_column(tangent, k, tangent->moved, nx);
         cardan_stage_lengths(steps, stage, tangent->along);
         for (ptrdiff_t i = 0; i < nx; i++)
             tangent->moved[i * tangent->wide + k] = tangent->along[i];

@@ -41,6 +41,19 @@ typedef struct cardan_tangent {
 
 enum { CARDAN_SIDE_BY_SIDE = 8 };
 
+/* numbers of so many columns; they need no alignment */
+typedef real side_by_side
+    __attribute__((vector_size(CARDAN_SIDE_BY_SIDE * sizeof(real)), aligned(sizeof(real)), may_alias));
+#define AT(at) (*(side_by_side *)(void *)(at))
+#define OF(at) (*(const side_by_side *)(const void *)(at))
+
+/* A column of a table (size, wide) into `along`. */
+static inline void cardan_take_column(const cardan_tangent *tangent, ptrdiff_t column, const real *table, ptrdiff_t size)
+{
+    for (ptrdiff_t i = 0; i < size; i++)
+        tangent->along[i] = table[i * tangent->wide + column];
+}
+
 int cardan_tangent_sweep(cardan_tangent *tangent);
 
 #endif
