@@ -233,8 +233,7 @@ class SensitiveRuns:
         setup: Of the first one.
         names: What they are differentiated by.
         inputs: As ``simulate`` takes them.
-        directions: Along which, of parameters and inputs, where each run has columns of its start;
-            by default one for every number that is named.
+        directions: Of parameters and inputs, where runs have columns; else one for each number.
 
         Raises:
             ModelError, ArgumentError: what has no gradient.
@@ -275,8 +274,7 @@ class SensitiveRuns:
             state: x0, q, u and z as they were given.
             check, progress: As ``simulate`` takes them.
             dense: Keep what tells states between steps.
-            columns: Of the start along the speeds, of every direction (k, 2 nu + nz); by default
-                those of the names.
+            columns: Of the start along the speeds (k, 2 nu + nz); by default those of the names.
 
         Raises:
             SolveError: it is not complete, or has no derivative. KeyboardInterrupt: by Ctrl-C.
