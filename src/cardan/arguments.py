@@ -125,7 +125,7 @@ def _arrays_by_name(value: Any) -> Any:
 def _array(value: Any) -> Any:
     """Real numbers in rows of equal length, as they were given."""
     # what solvers hand over, in calls that take microseconds
-    if type(value).__name__ == "ndarray" and value.dtype.kind in "fiub":
+    if type(value) is float or (type(value).__name__ == "ndarray" and value.dtype.kind in "fiub"):
         return value
     import numpy as np
 

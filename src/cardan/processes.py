@@ -11,6 +11,7 @@ import ctypes
 import errno
 import os
 import signal
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -122,10 +123,10 @@ def _close_folder_locks() -> None:
 after_fork(_close_folder_locks)
 
 
-# the plain functions below those that look for names of signals and handlers, which takes longer
-# than what many runs do
-_HANDLER = getattr(signal.getsignal, "__wrapped__", signal.getsignal)
-_SET_HANDLER = getattr(signal.signal, "__wrapped__", signal.signal)
+# below those of signal, which look for names of signals: that takes longer than some runs
+_signal = sys.modules.get("_signal", signal)
+_handler, _set_handler = _signal.getsignal, _signal.signal
+_INTERRUPT = int(signal.SIGINT)
 
 
 class on_interrupt:
@@ -139,12 +140,12 @@ class on_interrupt:
         self._action, self._set = action, False
 
     def __enter__(self) -> bool:
-        usual = _HANDLER(signal.SIGINT) is signal.default_int_handler
+        usual = _handler(_INTERRUPT) is signal.default_int_handler
         if usual and threading.current_thread() is threading.main_thread():
             self._set = True
-            _SET_HANDLER(signal.SIGINT, lambda *_: self._action())
+            _set_handler(_INTERRUPT, lambda *_: self._action())
         return self._set
 
     def __exit__(self, *_: object) -> None:
         if self._set:
-            _SET_HANDLER(signal.SIGINT, signal.default_int_handler)
+            _set_handler(_INTERRUPT, signal.default_int_handler)

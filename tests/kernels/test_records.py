@@ -11,7 +11,7 @@ import pytest
 from cardan.analyses.simulation import run_record
 from cardan.errors import BuildError
 from cardan.runtime.build import cache, kernels
-from cardan.schema import kernel_files, product_records, records
+from cardan.schema import kernel_files, product_records, records, short_run_records
 from table import each
 
 ANSWERS = (
@@ -25,6 +25,8 @@ STRUCTURES: dict[str, type[ctypes.Structure]] = {
     "cardan_method": records.Method,
     "cardan_signal": records.Signal,
     "cardan_tick": records.Tick,
+    "cardan_short_runs": short_run_records.ShortRuns,
+    "cardan_account": short_run_records.Account,
     "cardan_steps": records.Steps,
     "cardan_adjoint": records.Adjoint,
     "cardan_tangent": records.Tangent,

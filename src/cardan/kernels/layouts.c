@@ -6,7 +6,6 @@
 
 #if CARDAN_LANES > 1
 #include "simd_steps.h"
-
 extern const size_t cardan_simd_layout[46];
 const size_t cardan_simd_layout[46] = {
     sizeof(cardan_simd), offsetof(cardan_simd, rhs), offsetof(cardan_simd, w), offsetof(cardan_simd,
@@ -26,7 +25,6 @@ const size_t cardan_simd_layout[46] = {
     offsetof(cardan_simd, r), offsetof(cardan_simd, s), offsetof(cardan_simd, zeros),
     offsetof(cardan_simd, work)
 };
-
 extern const size_t cardan_lane_method_layout[4];
 const size_t cardan_lane_method_layout[4] = {
     sizeof(cardan_lane_method), offsetof(cardan_lane_method, trial_step),
@@ -34,6 +32,8 @@ const size_t cardan_lane_method_layout[4] = {
 };
 #else
 #include "run.h"
+#include "short_runs.h"
+#include "account.h"
 #include "steps.h"
 #include "adjoint.h"
 #include "tangent.h"
@@ -45,7 +45,6 @@ const size_t cardan_lane_method_layout[4] = {
 #include "position.h"
 #include "solids.h"
 #include "wasm_calls.h"
-
 extern const size_t cardan_run_layout[145];
 const size_t cardan_run_layout[145] = {
     sizeof(cardan_run), offsetof(cardan_run, init), offsetof(cardan_run, step), offsetof(cardan_run,
@@ -102,27 +101,42 @@ const size_t cardan_run_layout[145] = {
     looked), offsetof(cardan_run, limited), offsetof(cardan_run, jacobians), offsetof(cardan_run,
     factorizations), offsetof(cardan_run, stop)
 };
-
 extern const size_t cardan_method_layout[8];
 const size_t cardan_method_layout[8] = {
     sizeof(cardan_method), offsetof(cardan_method, init), offsetof(cardan_method, step),
     offsetof(cardan_method, dense), offsetof(cardan_method, length), offsetof(cardan_method, sound),
     offsetof(cardan_method, stages), offsetof(cardan_method, dense_rows)
 };
-
 extern const size_t cardan_signal_layout[6];
 const size_t cardan_signal_layout[6] = {
     sizeof(cardan_signal), offsetof(cardan_signal, input), offsetof(cardan_signal, pieces),
     offsetof(cardan_signal, where), offsetof(cardan_signal, breaks), offsetof(cardan_signal,
     coefficients)
 };
-
 extern const size_t cardan_tick_layout[6];
 const size_t cardan_tick_layout[6] = {
     sizeof(cardan_tick), offsetof(cardan_tick, event), offsetof(cardan_tick, period),
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
 };
-
+extern const size_t cardan_short_runs_layout[14];
+const size_t cardan_short_runs_layout[14] = {
+    sizeof(cardan_short_runs), offsetof(cardan_short_runs, run), offsetof(cardan_short_runs, begun),
+    offsetof(cardan_short_runs, length), offsetof(cardan_short_runs, r), offsetof(cardan_short_runs,
+    s), offsetof(cardan_short_runs, t), offsetof(cardan_short_runs, far),
+    offsetof(cardan_short_runs, stops), offsetof(cardan_short_runs, stop_count),
+    offsetof(cardan_short_runs, x), offsetof(cardan_short_runs, ends), offsetof(cardan_short_runs,
+    count), offsetof(cardan_short_runs, done)
+};
+extern const size_t cardan_account_layout[17];
+const size_t cardan_account_layout[17] = {
+    sizeof(cardan_account), offsetof(cardan_account, u), offsetof(cardan_account, count),
+    offsetof(cardan_account, nu), offsetof(cardan_account, stride), offsetof(cardan_account,
+    every_step), offsetof(cardan_account, least), offsetof(cardan_account, energy),
+    offsetof(cardan_account, supplied), offsetof(cardan_account, looked), offsetof(cardan_account,
+    sources), offsetof(cardan_account, fastest), offsetof(cardan_account, turns),
+    offsetof(cardan_account, kinetic), offsetof(cardan_account, potential), offsetof(cardan_account,
+    exchanged), offsetof(cardan_account, missed)
+};
 extern const size_t cardan_steps_layout[25];
 const size_t cardan_steps_layout[25] = {
     sizeof(cardan_steps), offsetof(cardan_steps, run), offsetof(cardan_steps, stages),
@@ -135,7 +149,6 @@ const size_t cardan_steps_layout[25] = {
     offsetof(cardan_steps, jacobians), offsetof(cardan_steps, repeated), offsetof(cardan_steps,
     factored), offsetof(cardan_steps, factored_length), offsetof(cardan_steps, work)
 };
-
 extern const size_t cardan_adjoint_layout[23];
 const size_t cardan_adjoint_layout[23] = {
     sizeof(cardan_adjoint), offsetof(cardan_adjoint, steps), offsetof(cardan_adjoint,
@@ -149,7 +162,6 @@ const size_t cardan_adjoint_layout[23] = {
     offsetof(cardan_adjoint, cost), offsetof(cardan_adjoint, pulled), offsetof(cardan_adjoint,
     weights), offsetof(cardan_adjoint, v), offsetof(cardan_adjoint, out)
 };
-
 extern const size_t cardan_tangent_layout[27];
 const size_t cardan_tangent_layout[27] = {
     sizeof(cardan_tangent), offsetof(cardan_tangent, steps), offsetof(cardan_tangent, pushed),
@@ -165,14 +177,12 @@ const size_t cardan_tangent_layout[27] = {
     offsetof(cardan_tangent, along), offsetof(cardan_tangent, rising), offsetof(cardan_tangent,
     coupled), offsetof(cardan_tangent, out)
 };
-
 extern const size_t cardan_input_function_layout[6];
 const size_t cardan_input_function_layout[6] = {
     sizeof(cardan_input_function), offsetof(cardan_input_function, function),
     offsetof(cardan_input_function, reads), offsetof(cardan_input_function, gives),
     offsetof(cardan_input_function, read_count), offsetof(cardan_input_function, give_count)
 };
-
 extern const size_t cardan_input_functions_layout[13];
 const size_t cardan_input_functions_layout[13] = {
     sizeof(cardan_input_functions), offsetof(cardan_input_functions, run),
@@ -183,20 +193,17 @@ const size_t cardan_input_functions_layout[13] = {
     offsetof(cardan_input_functions, gives), offsetof(cardan_input_functions, failed),
     offsetof(cardan_input_functions, status)
 };
-
 extern const size_t cardan_run_pointer_layout[4];
 const size_t cardan_run_pointer_layout[4] = {
     sizeof(cardan_run_pointer), offsetof(cardan_run_pointer, offset), offsetof(cardan_run_pointer,
     base), offsetof(cardan_run_pointer, stride)
 };
-
 extern const size_t cardan_lane_layout[7];
 const size_t cardan_lane_layout[7] = {
     sizeof(cardan_lane), offsetof(cardan_lane, run), offsetof(cardan_lane, memory),
     offsetof(cardan_lane, fresh), offsetof(cardan_lane, fresh_memory), offsetof(cardan_lane,
     number), offsetof(cardan_lane, parked)
 };
-
 extern const size_t cardan_ensemble_layout[24];
 const size_t cardan_ensemble_layout[24] = {
     sizeof(cardan_ensemble), offsetof(cardan_ensemble, lanes), offsetof(cardan_ensemble, simd),
@@ -210,13 +217,11 @@ const size_t cardan_ensemble_layout[24] = {
     next), offsetof(cardan_ensemble, finished), offsetof(cardan_ensemble, vacant),
     offsetof(cardan_ensemble, stop)
 };
-
 extern const size_t cardan_form_layout[6];
 const size_t cardan_form_layout[6] = {
     sizeof(cardan_form), offsetof(cardan_form, call), offsetof(cardan_form, lanes),
     offsetof(cardan_form, w), offsetof(cardan_form, nw), offsetof(cardan_form, size)
 };
-
 extern const size_t cardan_group_layout[28];
 const size_t cardan_group_layout[28] = {
     sizeof(cardan_group), offsetof(cardan_group, count), offsetof(cardan_group, places),
@@ -230,7 +235,6 @@ const size_t cardan_group_layout[28] = {
     offsetof(cardan_group, parts), offsetof(cardan_group, spots), offsetof(cardan_group, powers),
     offsetof(cardan_group, outputs), offsetof(cardan_group, forms)
 };
-
 extern const size_t cardan_movers_layout[9];
 const size_t cardan_movers_layout[9] = {
     sizeof(cardan_movers), offsetof(cardan_movers, count), offsetof(cardan_movers, nq),
@@ -238,7 +242,6 @@ const size_t cardan_movers_layout[9] = {
     offsetof(cardan_movers, rates), offsetof(cardan_movers, w_move), offsetof(cardan_movers,
     w_rates)
 };
-
 extern const size_t cardan_mesh_layout[33];
 const size_t cardan_mesh_layout[33] = {
     sizeof(cardan_mesh), offsetof(cardan_mesh, nq), offsetof(cardan_mesh, nu), offsetof(cardan_mesh,
@@ -253,7 +256,6 @@ const size_t cardan_mesh_layout[33] = {
     offsetof(cardan_mesh, jumps), offsetof(cardan_mesh, responses), offsetof(cardan_mesh,
     frictions), offsetof(cardan_mesh, outputs), offsetof(cardan_mesh, solved)
 };
-
 extern const size_t cardan_state_layout[16];
 const size_t cardan_state_layout[16] = {
     sizeof(cardan_state), offsetof(cardan_state, t), offsetof(cardan_state, q),
@@ -263,7 +265,6 @@ const size_t cardan_state_layout[16] = {
     offsetof(cardan_state, e), offsetof(cardan_state, responses), offsetof(cardan_state, certainty),
     offsetof(cardan_state, gift)
 };
-
 extern const size_t cardan_data_slopes_layout[11];
 const size_t cardan_data_slopes_layout[11] = {
     sizeof(cardan_data_slopes), offsetof(cardan_data_slopes, count), offsetof(cardan_data_slopes,
@@ -272,19 +273,16 @@ const size_t cardan_data_slopes_layout[11] = {
     offsetof(cardan_data_slopes, rows), offsetof(cardan_data_slopes, second_start),
     offsetof(cardan_data_slopes, second_parameters), offsetof(cardan_data_slopes, second)
 };
-
 extern const size_t cardan_summands_layout[3];
 const size_t cardan_summands_layout[3] = {
     sizeof(cardan_summands), offsetof(cardan_summands, size), offsetof(cardan_summands, which)
 };
-
 extern const size_t cardan_frame_layout[9];
 const size_t cardan_frame_layout[9] = {
     sizeof(cardan_frame), offsetof(cardan_frame, q), offsetof(cardan_frame, u),
     offsetof(cardan_frame, home), offsetof(cardan_frame, to_space), offsetof(cardan_frame, local),
     offsetof(cardan_frame, data), offsetof(cardan_frame, speeds), offsetof(cardan_frame, speed)
 };
-
 extern const size_t cardan_mesh_product_layout[26];
 const size_t cardan_mesh_product_layout[26] = {
     sizeof(cardan_mesh_product), offsetof(cardan_mesh_product, mesh), offsetof(cardan_mesh_product,
@@ -301,7 +299,6 @@ const size_t cardan_mesh_product_layout[26] = {
     offsetof(cardan_mesh_product, change), offsetof(cardan_mesh_product, curvature),
     offsetof(cardan_mesh_product, data_rows)
 };
-
 extern const size_t cardan_sparse_layout[27];
 const size_t cardan_sparse_layout[27] = {
     sizeof(cardan_sparse), offsetof(cardan_sparse, n), offsetof(cardan_sparse, blocks),
@@ -316,7 +313,6 @@ const size_t cardan_sparse_layout[27] = {
     run_start), offsetof(cardan_sparse, run), offsetof(cardan_sparse, target_start),
     offsetof(cardan_sparse, target)
 };
-
 extern const size_t cardan_sparse_factors_layout[17];
 const size_t cardan_sparse_factors_layout[17] = {
     sizeof(cardan_sparse_factors), offsetof(cardan_sparse_factors, values),
@@ -329,7 +325,6 @@ const size_t cardan_sparse_factors_layout[17] = {
     offsetof(cardan_sparse_factors, singular), offsetof(cardan_sparse_factors, positive),
     offsetof(cardan_sparse_factors, negative)
 };
-
 extern const size_t cardan_target_layout[10];
 const size_t cardan_target_layout[10] = {
     sizeof(cardan_target), offsetof(cardan_target, rows), offsetof(cardan_target, weight),
@@ -337,7 +332,6 @@ const size_t cardan_target_layout[10] = {
     scale), offsetof(cardan_target, residual.function), offsetof(cardan_target, residual.w),
     offsetof(cardan_target, jacobian.function), offsetof(cardan_target, jacobian.w)
 };
-
 extern const size_t cardan_position_layout[44];
 const size_t cardan_position_layout[44] = {
     sizeof(cardan_position), offsetof(cardan_position, nq), offsetof(cardan_position, nu),
@@ -361,7 +355,6 @@ const size_t cardan_position_layout[44] = {
     open), offsetof(cardan_position, cost), offsetof(cardan_position, freedoms),
     offsetof(cardan_position, wrong_sign)
 };
-
 extern const size_t cardan_solid_layout[17];
 const size_t cardan_solid_layout[17] = {
     sizeof(cardan_solid), offsetof(cardan_solid, cells), offsetof(cardan_solid, nodes),
@@ -371,7 +364,6 @@ const size_t cardan_solid_layout[17] = {
     first), offsetof(cardan_solid, column), offsetof(cardan_solid, gradient), offsetof(cardan_solid,
     product), offsetof(cardan_solid, block), offsetof(cardan_solid, culprit)
 };
-
 extern const size_t cardan_wasm_function_layout[19];
 const size_t cardan_wasm_function_layout[19] = {
     sizeof(cardan_wasm_function), offsetof(cardan_wasm_function, call),

@@ -32,6 +32,8 @@ RECORDS = {
     "cardan_method": "run.h",
     "cardan_signal": "run.h",
     "cardan_tick": "run.h",
+    "cardan_short_runs": "short_runs.h",
+    "cardan_account": "account.h",
     "cardan_steps": "steps.h",
     "cardan_adjoint": "adjoint.h",
     "cardan_tangent": "tangent.h",
@@ -385,7 +387,6 @@ def _tables(records: dict[str, str]) -> list[str]:
     for record in records:
         members = [_ARRAY.sub(r"\1", designator) for _, designator, _ in _members(record)]
         lines += [
-            "",
             f"extern const size_t {record}_layout[{len(members) + 1}];",
             f"const size_t {record}_layout[{len(members) + 1}] = {{",
             *textwrap.wrap(

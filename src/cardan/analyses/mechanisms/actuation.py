@@ -166,12 +166,11 @@ def hybrid_dynamics(
     G = place.jacobian
     lead = np.broadcast_shapes(unforced.shape[:-1], G.shape[:-2], prescribed.shape[:-1])
     G, rows, unforced, prescribed = (
-        np.broadcast_to(x, (*lead, *x.shape[-k:]))
-        for x, k in ((G, 2), (rows, 2), (unforced, 1), (prescribed, 1))
+        _over(x, lead, k) for x, k in ((G, 2), (rows, 2), (unforced, 1), (prescribed, 1))
     )
     both = np.concatenate([G, rows], axis=-2)
     change = np.concatenate([np.zeros(G.shape[:-1]), prescribed - unforced[..., chosen]], axis=-1)
-    back = _pseudo_inverse(both)[0]
+    back, bound = _pseudo_inverse(both)
     one = unforced + times(back, change)
     left = one[..., chosen] - prescribed
     if not _small(np.concatenate([left, times(G, one - unforced)], axis=-1), prescribed, unforced):
@@ -180,6 +179,9 @@ def hybrid_dynamics(
             f"model '{model.name}': the constraints do not allow these accelerations of "
             f"{listed(names)} together; give fewer of them, or those of assemble(...).udot"
         )
+    if bound.size and (bound == model.nu).all():
+        # nothing is left to move by itself
+        return _shared(place, one, applied, chosen, "minimum")
     # the balance along the motions that are left; across them anything regular will do
     free = np.eye(model.nu) - back @ both
     M = place.inertia
@@ -197,7 +199,7 @@ def _shared(
     model, nu = place.model, place.model.nu
     load, G = place.force(udot) - applied, place.jacobian
     lead = np.broadcast_shapes(load.shape[:-1], G.shape[:-2])
-    load, G = np.broadcast_to(load, (*lead, nu)), np.broadcast_to(G, (*lead, *G.shape[-2:]))
+    load, G = _over(load, lead, 1), _over(G, lead, 2)
     # what constraints cannot bear must come from the actuators
     back = _pseudo_inverse(G)[0]
     free = np.eye(nu) - back @ G
@@ -216,12 +218,18 @@ def _shared(
         tuple(model.speeds[i] for i in chosen),
         forces,
         tau + applied,
-        np.broadcast_to(udot, (*lead, nu)),
+        _over(udot, lead, 1),
         lam,
         np.rint(np.trace(free, axis1=-2, axis2=-1)).astype(int),
         rank,
         word,
     )
+
+
+def _over(x: Array, lead: tuple[int, ...], axes: int) -> Array:
+    """An array with these leading axes before its last ones, not copied."""
+    shape = (*lead, *x.shape[x.ndim - axes :])
+    return x if x.shape == shape else np.broadcast_to(x, shape)
 
 
 def _pseudo_inverse(A: Array) -> tuple[Array, NDArray[np.intp]]:
@@ -297,6 +305,8 @@ def _prescribed_accelerations(
         raise ArgumentError(f"udot names a speed twice: {', '.join(udot)}")
     if not values:
         return [], np.zeros(0)
+    if all(value.ndim == 0 for value in values):
+        return slots, np.array(values, dtype=np.float64)
     return slots, np.stack(np.broadcast_arrays(*values), axis=-1)
 
 

@@ -37,6 +37,9 @@ from .starts.start import closed_start
 from .starts.strain_limits import folded
 from .times import Span, span
 
+# method, rtol, atol, step and max_step
+Options = tuple[str | GeneralizedAlpha | Alpha, float, float | None, float | None, float | None]
+Terms = tuple[Span, EventTable, Signals, Settings, Case | None]
 LARGE = 1600  # pairs of speeds, as in a chain of 40: more are derived for minutes
 
 
@@ -88,7 +91,7 @@ def run_setup(
     times: tuple[object, object],
     state: Mapping[str, object] | None,
     events: Mapping[str, object] | None,
-    options: tuple[str | GeneralizedAlpha | Alpha, float, float | None, float | None, float | None],
+    options: Options,
     inputs: Inputs | None,
     parameters: Values | None,
     sample: float | None = None,
@@ -101,19 +104,55 @@ def run_setup(
         state: x0, q, u and z by name; None of several runs, each of which has its own.
         options: method, rtol, atol, step and max_step.
     """
-    method, rtol, atol, step, max_step = options
     model = model if parameters is None else model.with_parameters(parameters)
+    plain = events is None and inputs is None and sample is None and times[1] is None
+    if plain and type(times[0]) in (int, float):
+        over, event_table, input_signals, how, case = _request(model, times[0], options)
+    else:
+        over, event_table, input_signals, how, case = _terms(
+            model, times, events, options, inputs, sample
+        )
+    begin = start(model, *(state[name] if state else None for name in ("x0", "q", "u", "z")))
+    if state is not None:
+        begin = beginning(model, begin, state, over.start, input_signals)
+    return RunSetup(model, how, input_signals, event_table, over, begin, case)
+
+
+def _terms(
+    model: LoadedModel,
+    times: tuple[object, object],
+    events: Mapping[str, object] | None,
+    options: Options,
+    inputs: Inputs | None,
+    sample: float | None,
+) -> Terms:
+    """What a run is to do, whatever its start."""
+    method, rtol, atol, step, max_step = options
     over = span(*times)
     event_table = event_table_of(model, events)
     event_table.forward(over.start, over.end)
     input_signals = signals(model.manifest.inputs, inputs, sample, (over.start, over.end))
     how = settings(method, rtol, atol, step, max_step, over.length)
     how = watched(how, input_signals, over.length, max_step)
-    begin = start(model, *(state[name] if state else None for name in ("x0", "q", "u", "z")))
-    if state is not None:
-        begin = beginning(model, begin, state, over.start, input_signals)
     case = case_of(model, rtol, over, input_signals, event_table) if method == "auto" else None
-    return RunSetup(model, how, input_signals, event_table, over, begin, case)
+    return over, event_table, input_signals, how, case
+
+
+def _request(model: LoadedModel, end: object, options: Options) -> Terms:
+    """The same of a run to an end with nothing besides: asked for again it is at hand.
+
+    The model keeps the last one, if there is nothing in it that a run changes.
+    """
+    key = (end, *options)
+    latest = model._derived.get(Terms)
+    if latest is not None and latest[0] == key:
+        terms: Terms = latest[1]
+        return terms
+    terms = _terms(model, (end, None), None, options, None, None)
+    if not model.manifest.events and not model.manifest.ticks:
+        terms[2].constants.flags.writeable = False
+        model._derived[Terms] = key, terms
+    return terms
 
 
 def beginning(
@@ -153,7 +192,7 @@ def chosen(how: Settings, case: Case | None) -> Settings:
     if case is None:
         return how
     rule = choose(case)
-    return replace(how, method=INTEGRATORS[rule.method], reason=rule.why)
+    return how.by(INTEGRATORS[rule.method], rule.why)
 
 
 def runner_of(
@@ -165,11 +204,9 @@ def runner_of(
         ModelError: the model lacks a function that the method or its events need.
     """
     method, description = suited(model, how.method)
-    how = replace(
-        how,
-        method=method,
-        description=f"{description}, {how.description}" if description else how.description,
-    )
+    if method is not how.method or description:
+        listed = [text for text in (description, how.description) if text]
+        how = replace(how, method=method, description=", ".join(listed))
     how = _without_costly(model, how)
     # an idle runner with the same settings saves allocating and connecting one
     left = spare(model, how, input_signals, event_table)
@@ -246,7 +283,7 @@ def driven(
         except MemoryError:
             full = True
     # of runs that serve a search nobody asks what became of the energy
-    missed = excess(motion, runner.settings, begin.closure_tol) if dense else ""
+    missed = excess(motion, runner.settings, begin.closure_tol, runner.library) if dense else ""
     motion = (
         replace(motion, solver_info=replace(motion.solver_info, warning=missed))
         if missed

@@ -17,16 +17,22 @@ is taken as :data:`FIXED_STEP_RTOL`. What rounding adds is never an excess.
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from ...arrays import Array
+from ...runtime.build.kernels import library as kernel_library
 from ...runtime.models.constraint_projection import CLOSED, size_of
+from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.energy_balance import impacts
 from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ...schema.short_run_records import Account as Sums
+from .run_record import kernels
 from .settings import Settings
 
 EXCESS = 100.0  # times what the tolerance is worth
@@ -78,51 +84,64 @@ class Account(NamedTuple):
         return f"{sentence}, where {self.total:.2g} {unit} was exchanged"
 
 
-def accounts(motion: TrajectoryRecord, how: Settings, closure_tol: float = 0.0) -> list[Account]:
+def accounts(
+    motion: TrajectoryRecord,
+    how: Settings,
+    closure_tol: float = 0.0,
+    library: ctypes.CDLL | None = None,
+) -> list[Account]:
     """Every quantity of a run that can be accounted for.
 
     Args:
         motion: The run.
         how: Its tolerances.
         closure_tol: Residual, in sizes of the scene, up to which its start was taken as closed.
+        library: The kernels, where they are at hand.
     """
     if len(motion) < 2:
         return []
     rows = _some(len(motion), LOOKED)
-    fastest = float(np.abs(motion.u).max(initial=0.0))
-    rtol, periods = float(in_the_end(how, fastest)), _periods(motion)
+    summed = _summed(motion, rows, kernels(library or kernel_library()))
+    fastest, periods = summed.fastest, _periods(motion, summed)
     atol, relative = (how.atol, how.rtol) if how.method.adaptive else (0.0, FIXED_STEP_RTOL)
-    closures = _closure(motion, relative, atol, closure_tol)
+    closures = _closure(motion, relative, atol, closure_tol, fastest)
     if fastest <= max(atol, ROUNDING):
         # at rest, as far as the tolerance tells: what is left of speeds is rounding
         return closures
-    # speeds that stay at 0 are uncertain by this all the same
-    doubt = atol + _rounded(motion, fastest)
-    momenta = _momentum(motion, rows, rtol, periods, doubt)
-    return _energy(motion, rows, rtol, periods) + momenta + closures
+    rtol = in_the_end(how, fastest)
+    listed = [_energy(motion, summed, rtol, periods)] if summed.looked else []
+    if isolated(motion):
+        # speeds that stay at 0 are uncertain by this all the same
+        doubt = atol + _rounded(motion, fastest)
+        listed += _momentum(motion, rows, rtol, periods, doubt)
+    return listed + closures
 
 
-def excess(motion: TrajectoryRecord, how: Settings, closure_tol: float = 0.0) -> str:
+def excess(
+    motion: TrajectoryRecord,
+    how: Settings,
+    closure_tol: float = 0.0,
+    library: ctypes.CDLL | None = None,
+) -> str:
     """Sentence about conservation errors beyond the tolerance; "" where there are none."""
-    some = [account for account in accounts(motion, how, closure_tol) if account.excessive]
+    listed = accounts(motion, how, closure_tol, library)
+    some = [account for account in listed if account.excessive]
     if not some:
         return ""
     cure = "rtol= and atol= smaller" if how.method.adaptive else "step= shorter"
     return f"{'; '.join(str(account) for account in some)}. Take {cure}, or another method"
 
 
-def in_the_end(how: Settings, fastest: ArrayLike) -> Array:
+def in_the_end(how: Settings, fastest: float) -> float:
     """The relative tolerance of a run: that of a step, over the steps that a period takes.
 
     Args:
         how: The tolerances.
-        fastest: The largest speeds, against which atol counts.
+        fastest: The largest speed, against which atol counts.
     """
-    fastest = np.asarray(fastest, dtype=np.float64)
     if not how.method.adaptive:
-        return np.full(fastest.shape, FIXED_STEP_RTOL)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        relative = np.where(fastest > 0, np.minimum(how.rtol + how.atol / fastest, 1.0), 1.0)
+        return FIXED_STEP_RTOL
+    relative = min(how.rtol + how.atol / fastest, 1.0) if fastest > 0 else 1.0
     # of order 2 a tighter tolerance takes more steps by its cube root
     return relative ** (2 / 3) if how.method.order == 2 else relative
 
@@ -137,28 +156,54 @@ def tolerated(how: Settings, fastest: Array, total: Array, rounded: Array, steps
         rounded: The largest amounts that are added up.
         steps: Of every run.
     """
-    worth = EXCESS * in_the_end(how, fastest) * np.maximum(1.0, steps / PERIOD)
+    relative = np.array([in_the_end(how, speed) for speed in fastest.tolist()])
+    worth = EXCESS * relative * np.maximum(1.0, steps / PERIOD)
     return np.minimum(worth, CEILING) * total + ROUNDING * rounded * np.maximum(10.0, steps)
 
 
+@lru_cache(maxsize=64)
 def _some(count: int, most: int) -> NDArray[np.intp]:
     """Rows of a table, evenly from its first to its last."""
-    if count <= most:
-        return np.arange(count)
-    return (np.arange(most) * (count - 1)) // (most - 1)
+    rows = np.arange(count) if count <= most else (np.arange(most) * (count - 1)) // (most - 1)
+    rows.flags.writeable = False
+    return rows
 
 
-def _periods(motion: TrajectoryRecord) -> float:
+def _summed(motion: TrajectoryRecord, rows: NDArray[np.intp], library: ctypes.CDLL) -> Sums:
+    """Sums over the rows of a run; of energies over some of them, where it has them."""
+    model, x, sums = motion.model, np.ascontiguousarray(motion.x), Sums()
+    nq, nu = len(motion.manifest.coordinates), len(motion.manifest.speeds)
+    sums.u, sums.count, sums.nu = x.ctypes.data + x.itemsize * nq, len(x), nu
+    sums.stride, sums.every_step, sums.least = x.shape[1], motion.dense is not None, MIN_AMPLITUDE
+    if model is not None and motion.sources is not None and "energy" in motion.manifest.available:
+        energy, supplied = _energies(motion, model, rows)
+        sums.energy, sums.supplied = energy.ctypes.data, supplied.ctypes.data
+        sums.looked, sums.sources = supplied.shape
+    library.cardan_account_of(sums)
+    return sums
+
+
+def _energies(
+    motion: TrajectoryRecord, model: LoadedModel, rows: NDArray[np.intp]
+) -> tuple[Array, Array]:
+    """Energies (rows, 3) and what sources have given (rows, sources), impacts last."""
+    x, nq = motion.x[rows], model.nq
+    q, u = x[:, :nq].copy(), x[:, nq : nq + model.nu].copy()
+    r = motion.r[rows] if motion.r.shape[1] else None
+    energy = model._evaluate(("energy", None), (motion.t[rows], q, u, r), None, None)
+    supplied = motion.work_done[rows]
+    if len(motion.event_log.log):
+        columns = [history[rows] for history in impacts(motion).values()]
+        supplied = np.column_stack([supplied, *columns])
+    return energy, supplied
+
+
+def _periods(motion: TrajectoryRecord, sums: Sums) -> float:
     """N: duration over the fastest period resolved."""
     count = motion.statistics["steps"] / PERIOD
     if motion.dense is not None and count > 1:
         # every step is there: periods are seen where speeds turn back
-        u = np.ascontiguousarray(motion.u.T)
-        moves = u[:, 1:] - u[:, :-1]
-        reach = u.max(axis=1) - u.min(axis=1)
-        back = moves[:, 1:] * moves[:, :-1] < 0
-        turns = np.count_nonzero(back, axis=1)[reach > MIN_AMPLITUDE * reach.max(initial=0.0)]
-        count = min(count, float(turns.max(initial=0)) / 2)
+        count = min(count, sums.turns / 2)
     return max(1.0, count)
 
 
@@ -167,29 +212,11 @@ def _rounded(motion: TrajectoryRecord, size: float) -> float:
     return ROUNDING * size * max(10.0, motion.statistics["steps"])
 
 
-def _energy(
-    motion: TrajectoryRecord, rows: NDArray[np.intp], rtol: float, periods: float
-) -> list[Account]:
+def _energy(motion: TrajectoryRecord, sums: Sums, rtol: float, periods: float) -> Account:
     """The energy of a run."""
-    model = motion.model
-    if model is None or motion.sources is None or "energy" not in motion.manifest.available:
-        return []
-    t, x = motion.t[rows], motion.x[rows]
-    q, u = model.split(x)[:2]
-    r = motion.r[rows] if motion.r.shape[1] else None
-    kinetic, potential, total = model._evaluate(("energy", None), (t, q, u, r), None, None).T
-    supplied = [column[rows] for column in motion.work_done.T]
-    if len(motion.event_log.log):
-        supplied += [history[rows] for history in impacts(motion).values()]
-    missed = total - total[0]
-    for history in supplied:
-        missed -= history
-    exchanged = sum(float(history.max() - history.min()) for history in (potential, *supplied))
-    scale = float(kinetic.max()) + exchanged
-    worth = rtol * scale * periods
-    noise = _rounded(motion, scale + float(np.abs(potential).max()))
-    worst = float(np.abs(missed).max())
-    return [Account("energy", worst, worth, scale, noise, "J")]
+    scale = float(sums.kinetic + sums.exchanged)
+    noise = _rounded(motion, scale + float(sums.potential))
+    return Account("energy", float(sums.missed), rtol * scale * periods, scale, noise, "J")
 
 
 def _momentum(
@@ -197,8 +224,7 @@ def _momentum(
 ) -> list[Account]:
     """Both momenta of a run where nothing acts from outside; all speeds are in doubt by so much."""
     model = motion.model
-    functions = motion.manifest.available
-    if model is None or not isolated(motion) or "momentum" not in functions or not model.nu:
+    if model is None or "momentum" not in motion.manifest.available or not model.nu:
         return []
     t, x = motion.t[rows], motion.x[rows]
     q, u = model.split(x)[:2]
@@ -233,14 +259,14 @@ def isolated(motion: TrajectoryRecord) -> bool:
 
 
 def _closure(
-    motion: TrajectoryRecord, rtol: float, atol: float, closure_tol: float
+    motion: TrajectoryRecord, rtol: float, atol: float, closure_tol: float, fastest: float
 ) -> list[Account]:
     """Closure errors of the loops."""
     model, ledger = motion.model, motion.ledger
     if model is None or ledger is None:
         return []
     size = size_of(model)
-    fastest = max(1.0, float(np.abs(motion.u).max(initial=0.0)))
+    fastest = max(1.0, fastest)
     noise, listed = 2 * max(closure_tol, CLOSED), list[Account]()
     for level, rate in (("position", 1.0), ("velocity", fastest)):
         scales = {True: rate, False: size * rate}

@@ -70,6 +70,8 @@ def spun(model: LoadedModel, motion: TrajectoryRecord) -> str:
 
     "" if all spin slowly compared with their first frequency, or have stiffening.
     """
+    if not model.manifest.superelements:
+        return ""
     worst, text, q, u = 1.0, "", np.ascontiguousarray(motion.q), np.ascontiguousarray(motion.u)
     for row in model.manifest.superelements:
         if row.stiffening or not row.first_frequency > 0:

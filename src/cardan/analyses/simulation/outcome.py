@@ -25,10 +25,10 @@ def explain(runner: Runner, answer: int, over: Span) -> tuple[str, str]:
         answer: What the kernels said last.
         over: What was asked for.
     """
-    at = f"at t = {runner.record.t:.6g} s of {over.end:g} s"
-    who = _culprit(runner)
     if answer == abi.DONE:
         return FINISHED, "reached the end"
+    at = f"at t = {runner.record.t:.6g} s of {over.end:g} s"
+    who = _culprit(runner)
     if answer == abi.STOPPED or isinstance(runner.error, KeyboardInterrupt):
         return "interrupted", f"interrupted {at}; what was computed is kept"
     if answer == abi.TOO_SMALL:

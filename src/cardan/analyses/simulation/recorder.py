@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -166,7 +165,7 @@ class Recorder:
             inputs_at=runner.signals.recorded(t, r),
             ledger=runner.ledger,
             stored={"multipliers": lam.copy()} if runner.record.nlam else {},
-            event_log=replace(event_log, s=s.copy()),
+            event_log=EventLog(s.copy(), event_log.rows, event_log.log),
         )
 
 

@@ -85,7 +85,9 @@ class Runner:
         self.passes = np.zeros((MOST_PASSES if self.closing.rates else 0, 3))
         self.method = abi.method(self.library, settings.method.kernel)
         self.dense_room = self.spreads = np.empty((0, self.method.dense_rows, self.n))
+        self._modes = model._layout.start("s")
         self.rows = np.empty((0, 0))
+        self._rows_at = self._spreads_at = 0
         self.record = Run()
         self._size()
         self._allocate()
@@ -158,7 +160,7 @@ class Runner:
         run.rtol, run.atol = settings.rtol, settings.atol
         run.max_step, run.h = settings.max_step, settings.step
         self.views["r"][:] = self.signals.constants
-        self.views["s"][:] = self.model._layout.start("s")
+        self.views["s"][:] = self._modes
 
     def _connect_signals(self) -> None:
         run, tabulated = self.record, self.signals.tabulated
@@ -268,19 +270,21 @@ class Runner:
         try:
             if self.rows.shape != (run.capacity, width):
                 self.rows = np.empty((run.capacity, width))
+                self._rows_at = self.rows.ctypes.data
         except MemoryError:
             raise SolveError(
                 f"there is no memory for {run.capacity} rows of {width} numbers. Give fewer "
                 "output times"
             ) from None
-        run.rows = self.rows.ctypes.data
+        run.rows = self._rows_at
         if times is not None:
             self._times = np.ascontiguousarray(times)
             run.times, run.time_count = self._times.ctypes.data, len(times)
         if dense and len(self.dense_room) < most:
             self.dense_room = np.empty((most, self.method.dense_rows, self.n))
+            self._spreads_at = self.dense_room.ctypes.data
         self.spreads = self.dense_room[: most if dense else 0]
-        run.spreads = self.spreads.ctypes.data if dense else None
+        run.spreads = self._spreads_at if dense else None
 
     def drive(self, budget: int) -> int:
         """Go on for at most ``budget`` steps. Returns the answer of the kernels."""

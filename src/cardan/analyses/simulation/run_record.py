@@ -20,6 +20,7 @@ from ...schema.records import (
     Tick,
     check,
 )
+from ...schema.short_run_records import Account, ShortRuns
 
 # answers of the kernels, as in run.h
 DONE, MORE, FULL, STOPPED, EVENT = 0, 1, 2, 3, 4
@@ -57,6 +58,8 @@ RECORDS = {
     "method": Method,
     "signal": Signal,
     "tick": Tick,
+    "short_runs": ShortRuns,
+    "account": Account,
     "steps": Steps,
     "adjoint": Adjoint,
     "tangent": Tangent,
@@ -77,6 +80,9 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     record = ctypes.POINTER(Run)
     for name in ("cardan_run_start", "cardan_run_drive", "cardan_refresh", "cardan_segment"):
         getattr(library, name).argtypes = [record]
+    library.cardan_short_runs_go.argtypes = [ctypes.POINTER(ShortRuns)]
+    library.cardan_account_of.argtypes = [ctypes.POINTER(Account)]
+    library.cardan_account_of.restype = None
     library.cardan_run_at.argtypes = [record, REAL, POINTER]
     library.cardan_adjoint_sweep.argtypes = [ctypes.POINTER(Adjoint)]
     library.cardan_tangent_sweep.argtypes = [ctypes.POINTER(Tangent)]

@@ -65,6 +65,11 @@ class Settings:
     description: str
     reason: str = ""
 
+    def by(self, method: Integrator, reason: str) -> Settings:
+        """The same with another method."""
+        limits = self.rtol, self.atol, self.step, self.max_step
+        return Settings(method, *limits, self.description, reason)
+
 
 def default_rtol(rtol: float | None, sensitivity: str | Sequence[str]) -> float:
     """The tolerance as it was given, else that of motions, or of those with sensitivities."""
@@ -217,6 +222,36 @@ def start(model: LoadedModel, x0: object, q: object, u: object, z: object = None
         ModelError: both given, or an unknown name. ArgumentError: wrong shape.
         SolveError: a value that is not finite.
     """
+    names = _numbers_by_name(q, u, z) if x0 is None else None
+    latest = None if names is None else model._derived.get(Start)
+    if latest is not None and latest[0] == names:
+        # the same names and numbers again
+        same: Start = latest[1]
+        begin = Start(same.x.copy(), same.defaulted, followers=same.followers)
+    else:
+        begin = _start(model, x0, q, u, z)
+        if names is not None:
+            model._derived[Start] = names, replace(begin, x=begin.x.copy())
+    if isinstance(q, Mapping):
+        _within_limits(model, begin.x, q)
+    return begin
+
+
+def _numbers_by_name(*blocks: object) -> tuple[tuple[tuple[str, float], ...], ...] | None:
+    """The numbers of every block by their names; None if something else is among them."""
+    listed = []
+    for block in blocks:
+        if block is not None and type(block) is not dict:
+            return None
+        pairs = tuple(block.items()) if block else ()
+        if not all(type(number) is float for _, number in pairs):
+            return None
+        listed.append(pairs)
+    return tuple(listed)
+
+
+def _start(model: LoadedModel, x0: object, q: object, u: object, z: object) -> Start:
+    """The initial state as :func:`start` gives it, limits not looked at."""
     refuse_second(x0, {"q": q, "u": u, "z": z})
     coordinates, speeds, internals = model.coordinates, model.speeds, model.internals
     if x0 is not None:
@@ -232,10 +267,7 @@ def start(model: LoadedModel, x0: object, q: object, u: object, z: object = None
         if places:
             dependents[letter] = {k: v for k, v in names[letter].items() if k in places}
             names[letter] = {k: v for k, v in names[letter].items() if k not in places}
-    begin = Start(*start_of(model, names["q"], names["u"], names["z"]), followers=dependents)
-    if isinstance(q, Mapping):
-        _within_limits(model, begin.x, q)
-    return begin
+    return Start(*start_of(model, names["q"], names["u"], names["z"]), followers=dependents)
 
 
 def refuse_second(x0: object, blocks: Mapping[str, object]) -> None:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import final
 
@@ -19,11 +20,13 @@ from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.event_log import Event, EventLog
 from . import run_record as abi
 from .alpha_methods import Alpha, GeneralizedAlpha
+from .driving import case_of, chosen, runner_of
 from .events import check_start, event_table_of
 from .outcome import explain
 from .run import Runner
 from .run_state import Saved
 from .settings import Settings, Values, blocks, settings, start
+from .short_runs import Options, ShortRuns, fit, put_back, short_runs
 from .signals import signals
 from .starts.start import closed_start
 from .times import Span
@@ -215,8 +218,6 @@ def stepper(
     Raises:
         ModelError, ArgumentError, SolveError: as for ``simulate``.
     """
-    from .driving import case_of, chosen, runner_of
-
     how: Settings = settings(method, rtol, atol, step, max_step, None)
     for name, value in (inputs or {}).items():
         if callable(value) or isinstance(value, tuple | list):
@@ -279,7 +280,8 @@ def step(
     Args:
         model: The compiled model.
         x: States [q, u, z] (..., nx).
-        dt: Time to pass [s], negative to go back; one compiled run per state.
+        dt: Time to pass [s], negative to go back; one compiled run per state, all of them in one
+            call of the kernels where the model has no events.
         t: Time at the start [s].
         events, method, rtol, atol, step, max_step, inputs: As ``stepper`` takes them.
 
@@ -290,11 +292,43 @@ def step(
         ModelError, ArgumentError, SolveError: as :func:`stepper` and :meth:`Stepper.step`.
     """
     states = numbers("x", x)
+    one = partial(
+        stepper, model, t=t, events=events, method=method, rtol=rtol, atol=atol, step=step,
+        max_step=max_step, inputs=inputs,
+    )  # fmt: skip
+    options = Options(method, rtol, atol, step, max_step)
+    runs = None
+    if events is None and inputs is None and fit(model, states, t, dt):
+        runs = short_runs(model, options)
+    if runs is not None:
+        return _short(runs, options, states, t, dt, one)
     result = np.empty_like(states)
     for place in np.ndindex(states.shape[:-1]):
-        one = stepper(
-            model, t=t, x0=states[place], events=events, method=method, rtol=rtol, atol=atol,
-            step=step, max_step=max_step, inputs=inputs,
-        )  # fmt: skip
-        result[place] = one.step(dt)
+        result[place] = one(x0=states[place]).step(dt)
     return result
+
+
+def _short(
+    runs: ShortRuns,
+    options: Options,
+    states: Array,
+    t: float,
+    dt: float,
+    one: Callable[..., Stepper],
+) -> Array:
+    """The states (..., nx) that short runs lead to, else a stepper, which says why not."""
+    model = runs.model
+    try:
+        runs.aim(t, t + dt)
+        if states.ndim == 1:
+            end = runs.one(states)
+            return one(x0=states).step(dt) if end is None else end
+        rows = runs.states(states)
+        ends = np.empty_like(rows)
+        at = runs.many(rows, ends, 0)
+        while at < len(rows):
+            ends[at] = one(x0=rows[at]).step(dt)
+            at = runs.many(rows, ends, at + 1)
+        return ends.reshape(states.shape)
+    finally:
+        put_back(model, options, runs)

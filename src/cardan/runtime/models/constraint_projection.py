@@ -59,7 +59,8 @@ class Closing:
 
     def loosened(self, tolerance: float) -> Closing:
         """The same where residuals up to a slack, without units, count as none."""
-        return replace(self, size=self.size * max(1.0, tolerance / CLOSED))
+        factor = max(1.0, tolerance / CLOSED)
+        return self if factor == 1.0 else replace(self, size=self.size * factor)
 
     @cached_property
     def positions(self) -> int:

@@ -77,23 +77,23 @@ def initial_state(
         SolveError: a value that is not finite, or a quaternion whose length is not 1.
     """
     manifest = layout.manifest
-    values, defaulted = [], list[str]()
+    x, end, defaulted = np.concatenate([layout.starts[b] for b in "quz"]), 0, list[str]()
     for letter, names, named in (
         ("q", layout.coordinates, q),
         ("u", layout.speeds, u),
         ("z", layout.internals, z),
     ):
-        block = layout.starts[letter].copy()
-        values.append(block)
+        block, end = x[end : end + len(names)], end + len(names)
         if not named:
             defaulted += names
             continue
         covered = _fill(letter, block, names, layout, named)
         defaulted += [name for name, is_named in zip(names, covered, strict=True) if not is_named]
     if manifest.quaternions:
-        check_units(manifest, values[0])
-        values[0][:] = unit(values[0], manifest.quaternions)
-    return np.concatenate(values), tuple(defaulted)
+        q_block = x[: len(layout.coordinates)]
+        check_units(manifest, q_block)
+        q_block[:] = unit(q_block, manifest.quaternions)
+    return x, tuple(defaulted)
 
 
 def _fill(
