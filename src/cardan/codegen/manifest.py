@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from math import isfinite
 from typing import Any
 
+from ..collector import collector_paused
 from ..elements.internal_states import TICK
 from ..elements.joints.joint import entries
 from ..elements.limits import limit_rows
@@ -57,6 +58,7 @@ class Base:
     saved: Callable[[], tuple[Function, ...]] = field(repr=False, compare=False)
 
 
+@collector_paused()
 def base(equations: EquationRecord, functions: Sequence[str] = ()) -> Base:
     """Manifest before any function is written.
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Protocol
 
 from ...arguments import Inputs
+from ...collector import collector_paused
 from ...errors import FunctionError, ModelError, SolveError, SolveWarning, warn
 from ...runtime.calls.interpreted import CURE
 from ...runtime.models.constraint_projection import Closing
@@ -82,6 +83,7 @@ class RunSetup:
         )
 
 
+@collector_paused()
 def run_setup(
     model: LoadedModel,
     times: tuple[object, object],
