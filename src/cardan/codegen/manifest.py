@@ -7,6 +7,7 @@ from dataclasses import field
 from math import isfinite
 from typing import Any
 
+from ..collector import collector_paused
 from ..elements.internal_states import TICK
 from ..elements.joints.joint import entries
 from ..elements.limits import limit_rows
@@ -58,6 +59,7 @@ class Base:
     saved: Callable[[], tuple[Function, ...]] = field(repr=False, compare=False)
 
 
+@collector_paused()
 def base(equations: EquationRecord, functions: Sequence[str] = ()) -> Base:
     """Manifest before any function is written.
 

@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from dataclasses import field
 
 from .. import passes
+from ..collector import collector_paused
 from ..ir.function import Function, Output
-from ..ir.graph import ZERO, collector_paused
+from ..ir.graph import ZERO
 from ..ir.recursion import Recursion
 from ..ir.routine import Routine
 from ..records import dataclass

@@ -101,7 +101,7 @@ class SweepRecord:
             return self.drivers[name]
         blocks = ((".udot", "u", self.udot), (".u", "u", self.u), ("", "q", self.q))
         for ending, letter, values in blocks:
-            places = self.model.manifest.slots(letter)
+            places = self.model._layout.slots[letter]
             place = places.get(name.removesuffix(ending)) if name.endswith(ending) else None
             if place is None and ending == ".udot" and name.endswith(ending):
                 place = places.get(f"{name.removesuffix(ending)}.u")

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Protocol
 
 from ...arguments import Inputs
+from ...collector import collector_paused
 from ...errors import FunctionError, ModelError, SolveError, SolveWarning, warn
 from ...records import dataclass
 from ...runtime.calls.interpreted import CURE
@@ -86,6 +87,7 @@ class RunSetup:
         )
 
 
+@collector_paused()
 def run_setup(
     model: LoadedModel,
     times: tuple[object, object],

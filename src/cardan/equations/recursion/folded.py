@@ -64,7 +64,8 @@ class Fold:
         if body < self.at:
             return visit
         fields = size // (self.numbers[-1] + 1)
-        first, last = (self.at - MARGIN * self.period) * fields, self.at * fields
+        # the first body has the sums of all: it is nobody's neighbor beyond the gap
+        first, last = max(self.at - MARGIN * self.period, 1) * fields, self.at * fields
         further = self.turns * self.period * fields
 
         def shifted(places: tuple[int, ...]) -> tuple[int, ...]:

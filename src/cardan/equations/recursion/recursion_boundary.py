@@ -131,6 +131,22 @@ class Cuts:
         return bool(fixed[node])
 
 
+def summed(k: Kinematics, quantity: str, parts: Sequence[Matrix]) -> Matrix:
+    """The sum of a part of every body; as a recursion each adds its own to a value of the first.
+
+    Args:
+        k: Motion of the tree.
+        quantity: Name of the sum.
+        parts: Of every body, all of one shape.
+    """
+    first, *more = parts
+    if k.cuts is None:
+        return sum(more, start=first)
+    added = [(by, part.nodes) for by, part in enumerate(more, 1)]
+    nodes = k.cuts.total(0, quantity, first.nodes, added)
+    return Matrix(k.graph, first.rows, first.columns, nodes)
+
+
 class Sums:
     """Sums over every body and the bodies that transmit something to it.
 

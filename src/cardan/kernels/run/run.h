@@ -297,6 +297,7 @@ void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_o
 
 /* memory.c */
 size_t cardan_run_length(const cardan_run *run, size_t tail, size_t work);
+void cardan_run_place(cardan_run *run, real *memory, size_t tail, size_t work);
 void cardan_run_lay(cardan_run *run, real *memory, size_t tail, size_t work);
 
 /* what the methods build on: derivative.c, close.c and control.c */
