@@ -1,4 +1,4 @@
-"""What runs keep for the next one like them: the request, the start, memory. Nothing of it shows."""
+"""What runs keep for the next one like them: request, start, memory. Nothing of it shows."""
 
 from __future__ import annotations
 

@@ -126,15 +126,17 @@ def worst(found: Array, exact: Array) -> float:
     return float(np.abs(np.subtract(found, exact)).max() / np.abs(exact).max())
 
 
-def of_functions(title: str, model: Any, rng: np.random.Generator) -> Iterator[Row]:
-    """Calls at one state, and at ten."""
+def of_functions(
+    title: str, model: Any, rng: np.random.Generator, aim: float | None = None
+) -> Iterator[Row]:
+    """Calls at one state, and at ten; ``aim`` is that of derivatives [us]."""
     q, u = (x.copy() for x in model.split(model.random_state(rng)))
     udot, wrt = rng.uniform(-1, 1, model.nu), ("q", "u")
     frame, joint = model.frames[-1], model.joints[0]
     lists = q.tolist(), u.tolist()
     many = [np.tile(x, (10, 1)) for x in (q, u)]
     name = "forward_dynamics"
-    rows: list[tuple[str, tuple[str, ...], Callable[[], Any], float | None]] = [
+    functions: list[tuple[str, tuple[str, ...], Callable[[], Any], float | None]] = [
         ("forward dynamics", (name,), lambda: model.forward_dynamics(q, u), None),
         ("the same, lists", (name,), lambda: model.forward_dynamics(*lists), 3.0),
         ("the same, ten states", (name,), lambda: model.forward_dynamics(*many), 8.0),
@@ -145,18 +147,18 @@ def of_functions(title: str, model: Any, rng: np.random.Generator) -> Iterator[R
         ("pose", ("pose", frame), lambda: model.pose(frame, q), None),
         ("reaction", ("reaction", joint), lambda: model.reaction(joint, q, u), None),
     ]  # fmt: skip
-    for what, key, call, aim in rows:
+    for what, key, call, reach in functions:
         loop, count = alone(model, *key)
         error = digits(model, *key)
         states = count // 10 if "ten" in what else count
-        yield Row(f"{title}: {what}", call, aim, loop, states, error)
+        yield Row(f"{title}: {what}", call, reach, loop, states, error)
     derivative = model.derivative(name, wrt=wrt)
     key = ("derivative", derivative.request)
     for what, call in (
         ("derivative, the object", lambda: derivative(q, u)),
         ("derivative, from the verb", lambda: model.derivative(name, wrt=wrt)(q, u)),
     ):
-        yield Row(f"{title}: {what}", call, 1.5, *alone(model, *key), digits(model, *key))
+        yield Row(f"{title}: {what}", call, aim, *alone(model, *key), digits(model, *key))
     for what, product, more in (
         ("vjp", model.vjp, udot), ("jvp", model.jvp, (udot, u)), ("hessian", model.hessian, udot),
     ):  # fmt: skip
@@ -341,7 +343,7 @@ def main() -> int:
     rng = np.random.default_rng(2)
     equations = cd.derive(cd.load(cd.examples.path("double_pendulum")))
     pendulum = cd.compile(equations)
-    rows = [*of_functions("double pendulum", pendulum, rng), *exported(equations)]
+    rows = [*of_functions("double pendulum", pendulum, rng, 1.5), *exported(equations)]
     rows += [*of_runs(pendulum), *of_loops()]
     if not quick:
         panda_equations = cd.derive(cd.load(urdf()))

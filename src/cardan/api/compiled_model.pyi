@@ -204,7 +204,8 @@ class CompiledModel(LoadedModel):
 
         Args:
             x: States [q, u, z] (..., nx).
-            dt: Time to pass [s], negative to go back; one compiled run per state.
+            dt: Time to pass [s], negative to go back; one compiled run per state, all of them in one
+                call of the kernels where the model has no events.
             t: Time at the start [s].
             events, method, rtol, atol, step, max_step, inputs: As ``stepper`` takes them.
 

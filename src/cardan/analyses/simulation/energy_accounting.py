@@ -171,7 +171,7 @@ def _some(count: int, most: int) -> NDArray[np.intp]:
 
 def _summed(motion: TrajectoryRecord, rows: NDArray[np.intp], library: ctypes.CDLL) -> Sums:
     """Sums over the rows of a run; of energies over some of them, where it has them."""
-    model, x, sums = motion.model, np.ascontiguousarray(motion.x), Sums()
+    model, x, sums = motion.model, np.ascontiguousarray(motion.x, dtype=np.float64), Sums()
     nq, nu = len(motion.manifest.coordinates), len(motion.manifest.speeds)
     sums.u, sums.count, sums.nu = x.ctypes.data + x.itemsize * nq, len(x), nu
     sums.stride, sums.every_step, sums.least = x.shape[1], motion.dense is not None, MIN_AMPLITUDE
@@ -195,7 +195,8 @@ def _energies(
     if len(motion.event_log.log):
         columns = [history[rows] for history in impacts(motion).values()]
         supplied = np.column_stack([supplied, *columns])
-    return energy, supplied
+    # as the kernels read them
+    return np.ascontiguousarray(energy), np.ascontiguousarray(supplied)
 
 
 def _periods(motion: TrajectoryRecord, sums: Sums) -> float:

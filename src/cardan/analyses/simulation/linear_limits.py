@@ -25,7 +25,8 @@ def excesses(motion: TrajectoryRecord) -> Iterator[str]:
     Args:
         motion: Any; nothing is checked without its model.
     """
-    if motion.model is not None and len(motion):
+    # those of superelements
+    if motion.model is not None and motion.manifest.superelements and len(motion):
         yield from (text for limit in LIMITS if (text := limit(motion.model, motion)))
 
 
@@ -69,8 +70,6 @@ def spun(model: LoadedModel, motion: TrajectoryRecord) -> str:
 
     "" if all spin slowly compared with their first frequency, or have stiffening.
     """
-    if not model.manifest.superelements:
-        return ""
     worst, text, q, u = 1.0, "", np.ascontiguousarray(motion.q), np.ascontiguousarray(motion.u)
     for row in model.manifest.superelements:
         if row.stiffening or not row.first_frequency > 0:

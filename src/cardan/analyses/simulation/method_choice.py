@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any
 
 from ...errors import SolveError
@@ -111,6 +112,7 @@ RULES: tuple[Rule, ...] = (
 )
 
 
+@lru_cache(maxsize=64)
 def choose(case: Case) -> Rule:
     """The first rule that holds."""
     return next(rule for rule in RULES if rule.holds(case))
