@@ -38,8 +38,7 @@ from .runtime.verification.closed_states import unjudged
 from .schema.functions import OF_ELEMENTS, STANDARD
 
 if TYPE_CHECKING:
-    from .ir.function import Function
-    from .ir.recursion import Recursion
+    from .ir.assembly import Form
     from .scene.scene import SceneRecord
     from .topology.system import Named, System
 
@@ -291,7 +290,7 @@ def compile(
 
 def _c_of(
     equations: EquationRecord, key: tuple[str, str | None], loops: bool | None
-) -> tuple[CFile, Function | Recursion]:
+) -> tuple[CFile, Form]:
     """A function as C, and as what was written so."""
     name, of = equations.system.name, key[1]
     with stage(f"model '{name}': deriving and writing {' of '.join(filter(None, key))}"):
@@ -300,9 +299,7 @@ def _c_of(
         return generate(function, model=name, notes=notes, of=of), function
 
 
-def _add(
-    folder: Path, base: manifest.Base, functions: Sequence[tuple[CFile, Function | Recursion]]
-) -> None:
+def _add(folder: Path, base: manifest.Base, functions: Sequence[tuple[CFile, Form]]) -> None:
     """Write functions into the folder of their model."""
     if not functions:
         return

@@ -17,8 +17,7 @@ from typing import Any, TypeVar
 from .. import processes, regular_file
 from ..collector import collector_paused
 from ..errors import CodegenError, ModelError
-from ..ir.function import Function
-from ..ir.recursion import Recursion
+from ..ir.assembly import Form
 from ..ir.routine import Routine
 from ..ir.serialize import to_dict
 from ..schema import kernel_files
@@ -126,7 +125,7 @@ def _is_there(directory: Path, entry: FunctionRow | None) -> bool:
     return hashlib.sha256(content).hexdigest() == entry.sha256
 
 
-def add_functions(directory: Path, texts: Sequence[tuple[CFile, Function | Recursion]]) -> None:
+def add_functions(directory: Path, texts: Sequence[tuple[CFile, Form]]) -> None:
     """Write functions: their C files, their expressions and their entries in the manifest.
 
     Raises:

@@ -8,9 +8,9 @@ from dataclasses import field
 
 from .. import passes
 from ..collector import collector_paused
+from ..ir.assembly import Assembly, Form
 from ..ir.function import Function, Output
 from ..ir.graph import ZERO
-from ..ir.recursion import Recursion
 from ..ir.routine import Routine
 from ..records import dataclass
 from ..schema.blocks import ORDER
@@ -44,7 +44,7 @@ class CFile:
 
 
 def generate(
-    function: Function | Recursion,
+    function: Form,
     model: str = "",
     notes: Sequence[str] = (),
     longest: int = LONGEST,
@@ -52,6 +52,8 @@ def generate(
     chosen: Sequence[str] | None = None,
 ) -> CFile:
     """Optimize a function and write it in C: straight-line, a recursion as loops over tables.
+
+    The numbers of an assembly are written so, and behind them the call of its kernel.
 
     Args:
         function: The function; its name is the C name.
@@ -70,7 +72,7 @@ def generate(
 
 
 def lowered(
-    function: Function | Recursion,
+    function: Form,
     model: str = "",
     notes: Sequence[str] = (),
     longest: int = LONGEST,
@@ -79,18 +81,20 @@ def lowered(
     """Optimize a function and make it a program; arguments and errors as of :func:`generate`."""
     if isinstance(function, Routine):
         return lower_routine(function, model, notes)
-    parts = (function,) if isinstance(function, Function) else function.steps
+    assembly = function if isinstance(function, Assembly) else None
+    numbers = function.parts if isinstance(function, Assembly) else function
+    parts = (numbers,) if isinstance(numbers, Function) else numbers.steps
     names = [passes.standard(part) if chosen is None else tuple(chosen) for part in parts]
     used = dict.fromkeys(name for pass_names in names for name in pass_names)
     notes = (*notes, f"passes: {', '.join(used) or 'none'}")
     with collector_paused():
         staged = [passes.optimize(*pair) for pair in zip(parts, names, strict=True)]
-        if isinstance(function, Function):
-            return lower(staged[0], model, notes, longest)
-        return loops.lower(function, staged, model, notes)
+        if isinstance(numbers, Function):
+            return lower(staged[0], model, notes, longest, assembly)
+        return loops.lower(numbers, staged, model, notes, assembly)
 
 
-def _file(function: Function | Recursion, program: Program, of: str | None) -> CFile:
+def _file(function: Form, program: Program, of: str | None) -> CFile:
     """A program as text, with what the manifest says about it."""
     language = LANGUAGES["c"]
     text = language.write(program)
@@ -101,9 +105,7 @@ def _file(function: Function | Recursion, program: Program, of: str | None) -> C
     return CFile(function.name, text, entry, program, includes, program.prepare_operations)
 
 
-def _entry(
-    function: Function | Recursion, program: Program, file: str, text: str, of: str | None
-) -> FunctionRow:
+def _entry(function: Form, program: Program, file: str, text: str, of: str | None) -> FunctionRow:
     """Interface for a caller: blocks read, results, sizes."""
     blocks = set(program.blocks)
     return FunctionRow(
@@ -124,7 +126,7 @@ def _entry(
     )
 
 
-def _sizes(function: Function | Recursion, program: Program) -> list[int]:
+def _sizes(function: Form, program: Program) -> list[int]:
     """Sizes of out, work and w, and of every block as far as it is read."""
     read = {block.name: len(block) for block in function.inputs if block.name in program.blocks}
     out = sum(output.size for output in function.outputs)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Self
 from ..arguments import checked
 from ..collector import collector_paused
 from ..errors import DerivationError, counted
+from ..ir.assembly import Assembly, Form
 from ..ir.function import Block, Function
 from ..ir.recursion import Recursion
 from ..ir.stage import stage
@@ -32,6 +33,7 @@ from .kinematics.kinematics import Kinematics
 from .reading.counts import Counts, overview
 from .recursion.looped import LOOPED, by_bodies, repeats
 from .rewrites import Rewritten, candidates
+from .tree_kernels.assemblies import Names, derivative, mass_matrix, refusal
 
 if TYPE_CHECKING:
     import sympy
@@ -161,7 +163,7 @@ class EquationRecord:
         self.function(name, of)
         return self._rewrites_of[self.c_name(name, of)]
 
-    def notes(self, name: str, of: str | None, form: Function | Recursion) -> list[str]:
+    def notes(self, name: str, of: str | None, form: Form) -> list[str]:
         """Remarks for the head of a generated file on the derivation of its function."""
         rewrites = self.rewritten(name, of) if isinstance(form, Function) else ()
         return [
@@ -230,22 +232,48 @@ class EquationRecord:
         with collector_paused():
             return by_bodies(self.system, lambda k: self._derive(name, name, None, k), name)
 
-    def form(
-        self, name: str, of: str | None = None, loops: bool | None = None
-    ) -> Function | Recursion:
-        """A function as its C is written: straight-line, or as loops over the bodies.
+    def form(self, name: str, of: str | None = None, loops: bool | None = None) -> Form:
+        """A function as its C is written: straight-line, as loops over the bodies, by a kernel.
 
         Args:
             name, of: As :meth:`function` takes them.
             loops: True for loops wherever there is a recursion, False for none; by default where
                 there are many bodies, and many of them alike.
         """
+        if loops is not False and not self.refusal(name, of, bool(loops)):
+            with collector_paused():
+                assembly = self._assembly(name, of, loops)
+            if assembly is not None:
+                return assembly
         many = len(self.system.bodies) > LOOPED if loops is None else loops
         if many and of is None and self.loops(name):
             recursion = self.recursion(name)
             if loops or repeats(recursion):
                 return recursion
         return self.function(name, of)
+
+    def refusal(self, name: str, of: str | None = None, short: bool = False) -> str:
+        """Why a function is not assembled by a kernel over the tree, "" where it may be.
+
+        Args:
+            name, of: As :meth:`function` takes them.
+            short: Whether short trees may be, too.
+        """
+        return refusal(self.system, name, of, bool(self.chosen), short)
+
+    def _assembly(self, name: str, of: str | None, loops: bool | None) -> Assembly | None:
+        """A function by a kernel over the tree; None where forces change by more than it takes."""
+        names = Names(
+            self.c_name(name, of),
+            about(name, of),
+            tuple(self.blocks[letter] for letter in ABI_ORDER),
+            blocks.labels(self.blocks)[0],
+            self._owners,
+        )
+        if name == "mass_matrix":
+            return mass_matrix(self.system, names, loops)
+        assembly = derivative(self.system, names, Request.read(of or ""), loops)
+        return None if isinstance(assembly, str) else assembly
 
     def loops(self, name: str) -> bool:
         """True when a function can be derived as a recursion."""
@@ -268,6 +296,18 @@ class EquationRecord:
         labels = blocks.labels(self.blocks)
         context = Context(Dynamics(k, self.method, self.treatment), *labels, of)
         results = settled(context, RECIPES[name](context))
+        return Function(
+            symbol,
+            k.graph,
+            tuple(context.extra_blocks.get(letter, self.blocks[letter]) for letter in ABI_ORDER),
+            results,
+            self._owners,
+            about(name, of),
+        )
+
+    @property
+    def _owners(self) -> tuple[str, ...]:
+        """Joints and bodies, forces and constraints: the order of sections."""
         owners = [
             owner
             for joint, body in zip(self.system.joints, self.system.bodies, strict=True)
@@ -275,14 +315,7 @@ class EquationRecord:
         ]
         owners += [force.name for force in self.system.forces]
         owners += [row.owner for row in self.constraint_rows]
-        return Function(
-            symbol,
-            k.graph,
-            tuple(context.extra_blocks.get(letter, self.blocks[letter]) for letter in ABI_ORDER),
-            results,
-            tuple(dict.fromkeys(owners)),
-            about(name, of),
-        )
+        return tuple(dict.fromkeys(owners))
 
     # readable forms
 

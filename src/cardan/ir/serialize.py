@@ -11,6 +11,8 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
+from . import saved_tree
+from .assembly import Assembly, Form
 from .function import Block, Function, Output
 from .grammar import check
 from .graph import Graph, Node
@@ -23,8 +25,10 @@ MOST_NODES = 4_000_000
 MOST_ENTRIES = 4_000_000
 
 
-def to_dict(function: Function | Recursion) -> dict[str, Any]:
+def to_dict(function: Form) -> dict[str, Any]:
     """The function with the nodes that its results need, renumbered; a recursion by its steps."""
+    if isinstance(function, Assembly):
+        return _assembly_to_dict(function)
     if isinstance(function, Recursion):
         return _recursion_to_dict(function)
     order = function.live()
@@ -53,10 +57,31 @@ def to_dict(function: Function | Recursion) -> dict[str, Any]:
     }
 
 
-def _saved_blocks(function: Function | Recursion) -> list[dict[str, Any]]:
+def _saved_blocks(function: Form) -> list[dict[str, Any]]:
     return [
         {"name": b.name, "entries": list(b.entries), "units": list(b.units)}
         for b in function.inputs
+    ]
+
+
+def _assembly_to_dict(assembly: Assembly) -> dict[str, object]:
+    return {
+        "schema": SCHEMA,
+        "name": assembly.name,
+        "about": assembly.about,
+        "inputs": _saved_blocks(assembly),
+        "outputs": _saved_results(assembly.outputs),
+        "parts": to_dict(assembly.parts),
+        "kernel": assembly.kernel,
+        "tree": saved_tree.to_dict(assembly.tree),
+    }
+
+
+def _saved_results(outputs: Sequence[Output]) -> list[dict[str, object]]:
+    """Results without their expressions."""
+    return [
+        {"name": o.name, "shape": list(o.shape), "entries": list(o.entries), "units": list(o.units)}
+        for o in outputs
     ]
 
 
@@ -66,15 +91,7 @@ def _recursion_to_dict(recursion: Recursion) -> dict[str, Any]:
         "name": recursion.name,
         "about": recursion.about,
         "inputs": _saved_blocks(recursion),
-        "outputs": [
-            {
-                "name": o.name,
-                "shape": list(o.shape),
-                "entries": list(o.entries),
-                "units": list(o.units),
-            }
-            for o in recursion.outputs
-        ],
+        "outputs": _saved_results(recursion.outputs),
         "size": recursion.size,
         "steps": [to_dict(step) for step in recursion.steps],
         "sweeps": [
@@ -108,7 +125,7 @@ def _saved(node: Node, place: Mapping[int, int]) -> list[Any]:
 
 
 def from_dict(data: Mapping[str, object]) -> Function:
-    """The function that :func:`to_dict` saved; a recursion comes back straight-line.
+    """The function that :func:`to_dict` saved; recursions and assemblies come back straight-line.
 
     Raises:
         ValueError: the data is not a saved function of this schema, is too large, or breaks a rule
@@ -121,6 +138,8 @@ def from_dict(data: Mapping[str, object]) -> Function:
         for b in _list(data, "inputs", 64)
     )
     name, about = _text(data, "name"), _text(data, "about")
+    if "kernel" in data:
+        return check(_assembly(data, name, inputs, about).straight())
     if "sweeps" in data:
         return check(_recursion(data, name, inputs, about).straight())
     nodes = _list(data, "nodes", MOST_NODES)
@@ -167,10 +186,7 @@ def _recursion(
     size, outputs = data.get("size"), _list(data, "outputs", MOST_ENTRIES)
     if type(size) is not int or not 0 <= size <= MOST_ENTRIES:
         raise ValueError(f"'size' of a saved recursion must be a whole number, not {size!r}")
-    results = tuple(
-        Output(_text(o, "name"), _shape(o), (), _texts(o, "entries"), _texts(o, "units"))
-        for o in outputs
-    )
+    results = tuple(map(_result, outputs))
     lengths = {b.name: len(b) for b in inputs} | {STORE: size}
     room = sum(o.size for o in results)
     sweeps = tuple(
@@ -181,6 +197,28 @@ def _recursion(
         for sweep in _list(data, "sweeps", MOST_ENTRIES)
     )
     return Recursion(name, inputs, results, steps, sweeps, size, about)
+
+
+def _assembly(
+    data: Mapping[str, object], name: str, inputs: tuple[Block, ...], about: str
+) -> Assembly:
+    """An assembly whose table names only what is there."""
+    saved, results = data.get("parts"), _list(data, "outputs", MOST_ENTRIES)
+    parts = from_dict(saved if isinstance(saved, Mapping) else {})
+    outputs, kernel = tuple(map(_result, results)), _text(data, "kernel")
+    if len(parts.outputs) != 1:
+        raise ValueError("the parts of a saved assembly give the numbers of its bodies alone")
+    speeds = sum(len(block) for block in inputs if block.name == "u")
+    size = sum(output.size for output in outputs)
+    numbers = parts.outputs[0].size
+    tree = saved_tree.from_dict(data.get("tree"), kernel, numbers, speeds, size)
+    return Assembly(name, inputs, outputs, parts, kernel, tree, about)
+
+
+def _result(saved: object) -> Output:
+    """A result without expressions."""
+    names = (_texts(saved, "entries"), _texts(saved, "units"))
+    return Output(_text(saved, "name"), _shape(saved), (), *names)
 
 
 def _part(

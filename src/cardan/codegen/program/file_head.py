@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
+from ...ir.assembly import Form
 from ...ir.function import Block, Function, Output
 from ...ir.ops import LEAVES
-from ...ir.recursion import Recursion
 from ...schema.blocks import BLOCKS
 from .naming import comment
 from .routines import Built
@@ -34,11 +34,7 @@ def operations(built: Built) -> dict[str, int]:
 
 
 def head(
-    function: Function | Recursion,
-    model: str,
-    notes: Sequence[str],
-    blocks: Collection[str],
-    cost: Cost,
+    function: Form, model: str, notes: Sequence[str], blocks: Collection[str], cost: Cost
 ) -> tuple[tuple[str, ...], ...]:
     """Paragraphs of the head comment.
 

@@ -12,12 +12,13 @@ from collections.abc import Mapping, Sequence
 from itertools import groupby
 from typing import NamedTuple, TypeAlias
 
+from ...ir.assembly import Assembly
 from ...ir.function import Staged
 from ...ir.graph import Graph
 from ...ir.recursion import STORE, Recursion, Turns, Visit
 from ...records import dataclass
 from .file_head import Cost, head, operations
-from .lowering import check_name, description, tables
+from .lowering import assembled, check_name, description, tables
 from .program import (
     Dispatch,
     Index,
@@ -64,7 +65,8 @@ class Span(NamedTuple):
 class Columns:
     """Places of the values of a step, for all visits of that step: a few columns of ints."""
 
-    def __init__(self) -> None:
+    def __init__(self, results: str = "out") -> None:
+        self._arrays = {STORE: "work", STORED: "work", "out": results}
         self._shapes: dict[tuple[tuple[int, int], ...], int] = {}
         self._first: list[int] = []
         self._of: dict[tuple[str, int], tuple[int, int]] = {}
@@ -85,7 +87,7 @@ class Columns:
     def place(self, array: str, k: int) -> Place:
         """Place of entry k as an expression of the row."""
         column, first = self._of[array, k]
-        name = "work" if array in (STORE, STORED) else array
+        name = self._arrays.get(array, array)
         if column < 0:
             return Place(name, first)
         return Place(name, Index(str(column + 1), 1, first - self._first[column], AT))
@@ -137,7 +139,11 @@ class _Step:
 
 
 def lower(
-    recursion: Recursion, staged: Sequence[Staged], model: str = "", notes: Sequence[str] = ()
+    recursion: Recursion,
+    staged: Sequence[Staged],
+    model: str = "",
+    notes: Sequence[str] = (),
+    assembly: Assembly | None = None,
 ) -> Program:
     """The program of a recursion.
 
@@ -146,19 +152,27 @@ def lower(
         staged: What the passes made of its steps.
         model: Name of the model, for the reader.
         notes: Lines for the reader.
+        assembly: The function whose numbers these are, if they are: they stay in ``work``.
 
     Raises:
         CodegenError: its name is none for C.
     """
     check_name(recursion.name)
-    return _Lowering(recursion, staged).program(model, notes)
+    if assembly is None:
+        return _Lowering(recursion, staged, "out").program(model, notes)
+    program = _Lowering(recursion, staged, "work").program(model, notes)
+    return assembled(program, assembly, recursion.size, model, notes)
 
 
 class _Lowering:
-    """The steps of a recursion with the places of their values."""
+    """The steps of a recursion with the places of their values; results to ``out`` or ``work``."""
 
-    def __init__(self, recursion: Recursion, staged: Sequence[Staged]) -> None:
-        self.recursion = recursion
+    def __init__(self, recursion: Recursion, staged: Sequence[Staged], results: str) -> None:
+        self.recursion, self.results = recursion, results
+        # in work, results stand behind what is stored
+        self.shift = recursion.size if results == "work" else 0
+        count = sum(output.size for output in recursion.outputs)
+        self.store_size = recursion.size + (count if results == "work" else 0)
         self.lengths = [len(one.prepare) for one in staged]
         # w is [visit][field]
         self.length = 0
@@ -190,7 +204,7 @@ class _Lowering:
 
     def _step(self, staged: Staged, spans: tuple[Span, ...]) -> _Step:
         """Columns of a step from the places of its visits."""
-        run, prepare = Columns(), Columns()
+        run, prepare = Columns(self.results), Columns()
 
         def entries(kind: str, k: int) -> list[tuple[int, int]]:
             """Local entries k that visits read, store or give out."""
@@ -210,7 +224,7 @@ class _Lowering:
         for k in range(len(first.stores)):
             run.add(STORED, k, entries(STORED, k))
         for k in range(len(first.outs)):
-            run.add("out", k, entries("out", k))
+            run.add("out", k, [(n + self.shift, stride) for n, stride in entries("out", k)])
 
         def where(array: str, k: int) -> Place:
             return (prepare if array == "p" else run).place(array, k)
@@ -225,7 +239,7 @@ class _Lowering:
         prepared = [self._prepare(step) for step in self.steps]
         bodies = [self._body(step) for step in self.steps]
         stages = (*prepared, *bodies)
-        work = max(r.size, *(b.length for b in bodies)) if bodies else r.size
+        work = max(self.store_size, *(b.length for b in bodies)) if bodies else self.store_size
         cost = Cost(work, length, self._operations(bodies), self._operations(prepared))
         read = {block for built in stages for block in built.blocks} - {STORE}
         routines = [x for built in stages for x in built.routines if x.body]
@@ -270,7 +284,7 @@ class _Lowering:
         for output, array in zip(step.staged.function.outputs, (STORED, "out"), strict=True):
             for k, node in enumerate(output.nodes):
                 results.append(Result(node, columns.place(array, k), description(output, k)))
-        stage = Stage(name, "step", step.order, results, "work", self.recursion.size)
+        stage = Stage(name, "step", step.order, results, "work", self.store_size)
         return build(stage, step.values, UNLIMITED)
 
     def _main(self, there: set[str]) -> tuple[list[Routine], list[Table]]:

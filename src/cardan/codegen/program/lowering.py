@@ -3,22 +3,32 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
 
 from ...errors import CodegenError
+from ...ir.assembly import Assembly
 from ...ir.function import Function, Output, Staged
 from ...ir.routine import Routine
+from ...ir.tree_kernels import KERNELS
 from . import parts
 from .file_head import Cost, head, operations
 from .naming import RESERVED, comment
-from .program import Assign, KernelCall, Place, Program, Scope, Table
+from .program import Assign, KernelCall, Place, Program, Scope, Section, Table
 from .program import Routine as CRoutine
 from .routines import Built, Result, Stage, build, headers
 from .values import Values
 
+TREE = "rows of bodies, of speeds, of results, of what adds to entries: see tree.h"
+
 
 def lower(
-    staged: Staged, model: str = "", notes: Sequence[str] = (), longest: int = parts.LONGEST
+    staged: Staged,
+    model: str = "",
+    notes: Sequence[str] = (),
+    longest: int = parts.LONGEST,
+    assembly: Assembly | None = None,
 ) -> Program:
     """The program of a function: ``prepare_<name>`` for the parameters, ``<name>`` for the rest.
 
@@ -27,6 +37,7 @@ def lower(
         model: Name of the model, for the reader.
         notes: Lines for the reader, such as the formalism.
         longest: Statements after which a routine is split.
+        assembly: The function whose numbers these are, if they are: they stay in ``work``.
 
     Raises:
         CodegenError: a placeholder was left in the graph, or the name is none for C.
@@ -40,12 +51,15 @@ def lower(
     targets = [Result(i, Place("w", k), values.description(i)) for i, k in values.w.items()]
     first = Stage(f"prepare_{function.name}", "prepare", order, targets, "w", len(targets))
     prepare = build(first, values, longest)
-    second = Stage(function.name, "function", order, results(function), "work", 0)
+    array = "out" if assembly is None else "work"
+    written = results(function, array)
+    start = 0 if assembly is None else len(written)
+    second = Stage(function.name, "function", order, written, "work", start)
     body = build(second, values, longest)
 
     counts = (operations(body), operations(prepare))
     read = prepare.blocks | body.blocks
-    return Program(
+    program = Program(
         name=function.name,
         head=head(function, model, notes, read, Cost(body.length, prepare.length, *counts)),
         includes=headers(prepare, body),
@@ -56,6 +70,41 @@ def lower(
         prepare_operations=counts[1],
         work_size=body.length,
         prepared_size=prepare.length,
+    )
+    return program if assembly is None else assembled(program, assembly, 0, model, notes)
+
+
+def assembled(
+    program: Program, assembly: Assembly, start: int, model: str, notes: Sequence[str]
+) -> Program:
+    """The program of an assembly, from one that leaves the numbers of the bodies in ``work``.
+
+    Args:
+        program: Of the numbers.
+        assembly: The function.
+        start: Where they begin.
+        model, notes: As of :func:`lower`.
+    """
+    kernel, tree = KERNELS[assembly.kernel], assembly.tree
+    counts = dict(Counter(program.operations) + Counter(assembly.counts))
+    counts = dict(sorted(counts.items(), key=lambda row: (-row[1], row[0])))
+    table = Table(f"tree_of_{program.name}", tree.table(), integer=True, comment=TREE)
+    sizes = (*kernel.sizes(tree), start, program.work_size)
+    call = KernelCall(f"cardan_{assembly.kernel}", sizes, table.name)
+    ending = Section(f"from the numbers of the bodies, {assembly.kernel}.h", (call,))
+    *before, main = program.routines
+    blocks = tuple(b.name for b in assembly.inputs if b.name in (*program.blocks, *tree.reads))
+    work = program.work_size + kernel.work(tree)
+    cost = Cost(work, program.prepared_size, counts, program.prepare_operations)
+    return replace(
+        program,
+        head=head(assembly, model, notes, blocks, cost),
+        late_includes=kernel.headers,
+        tables=(*program.tables, table),
+        routines=(*before, replace(main, body=(*main.body, ending))),
+        blocks=blocks,
+        operations=counts,
+        work_size=work,
     )
 
 
@@ -99,13 +148,13 @@ def check_name(name: str) -> None:
         raise CodegenError(f"'{name}' cannot be the name of a C function")
 
 
-def results(function: Function) -> list[Result]:
-    """The entries of ``out``, with the text that says what they are."""
+def results(function: Function, array: str = "out") -> list[Result]:
+    """The entries of ``out`` or another array, with the text that says what they are."""
     results_listed: list[Result] = []
     for output in function.outputs:
         for k, node in enumerate(output.nodes):
             results_listed.append(
-                Result(node, Place("out", len(results_listed)), description(output, k))
+                Result(node, Place(array, len(results_listed)), description(output, k))
             )
     return results_listed
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from ...equations.functions import live
 from ...equations.record import EquationRecord
+from ...ir.assembly import Assembly
 from ...ir.function import Function
 from ...ir.recursion import Recursion
 from ...records import dataclass
@@ -112,7 +113,10 @@ def functions(equations: EquationRecord, frames: Sequence[str]) -> dict[str, Fun
     available = equations.names()
     for name in (*CALLED, *DISPLAYED):
         if name in available:
-            listed[name] = equations.form(name)
+            form = equations.form(name)
+            # these are no sums over a tree, whose kernels WebAssembly does not have
+            assert not isinstance(form, Assembly)
+            listed[name] = form
     listed["frames"] = live.frames(equations, frames)
     jumps = time_jumps(equations.system)
     if jumps is not None:

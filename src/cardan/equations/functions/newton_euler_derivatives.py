@@ -135,7 +135,7 @@ class Derivatives:
 
     def _cause(self, i: int, column: int, shift: Matrix | None) -> Cause:
         k, joint = self.k, self.k.joints[i]
-        change, modes = self._joint_change(i, self.directions[column].seeds, shift)
+        change, modes = joint_change(k, i, self.along[i], self.directions[column].seeds, shift)
         dw, dv, drift = (
             change.block(slice(0, 3)),
             change.block(slice(3, 6)),
@@ -157,31 +157,6 @@ class Derivatives:
         name = k.system.joints[i].name
         eta.label(name, "eta")
         return Cause(column, shift, eta, Matrix.vstack(zeta_w, zeta_v), modes)
-
-    def _joint_change(
-        self, i: int, seeds: dict[int, int], shift: Matrix | None
-    ) -> tuple[Matrix, dict[int, Matrix]]:
-        """Changes of S u (6) and of drift + S udot (6), and of the columns of S, child axes."""
-        k, g, joint = self.k, self.k.graph, self.k.joints[i]
-        seeds_of_nodes = dict(seeds)
-        if shift is not None:
-            # the rotation changes by R [xi]: nothing is differentiated through its parameters
-            inner = joint.turns[-1]
-            rotation_change = inner @ shift.block(slice(0, 3)).skew
-            pairs = zip(inner.nodes, rotation_change.nodes, strict=True)
-            seeds_of_nodes |= {n: d for n, d in pairs if g.value(n) is None}
-        moved = joint.drift + joint.S @ self.along[i]
-        columns = dict(joint.columns)
-        nodes = [
-            *joint.velocity.nodes,
-            *moved.nodes,
-            *(n for s in columns.values() for n in s.nodes),
-        ]
-        slopes = forward(g, nodes, seeds_of_nodes)
-        modes = {
-            slot: Matrix(g, 6, 1, slopes[12 + 6 * n : 18 + 6 * n]) for n, slot in enumerate(columns)
-        }
-        return Matrix(k.graph, 12, 1, slopes[:12]), modes
 
     def _inboard(self, i: int) -> tuple[Matrix, Matrix, Matrix, Matrix]:
         """omega, alpha, a and v of the parent at the origin and in the axes of body i."""
@@ -277,6 +252,39 @@ class Derivatives:
             for n, column in enumerate(changes):
                 for slot, node in zip(rows, column, strict=True):
                     self._add(slot, n, node)
+
+
+def joint_change(
+    k: Kinematics, i: int, udot: Matrix, seeds: dict[int, int], shift: Matrix | None
+) -> tuple[Matrix, dict[int, Matrix]]:
+    """Changes of a joint along a direction, in the axes of its body.
+
+    Args:
+        k: Motion of the tree, with nothing cut.
+        i: The joint.
+        udot: Accelerations along its speeds; they do not change.
+        seeds: Leaf -> its change.
+        shift: Displacement of the body (6, 1), None where it stays.
+
+    Returns:
+        Change of S u (6) and of drift + S udot (6); slot of u -> change of its column of S (6, 1).
+    """
+    g, joint = k.graph, k.joints[i]
+    seeds_of_nodes = dict(seeds)
+    if shift is not None:
+        # the rotation changes by R [xi]: nothing is differentiated through its parameters
+        inner = joint.turns[-1]
+        rotation_change = inner @ shift.block(slice(0, 3)).skew
+        pairs = zip(inner.nodes, rotation_change.nodes, strict=True)
+        seeds_of_nodes |= {n: d for n, d in pairs if g.value(n) is None}
+    moved = joint.drift + joint.S @ udot
+    columns = dict(joint.columns)
+    nodes = [*joint.velocity.nodes, *moved.nodes, *(n for s in columns.values() for n in s.nodes)]
+    slopes = forward(g, nodes, seeds_of_nodes)
+    modes = {
+        slot: Matrix(g, 6, 1, slopes[12 + 6 * n : 18 + 6 * n]) for n, slot in enumerate(columns)
+    }
+    return Matrix(g, 12, 1, slopes[:12]), modes
 
 
 def flows(k: Kinematics) -> list[Flow]:

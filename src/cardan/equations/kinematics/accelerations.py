@@ -67,12 +67,12 @@ def accelerations(
             result.a.append(k.carry(i, f"{word}a", to_child @ at_joint + a))
         with k.graph.made_by(name, f"{word}U"):
             omega = k.omega[i] if moving else Matrix.zeros(k.graph, 3)
-            result.gradient.append(k.carry(i, f"{word}U", _gradient(omega, result.alpha[i]), CELLS))
+            result.gradient.append(k.carry(i, f"{word}U", field_of(omega, result.alpha[i]), CELLS))
     return result
 
 
-def _gradient(omega: Matrix, alpha: Matrix) -> Matrix:
-    """[alpha] + [omega][omega]."""
+def field_of(omega: Matrix, alpha: Matrix) -> Matrix:
+    """U = [alpha] + [omega][omega]: accelerations of a body by place (3, 3)."""
     x, y, z = omega
     xx, yy, zz = x * x, y * y, z * z
     xy, xz, yz = x * y, x * z, y * z

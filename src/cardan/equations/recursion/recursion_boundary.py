@@ -52,13 +52,15 @@ class Cuts:
 
     Args:
         graph: Where they live.
+        every: Whether every entry becomes a leaf and is stored, numbers and what nobody reads too:
+            so bodies next to the ground and at the tips do what all others do.
 
     Attributes:
         definitions: Leaf of the store -> what it stands for.
     """
 
-    def __init__(self, graph: Graph) -> None:
-        self.graph = graph
+    def __init__(self, graph: Graph, every: bool = False) -> None:
+        self.graph, self.every = graph, every
         self.definitions: dict[int, Definition] = {}
         self._leaves: dict[tuple[int, int], int] = {}
         self._fields: set[tuple[int, tuple[str, int]]] = set()
@@ -67,6 +69,11 @@ class Cuts:
     def cut(self, body: int, quantity: str, nodes: Sequence[int]) -> list[int]:
         """Leaves for the entries of a value; numbers, inputs and parameters stay what they are."""
         size = len(nodes)
+        if self.every:
+            return [
+                self._leaf(Definition(body, (quantity, k), size, node))
+                for k, node in enumerate(nodes)
+            ]
         return [self._cut(body, (quantity, k), size, node) for k, node in enumerate(nodes)]
 
     def _cut(self, body: int, field: tuple[str, int], size: int, node: int) -> int:

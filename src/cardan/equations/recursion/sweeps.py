@@ -93,6 +93,9 @@ class Sweeps:
             if home != LEFT_OUT
         ]
         visited = set[int]()
+        if self.cuts.every:
+            visited.update(self.cuts.definitions)
+            waiting += [task for leaf in self.cuts.definitions for task in self._tasks_of(leaf)]
         while waiting:
             # what one visit computes under one name is looked at together
             bundles: dict[tuple[str, int], list[Task]] = defaultdict(list)
@@ -197,7 +200,7 @@ class Sweeps:
     def _places(self) -> tuple[dict[int, int], int]:
         """Place in the store of every value that another visit reads: [body][field]."""
         at = {t.leaf: visit for visit, tasks in self.by_visit.items() for t in tasks if t.leaf >= 0}
-        stored: set[int] = set()
+        stored = set[int](self.cuts.definitions if self.cuts.every else ())
         for visit, tasks in self.by_visit.items():
             for task in tasks:
                 if task.leaf >= 0 and self.cuts.definitions[task.leaf].added:

@@ -1,0 +1,369 @@
+"""Functions of long trees by kernels: which are, why some are not, and how they are made.
+
+The mass matrix and the derivatives of inverse and forward dynamics of a long tree are assembled by
+a kernel that loops over a table of its bodies. Their numbers come from expressions in axes of the
+ground: as loops where many bodies are alike, else straight-line.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from ...errors import counted
+from ...ir.assembly import Assembly
+from ...ir.function import Block, Function, Output, live
+from ...ir.graph import ZERO, Graph
+from ...ir.matrix import Matrix
+from ...ir.recursion import Recursion
+from ...ir.tree_table import BODY, MASS_BODY, MASS_SPEED, SPEED, Entry, OutputRow, Tree, chunks
+from ...records import dataclass
+from ...schema.request import Request
+from ...topology.system import System
+from ..constraints.reaction_friction import friction_forces
+from ..functions.directions import Direction, directions
+from ..functions.dynamics import Dynamics
+from ..functions.newton_euler_derivatives import joint_change
+from ..kinematics.kinematics import Kinematics
+from ..kinematics.loads import Loads, applied, none
+from ..recursion.folded import Fold, fold
+from ..recursion.looped import repeats
+from ..recursion.recursion_boundary import Cuts
+from ..recursion.steps import recursion
+from ..recursion.sweeps import LEFT_OUT, Sweeps
+from .body_numbers import BODY as BODY_NAMES
+from .body_numbers import COLUMN, INERTIA, Slopes, body_names, mass_numbers
+from .body_numbers import SPEED as SPEED_NAMES
+from .ground_motion import GroundMotion
+from .tree_table import TreeTable, Widths, inboard_pairs, speeds_of, tree_table
+
+# pairs of a speed and one inboard of it above which kernels are taken: below, straight-line code is
+# faster, as measured on arms, legged robots and chains
+LONG = {"mass_matrix": 1000, "derivative": 110}
+# functions whose derivatives the kernel gives, and the block by which they give M or its inverse
+DERIVED = {"forward_dynamics": "tau", "inverse_dynamics": "udot"}
+# blocks whose entries may change the forces of elements along joints, and nothing else
+OF_FORCES = ("z", "r")
+
+
+def refusal(system: System, name: str, of: str | None, chosen: bool, short: bool = False) -> str:
+    """Why a function of a system is not assembled by a kernel, "" where it may be.
+
+    Args:
+        system: The system graph.
+        name, of: The function.
+        chosen: Whether the user chose the speeds.
+        short: Whether short trees may be, too.
+    """
+    if name not in LONG:
+        return "no kernel assembles it"
+    if not system.nu:
+        return "nothing moves"
+    pairs = inboard_pairs(system)
+    if pairs <= LONG[name] and not short:
+        return f"{counted(pairs, 'pair')} of speeds inboard of each other are few"
+    if chosen:
+        return "speeds are chosen"
+    if system.closed or system.closures:
+        return "loops tie joints together"
+    if system.written:
+        return "its equations are written"
+    for joint in system.joints:
+        if joint.coupling is not None:
+            return f"joint '{joint.name}' is coupled"
+    if friction_forces(system):
+        return "friction follows from reactions"
+    if name == "derivative":
+        request = Request.read(of or "")
+        if request.function not in DERIVED:
+            return f"no kernel assembles derivatives of '{request.function}'"
+        taken = ("q", "u", DERIVED[request.function], *OF_FORCES)
+        for wrt in request.wrt:
+            if wrt not in taken:
+                return f"no kernel assembles derivatives by '{wrt}'"
+    return ""
+
+
+@dataclass(frozen=True)
+class Names:
+    """Names of a function and of what it reads.
+
+    Attributes:
+        symbol: C name.
+        about: One line for the reader.
+        inputs: All input blocks, in ABI order.
+        entries: Of every block.
+        owners: Joints, bodies and forces, in order.
+    """
+
+    symbol: str
+    about: str
+    inputs: tuple[Block, ...]
+    entries: dict[str, tuple[str, ...]]
+    owners: tuple[str, ...]
+
+
+def mass_matrix(system: System, names: Names, loops: bool | None) -> Assembly:
+    """M of a tree, ``tree_mass.h``."""
+    k = Kinematics(system)
+    loads = none(k)
+    rotors = {i: loads.rotors[i].rows for i in loads.rotors if speeds_of(system, i)}
+    table = tree_table(system, Widths(MASS_BODY, MASS_SPEED), rotors=rotors)
+
+    def numbers(k: Kinematics, cuts: Cuts | None, _: Sequence[int]) -> Numbers:
+        motion, loads = GroundMotion(k, Dynamics(k, "composite").gravity, cuts, False), none(k)
+        return lambda i: mass_numbers(motion, loads, i)
+
+    parts = _parts(system, names, table, numbers, (INERTIA, COLUMN), loops)
+    tree = Tree(table.bodies, table.speeds, table.rotors)
+    speeds = names.entries["u"]
+    entries = tuple(f"{a},{b}" for a in speeds for b in speeds)
+    shape = (system.nu, system.nu)
+    nodes = _pattern(table, system, related=True)
+    output = Output("M", shape, nodes, entries)
+    return Assembly(names.symbol, names.inputs, (output,), parts, "tree_mass", tree, names.about)
+
+
+def derivative(
+    system: System, names: Names, request: Request, loops: bool | None
+) -> Assembly | str:
+    """A derivative of the inverse or forward dynamics of a tree, ``tree_derivatives.h``.
+
+    Returns:
+        Why there is none, where forces of elements depend on more than the kernel takes.
+    """
+    k = Kinematics(system)
+    loads, n = applied(k), system.nu
+    columns, blocks_at = _columns_of(k, names, request)
+    reason = _unsuitable(k, loads, [*columns.values()])
+    if reason:
+        return reason
+    moving_modes = _moving_modes(k, columns)
+    pattern = _changing(k, loads, columns)
+    rotors = {i: loads.rotors[i].rows for i in loads.rotors if speeds_of(system, i)}
+    counts = {i: len(entries) for i, entries in pattern.items()}
+    table = tree_table(system, Widths(BODY, SPEED), moving_modes, rotors, counts)
+
+    def numbers(k: Kinematics, cuts: Cuts | None, numbering: Sequence[int]) -> Numbers:
+        motion = GroundMotion(k, Dynamics(k, "composite").gravity, cuts, True)
+        at = {body: i for i, body in enumerate(numbering)}
+        along = _columns_of(k, names, request)[0]
+        slopes = Slopes(
+            motion,
+            applied(k),
+            {(d.block, d.index): d for d in along.values()},
+            frozenset(at[i] for i in moving_modes if i in at),
+            {
+                at[i]: [(row, along[column]) for row, column in entries]
+                for i, entries in pattern.items()
+                if i in at
+            },
+        )
+        return slopes.numbers
+
+    parts = _parts(system, names, table, numbers, (BODY_NAMES, SPEED_NAMES), loops)
+    half = chunks(n)
+
+    def side(column: int) -> int:
+        """Right side of a column: those along q and u begin at chunks."""
+        return column + (half - n) * min(column // n, 2)
+
+    changes = [
+        Entry(
+            table.speed_of_slot[system.joints[i].u + row], side(column), table.changes[i] + number
+        )
+        for i, entries in pattern.items()
+        for number, (row, column) in enumerate(entries)
+    ]
+    forward = request.function == "forward_dynamics"
+    outputs, rows = list[Output](), list[OutputRow]()
+    for wrt in request.wrt:
+        count, first = (n, 0) if wrt not in blocks_at else (blocks_at[wrt][1], blocks_at[wrt][0])
+        of_mass = wrt == DERIVED[request.function]
+        rows.append(OutputRow(int(of_mass), count, 0 if of_mass else side(first)))
+        labels = names.entries["u" if wrt == "q" else wrt]
+        labels_of_entries = tuple(
+            f"{row},{label}" for row in names.entries["u"] for label in labels
+        )
+        related = not forward
+        nodes = (
+            _pattern(table, system, related)
+            if count == n and wrt in ("q", "u", "tau", "udot")
+            else _all(n * count)
+        )
+        outputs.append(Output(f"d_{wrt}", (n, count), nodes, labels_of_entries))
+    width = len(columns) - 2 * n
+    tree = Tree(
+        table.bodies, table.speeds, table.rotors, tuple(rows), tuple(changes), width, forward
+    )
+    return Assembly(
+        names.symbol, names.inputs, tuple(outputs), parts, "tree_derivatives", tree, names.about
+    )
+
+
+def _columns_of(
+    k: Kinematics, names: Names, request: Request
+) -> tuple[dict[int, Direction], dict[str, tuple[int, int]]]:
+    """Right sides by their number, and block -> (first, count): q and u come first."""
+    columns: dict[int, Direction] = {}
+    blocks: dict[str, tuple[int, int]] = {}
+    for wrt in ("q", "u", *(w for w in request.wrt if w in OF_FORCES)):
+        if wrt in blocks:
+            continue
+        along = directions(k, wrt, names.entries)
+        blocks[wrt] = (len(columns), len(along))
+        columns |= {len(columns) + n: d for n, d in enumerate(along)}
+    return columns, blocks
+
+
+def _leaves(k: Kinematics, nodes: Sequence[int]) -> set[int]:
+    """Entries of input blocks that some nodes are made from."""
+    return {i for i in live(k.graph, nodes) if k.graph.nodes[i][0] == "var"}
+
+
+def _unsuitable(k: Kinematics, loads: Loads, columns: Sequence[Direction]) -> str:
+    """What depends on more than the kernel takes, "" where nothing does."""
+    seeds = {leaf for d in columns for leaf in d.seeds}
+    for i, wrench in loads.wrenches.items():
+        if not seeds.isdisjoint(_leaves(k, [node for x in wrench for node in x.nodes])):
+            return f"forces on body '{k.owner(i)}' change with the state"
+    for i, joint in enumerate(k.system.joints):
+        if i in loads.joints and joint.motion is None and speeds_of(k.system, i) == 0:
+            return f"joint '{joint.name}' has no speeds of its own"
+    foreign = {leaf for d in columns if d.block in OF_FORCES for leaf in d.seeds}
+    moved = [node for i in range(len(k.joints)) for node in _of_motion(k, i)]
+    moved += k.vector(k.system.gravity).nodes
+    if not foreign.isdisjoint(_leaves(k, moved)):
+        return "inputs move bodies"
+    return ""
+
+
+def _of_motion(k: Kinematics, i: int) -> list[int]:
+    """What the motion and the inertia of a body are made from."""
+    joint, body = k.joints[i], k.system.bodies[i]
+    inertia = k.resolve([body.mass, *body.first_moment, *body.inertia])
+    parts = (joint.rotation, joint.position, joint.S, joint.velocity, joint.drift)
+    return [*inertia, *(node for x in parts for node in x.nodes)]
+
+
+def _moving_modes(k: Kinematics, columns: dict[int, Direction]) -> frozenset[int]:
+    """Bodies whose columns of S are not fixed to them."""
+    moving_modes = set[int]()
+    for i, joint in enumerate(k.joints):
+        still = Matrix.zeros(k.graph, joint.S.columns)
+        for slot, column in joint.columns:
+            direction = columns[slot]
+            assert (direction.block, direction.index) == ("q", slot)
+            modes = joint_change(k, i, still, direction.seeds, column)[1]
+            if not all(x.is_zero for x in modes.values()):
+                moving_modes.add(i)
+    return frozenset(moving_modes)
+
+
+def _changing(
+    k: Kinematics, loads: Loads, columns: dict[int, Direction]
+) -> dict[int, list[tuple[int, int]]]:
+    """Body -> (row among its speeds, column): where forces of elements along joints may change."""
+    by_leaf: dict[int, list[int]] = {}
+    for number, direction in columns.items():
+        for leaf in direction.seeds:
+            by_leaf.setdefault(leaf, []).append(number)
+    pattern: dict[int, list[tuple[int, int]]] = {}
+    for i, force in loads.joints.items():
+        if not speeds_of(k.system, i):
+            continue
+        entries = [
+            (row, column)
+            for row, node in enumerate(force.nodes)
+            for column in sorted({c for leaf in _leaves(k, [node]) for c in by_leaf.get(leaf, ())})
+        ]
+        if entries:
+            pattern[i] = entries
+    return pattern
+
+
+# numbers of a body of a system
+Numbers = Callable[[int], list[int]]
+
+
+def _parts(
+    system: System,
+    names: Names,
+    table: TreeTable,
+    numbers: Callable[[Kinematics, Cuts | None, Sequence[int]], Numbers],
+    labels_of: tuple[Sequence[str], Sequence[str]],
+    loops: bool | None,
+) -> Function | Recursion:
+    """Numbers of all bodies, as loops where many of them are alike."""
+    if loops is not False:
+        short = fold(system)
+        for folded in (short, None) if short is not None else (None,):
+            k = Kinematics(folded.system if folded else system)
+            cuts = Cuts(k.graph, every=True)
+            numbering = folded.numbers if folded else range(len(system.bodies))
+            function = _function(k, names, table, numbers(k, cuts, numbering), labels_of, folded)
+            homes = _homes(system, table, folded)
+            looped = recursion(Sweeps(cuts, function, homes, k.system, folded))
+            if looped is not None and (loops or repeats(looped)):
+                return looped
+            if looped is not None:
+                break
+    k = Kinematics(system)
+    every = range(len(system.bodies))
+    return _function(k, names, table, numbers(k, None, every), labels_of, None)
+
+
+def _function(
+    k: Kinematics,
+    names: Names,
+    table: TreeTable,
+    numbers: Numbers,
+    labels_of: tuple[Sequence[str], Sequence[str]],
+    folded: Fold | None,
+) -> Function:
+    """Numbers of the bodies of a system, at the places of those of the complete system."""
+    nodes, entries = [ZERO] * table.start[-1], [""] * table.start[-1]
+    for i in range(len(k.system.bodies)):
+        number = folded.numbers[i] if folded else i
+        start, end = table.start[number], table.start[number + 1]
+        nodes[start:end] = numbers(i)
+        assert len(nodes) == table.start[-1]
+        joint = k.system.joints[i]
+        parts = [c.name for c in joint.element.speeds] if joint.u >= 0 else []
+        labels = body_names(k.owner(i), joint.name, parts, *labels_of)
+        labels += [f"{joint.name}.number {n}" for n in range(end - start - len(labels))]
+        entries[start:end] = labels
+    output = Output("numbers", (len(nodes),), tuple(nodes), tuple(entries))
+    return Function(names.symbol, k.graph, names.inputs, (output,), names.owners, names.about)
+
+
+def _homes(system: System, table: TreeTable, folded: Fold | None) -> list[int]:
+    """Body at whose visit each number is computed."""
+    numbers = folded.numbers if folded else range(len(system.bodies))
+    homes = [LEFT_OUT] * table.start[-1]
+    for i, number in enumerate(numbers):
+        start, end = table.start[number], table.start[number + 1]
+        homes[start:end] = [i] * (end - start)
+    return homes
+
+
+def _all(count: int) -> tuple[int, ...]:
+    """Nodes of entries any of which may be other than 0."""
+    return (Graph().atom("assembled"),) * count
+
+
+def _pattern(table: TreeTable, system: System, related: bool) -> tuple[int, ...]:
+    """Nodes of a matrix over the speeds that say which entries may be other than 0.
+
+    Args:
+        related: Whether only entries of a speed and its ancestors are; else all of one tree.
+    """
+    some, n = Graph().atom("assembled"), system.nu
+    nodes = [ZERO] * (n * n)
+    tree = Tree(table.bodies, table.speeds)
+    base = [list(tree.inboard(k))[-1] for k in range(n)]
+    for k, speed in enumerate(table.speeds):
+        blocks_at = tree.inboard(k) if related else (j for j in range(n) if base[j] == base[k])
+        for j in blocks_at:
+            slot = table.speeds[j].slot
+            nodes[speed.slot * n + slot] = nodes[slot * n + speed.slot] = some
+    return tuple(nodes)
