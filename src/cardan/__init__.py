@@ -38,7 +38,7 @@ _PUBLIC: dict[str, str] = {
     "spline": "elements.centerlines",
     "superelement": "api.superelement",
     "derive": "pipeline",
-    "compile": "pipeline",
+    "compile": "compilation",
     "page": "live",
     "CFunction": "analyses.simulation.input_functions",
     "GeneralizedAlpha": "analyses.simulation.alpha_methods",

@@ -106,8 +106,26 @@ def collected_warnings() -> Iterator[list[str]]:
         _COLLECTED.reset(token)
 
 
+# while something runs whose result depends on whether it warns
+_WATCHED: ContextVar[list[str] | None] = ContextVar("watched", default=None)
+
+
+@contextmanager
+def watched_warnings() -> Iterator[list[str]]:
+    """Messages of the warnings of this thread, which are given nevertheless."""
+    messages: list[str] = []
+    token = _WATCHED.set(messages)
+    try:
+        yield messages
+    finally:
+        _WATCHED.reset(token)
+
+
 def warn(message: str, category: type[Warning]) -> None:
     """Warn at the line of the caller's code, however deep in cardan the reason was found."""
+    watched = _WATCHED.get()
+    if watched is not None:
+        watched.append(message)
     messages = _COLLECTED.get()
     if messages is not None and not issubclass(category, BuildWarning):
         messages.append(message)

@@ -15,8 +15,8 @@ from .arguments import checked
 from .arrays import Array
 from .codegen.wasm import live_model
 from .codegen.wasm.memory import places, size
+from .compilation import compile as compiled
 from .errors import ArgumentError, ModelError, brief, near
-from .pipeline import compile as compiled
 from .pipeline import derive
 from .runtime.trajectory.trajectory import TrajectoryRecord
 from .schema.blocks import ORDER

@@ -35,7 +35,7 @@ from .equations.record import EquationRecord
 from .errors import BuildError, CodegenError, DerivationError, SolveWarning, near, warn
 from .runtime.build import cache_folder as cache
 from .runtime.verification.closed_states import unjudged
-from .schema.functions import OF_ELEMENTS, STANDARD
+from .schema.functions import OF_ELEMENTS
 
 if TYPE_CHECKING:
     from .ir.assembly import Form
@@ -204,58 +204,31 @@ def _absolute(
     return equations
 
 
-@checked
-def compile(
+def compile_scene(
     scene: SceneRecord | EquationRecord | FiniteElementRecord,
-    functions: Sequence[str] = STANDARD,
-    directory: str | Path | None = None,
-    *,
-    coordinates: str | None = None,
-    method: str | None = None,
-    speeds: Mapping[str, object] | None = None,
-    rewrites: Sequence[str] | None = None,
-    specialize: bool | Sequence[str] | Mapping[str, float] | None = None,
-    constraints: str | Treatment | None = None,
-    branches: Mapping[str, str] | None = None,
-    independent: Sequence[str] | None = None,
-    plane: str | None = None,
-    loops: bool | None = None,
-    threads: int | None = None,
-    reproducible: bool = False,
+    functions: Sequence[str],
+    directory: str | Path | None,
+    options: Mapping[str, object],
+    loops: bool | None,
+    threads: int | None,
+    reproducible: bool,
 ) -> CompiledModel:
-    """C functions of a scene, written, compiled and checked when they are first used.
+    """The whole way to compiled functions; :func:`cardan.compile` tells the arguments.
 
     Args:
-        scene: A model or its equations.
-        functions: What may be used; anything else is neither derived nor written.
-        directory: Where C and manifest go; a folder of the cache by default.
-        coordinates, method, speeds, rewrites: As :func:`derive` takes them.
-        specialize, constraints, branches, independent, plane: As :func:`derive` takes them.
-        loops: True writes recursions as loops over the bodies, False as straight-line code; by
-            default systems of many bodies get loops: a little slower, but written and compiled in
-            a time that does not grow with them.
-        threads: That share a large batch of states; by default ``$CARDAN_THREADS``, else the cores
-            that this process may use.
-        reproducible: Equal bits from every compiler and processor, 10-30 % slower.
+        options: Of :func:`derive`, None for its default.
 
     Raises:
         DerivationError: an unknown function, or options for equations that are derived already.
         BuildError: no compiler, or a build that failed its check.
     """
-    if coordinates is None and not isinstance(scene, (EquationRecord, FiniteElementRecord)):
-        coordinates = coordinates_with(functions, bool(scene.beams or scene.superelements))
-    equations = _derived(
-        scene,
-        coordinates=coordinates,
-        method=method,
-        speeds=speeds,
-        rewrites=rewrites,
-        specialize=specialize,
-        constraints=constraints,
-        branches=branches,
-        independent=independent,
-        plane=plane,
-    )
+    named_options = {name: x for name, x in options.items() if x is not None}
+    if not isinstance(scene, (EquationRecord, FiniteElementRecord)):
+        beams = bool(scene.beams or scene.superelements)
+        coordinates = coordinates_with(functions, beams)
+        if coordinates is not None:
+            named_options.setdefault("coordinates", coordinates)
+    equations = _derived(scene, **named_options)
     if isinstance(equations, FiniteElementRecord):
         folder = _of_elements(equations, directory)
         write = partial(model_folder.add_requested, folder, equations)

@@ -39,7 +39,7 @@ ORDER = (
         "solids",
         "explain",
     ),
-    *("api", "pipeline", "parts", "live", "peers", "cli", "__init__", "__main__"),
+    *("api", "pipeline", "compilation", "parts", "live", "peers", "cli", "__init__", "__main__"),
 )
 
 # a shipped model runs without the compiler half: these rooms know files and saved Functions only
@@ -62,7 +62,9 @@ RUNNING_MAY_IMPORT = RUNNING | {
 }
 
 # adapters of other programs see what users see, and the parts that api/comparison.py names
-PEERS_MAY_IMPORT = frozenset({"api", "pipeline", "peers", "arrays", "errors", "records"})
+PEERS_MAY_IMPORT = frozenset(
+    {"api", "pipeline", "compilation", "peers", "arrays", "errors", "records"}
+)
 
 # the only files that load SymPy when they are imported; every one is itself imported on demand
 SYMPY_AT_IMPORT: frozenset[str] = frozenset(

@@ -144,7 +144,7 @@ def test_a_cache_of_another_cardan_is_not_used(
 ) -> None:
     """Its models are of other source: none is opened, none is changed."""
     # the working tree that wrote the cache is another one since
-    monkeypatch.setattr(fingerprints, "_compiler_state", lambda: [("other.py", 1, 1)])
+    monkeypatch.setattr(fingerprints, "source_state", lambda: [("other.py", 1, 1)])
     unpacked("cache.tar.xz", cache_directory)
     (old,) = (cache_directory / "models").iterdir()
     before = contents(old)

@@ -48,9 +48,10 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Compile, compare, print."""
+    from ..compilation import compile
     from ..peers import processor
     from ..peers.comparison import compare
-    from ..pipeline import compile, derive
+    from ..pipeline import derive
     from ..schema.functions import STANDARD
     from .terminal import progress
 

@@ -116,7 +116,7 @@ def _doubts(said: Iterable[warnings.WarningMessage], notes: Iterable[str]) -> li
 
 def _started(equations: FiniteElementEquations) -> list[Complaint]:
     """Try to start a scene in finite-element coordinates from its reference configuration."""
-    from ..pipeline import compile
+    from ..compilation import compile
     from ..runtime.models.initial import start_of
 
     with warnings.catch_warnings(record=True) as said:
@@ -141,7 +141,7 @@ def _open_circuits(equations: Equations) -> list[Complaint]:
 
 def _tried(equations: Equations) -> list[Complaint]:
     """Check the compiled functions at random states for faults that only numbers show."""
-    from ..pipeline import compile
+    from ..compilation import compile
 
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")

@@ -115,7 +115,7 @@ def _joined(options: argparse.Namespace) -> Ensemble:
 
 def _computed(options: argparse.Namespace) -> Ensemble:
     """The runs, computed."""
-    from ..pipeline import compile
+    from ..compilation import compile
     from .terminal import progress
 
     if options.file is None:

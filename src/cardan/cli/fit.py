@@ -94,7 +94,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Load, compile, fit, report."""
-    from ..pipeline import compile
+    from ..compilation import compile
     from .terminal import progress
 
     scene = scene_options.read(options)

@@ -79,7 +79,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Load, compile, then list, excite or estimate."""
-    from ..pipeline import compile
+    from ..compilation import compile
     from .terminal import progress
 
     scene = scene_options.read(options)

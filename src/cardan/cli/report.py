@@ -60,7 +60,7 @@ def run(options: argparse.Namespace) -> int:
     """Load, compile, measure, report."""
     from ..analyses.simulation.precision.runs import precision
     from ..api.faces import face
-    from ..pipeline import compile
+    from ..compilation import compile
     from .terminal import console, progress
 
     scene = _real(options)

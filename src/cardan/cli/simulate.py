@@ -80,7 +80,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Load, compile, simulate, report."""
-    from ..pipeline import compile
+    from ..compilation import compile
     from .terminal import progress
 
     scene = scene_options.read(options)
@@ -105,16 +105,13 @@ def run(options: argparse.Namespace) -> int:
 
 def write(motion: Trajectory, options: argparse.Namespace) -> list[str]:
     """The files asked for."""
-    outputs = (
-        (options.output, motion.save),
-        (options.view, motion.animate),
-        (options.plot, motion.plot),
-    )
+    outputs = {"save": options.output, "animate": options.view, "plot": options.plot}
     written = []
-    for path, make in outputs:
+    for verb, path in outputs.items():
         if path is not None:
             path.parent.mkdir(parents=True, exist_ok=True)
-            make(path)
+            # what nobody asked for is not loaded
+            getattr(motion, verb)(path)
             written.append(str(path))
     return written
 

@@ -12,12 +12,13 @@ import numpy as np
 
 from ..api.scene_file import load
 from ..codegen import generate
+from ..compilation import compile
 from ..errors import CompilerMissing
 from ..peers.comparison import BATCH, drawn
 from ..peers.contest import contest, relative
 from ..peers.ours import Ours
 from ..peers.urdf import agreement
-from ..pipeline import compile, derive
+from ..pipeline import derive
 from ..records import dataclass
 from ..scene.summary import notes_of
 

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import replace
-from functools import lru_cache
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..equations.finite_elements.record import FiniteElementRecord
 from ..equations.record import EquationRecord
 from ..errors import lasting
 from ..ir.routine import Routine
-from ..version import VERSION
+from ..version import VERSION, source_state
 from .finite_elements import model_folder
 
 if TYPE_CHECKING:
@@ -26,7 +24,7 @@ def fingerprint(equations: EquationRecord | FiniteElementRecord, loops: bool | N
     digest = hashlib.sha256()
     for part in (
         VERSION,
-        _compiler_state(),
+        source_state(),
         *_choices(equations),
         loops,
         system.graph.nodes,
@@ -51,11 +49,3 @@ def _choices(equations: EquationRecord | FiniteElementRecord) -> tuple[Any, ...]
         hashes = [hashlib.sha256(content).hexdigest() for content in contents]
         return "absolute", planes, hashes, routines
     return equations.method, equations.rewrites, equations.chosen, equations.treatment
-
-
-@lru_cache(maxsize=1)
-def _compiler_state() -> list[tuple[str, int, int]]:
-    """Size and time of change of every file of this package: an edited compiler starts anew."""
-    root = Path(__file__).parent.parent
-    files = sorted(path for path in root.rglob("*") if path.suffix in (".py", ".h"))
-    return [(path.name, (s := path.stat()).st_size, s.st_mtime_ns) for path in files]

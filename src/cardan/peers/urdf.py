@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..api.comparison import face, load
-from ..pipeline import compile
+from ..compilation import compile
 
 if TYPE_CHECKING:
     from types import ModuleType

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from scipy.linalg import null_space
 
 from ...arrays import Array
 from ...records import dataclass
@@ -87,6 +86,8 @@ class NamedStart:
             s: Modes (ns,) at the start.
             wide: Whether derivatives by parameters are asked for.
         """
+        from scipy.linalg import null_space
+
         model = setup.model
         q, u, z = model.parts_of(setup.begin.x)
         at: ByName = {"t": setup.over.start, "r": steps.inputs_at(setup.over.start)[0]}

@@ -32,7 +32,7 @@ def arguments(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
 
 def model(options: argparse.Namespace) -> tuple[Scene, CompiledModel]:
     """The scene and its compiled model."""
-    from ...pipeline import compile
+    from ...compilation import compile
     from ..terminal import progress
 
     scene = scene_options.read(options)

@@ -9,7 +9,6 @@ import threading
 import time
 import zlib
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -78,6 +77,8 @@ def install(place: Path, levels: Sequence[Level], by: Compiler, say: Callable[[s
     Raises:
         BuildError: compiling failed. OSError: there is no room.
     """
+    from concurrent.futures import ThreadPoolExecutor
+
     started = time.perf_counter()
     place.mkdir(parents=True, exist_ok=True)
     plain = replace(by, level=(levels or family())[0].plainest())

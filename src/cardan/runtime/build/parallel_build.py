@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor, wait
 from threading import get_ident
-from typing import Protocol, TypeVar
+from typing import TYPE_CHECKING, Protocol, TypeVar
 
 from . import limited_subprocess
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future
 
 # seconds between two looks at compilers that are to end
 PATIENCE = 0.02
@@ -28,6 +30,8 @@ def in_parallel(tasks: Sequence[Callable[[], T]]) -> list[T]:
     """Results of all tasks, in their order; the first error of one ends all."""
     if len(tasks) < 2:
         return [task() for task in tasks]
+    from concurrent.futures import ThreadPoolExecutor, wait
+
     threads: set[int] = set()
     workers = min(len(tasks), os.cpu_count() or 1)
     with ThreadPoolExecutor(workers, "", lambda: threads.add(get_ident())) as pool:

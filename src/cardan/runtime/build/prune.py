@@ -17,7 +17,8 @@ from .object_file import NEW, intact
 
 DAY = 86400.0
 OBJECT = re.compile(r"[0-9a-f]{64}\.so\Z")
-MODEL = re.compile(r"[0-9a-f]{32,64}\Z")
+# the folder of a model, or what says in which folder that of a scene is
+MODEL = re.compile(r"[0-9a-f]{32,64}(\.json)?\Z")
 OTHER_CONTENT = ("zig", "compilers.json")
 
 
@@ -37,7 +38,7 @@ def content(place: Path) -> Content:
     left = list(place.glob(f"{NEW}*")) if place.is_dir() else []
     return Content(
         objects=sum(path.suffix == ".so" for path in paths),
-        models=sum(path.parent != place for path in paths),
+        models=sum(path.parent != place and path.suffix != ".json" for path in paths),
         leftovers=len(left),
         size=_size([*paths, *left]),
     )

@@ -12,7 +12,6 @@ import os
 import threading
 import time
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import numpy as np
@@ -152,6 +151,8 @@ class Batch:
 
     def _threaded(self, way: Run, start: int, count: int, chunk: int) -> list[Answer]:
         """The states from ``start`` on, shared by threads."""
+        from concurrent.futures import ThreadPoolExecutor
+
         many = threads(self.thread_count)
         share = -(-(count - start) // (many * LARGEST)) * LARGEST
         step = min(chunk, share)

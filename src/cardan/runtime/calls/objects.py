@@ -192,15 +192,22 @@ class Objects:
 
     def _stored(self, name: str, of: str | None) -> str:
         """C name of a function that is in the directory."""
-        functions = self.manifest.functions
-        for symbol, entry in functions.items():
-            if symbol.split("__")[0] == name and entry.of == of:
-                return str(symbol)
+        symbol = self.stored(name, of)
+        if symbol:
+            return symbol
         requested = f"('{name}', '{of}')" if of else f"'{name}'"
         raise ModelError(
             f"model '{self.manifest.name}' was compiled without {requested}. Export it again with "
-            f"functions=(..., {requested}), or use it once before pickling.{near(name, functions)}"
+            f"functions=(..., {requested}), or use it once before pickling."
+            f"{near(name, self.manifest.functions)}"
         )
+
+    def stored(self, name: str, of: str | None) -> str:
+        """C name of a function that the manifest has; "" where it has none."""
+        for symbol, entry in self.manifest.functions.items():
+            if symbol.split("__")[0] == name and entry.of == of:
+                return str(symbol)
+        return ""
 
     def codes(self, keys: Sequence[Key]) -> list[Code]:
         """The compiled functions of keys: :meth:`load` of their :meth:`symbols`.

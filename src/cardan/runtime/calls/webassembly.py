@@ -12,7 +12,7 @@ import threading
 import weakref
 from collections.abc import Callable, Mapping
 from functools import lru_cache
-from importlib import import_module, metadata
+from importlib import import_module
 from importlib.util import find_spec
 from math import ceil
 from typing import TYPE_CHECKING, TypeAlias, TypeVar
@@ -48,6 +48,8 @@ def available() -> bool:
 
 def version() -> str:
     """Name and version of what compiles."""
+    from importlib import metadata
+
     return f"{NAME} {metadata.version(NAME)}"
 
 

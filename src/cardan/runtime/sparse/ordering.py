@@ -6,14 +6,14 @@ Source: J. A. George, J. W. Liu, Computer Solution of Large Sparse Positive Defi
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.sparse import coo_array, csc_array, csr_array, diags_array
-from scipy.sparse.csgraph import connected_components, depth_first_order
-from scipy.sparse.linalg import splu
 
 from .pattern import Longs
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 FAINT = 1e-9
 
@@ -27,6 +27,8 @@ def ranks(order: Longs) -> Longs:
 
 def graph(n: int, i: Longs, j: Longs) -> csr_array:
     """The graph of n vertices with these edges, each in both directions."""
+    from scipy.sparse import coo_array
+
     other = i != j
     ones = np.ones(int(other.sum()))
     edges = coo_array((ones, (i[other], j[other])), (n, n)).tocsr()
@@ -40,6 +42,8 @@ def elimination(edges: csr_array) -> Longs:
 
     Trees have no fill. Chains are eliminated in the order in which they are numbered.
     """
+    from scipy.sparse.csgraph import connected_components, depth_first_order
+
     n = edges.shape[0]
     if n == 0:
         return np.zeros(0, np.int64)
@@ -62,6 +66,8 @@ def filled(edges: csr_array) -> tuple[Longs, Longs]:
     Returns:
         Where each column begins in the list (n + 1,), and the rows in it, ascending.
     """
+    from scipy.sparse import csc_array
+
     n = edges.shape[0]
     if n == 0:
         return np.zeros(1, np.int64), np.zeros(0, np.int64)
@@ -78,6 +84,9 @@ def _factored(edges: csr_array, order: str) -> Any:
 
     A slightly shifted Laplacian is regular, and no entry of its factors cancels to zero.
     """
+    from scipy.sparse import diags_array
+    from scipy.sparse.linalg import splu
+
     degree = np.asarray(edges.sum(axis=1)).reshape(-1)
     matrix = (diags_array(degree * (1 + FAINT) + FAINT) - edges).tocsc()
     return splu(matrix, permc_spec=order, diag_pivot_thresh=0.0, options={"SymmetricMode": True})

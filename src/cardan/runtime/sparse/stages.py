@@ -18,8 +18,6 @@ from collections.abc import Mapping
 from heapq import heapify, heappop, heappush
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import maximum_bipartite_matching
 
 from ...arrays import Booleans
 from .ordering import elimination, graph, ranks
@@ -111,6 +109,9 @@ def _assigned_rows(pattern: Pattern, rows: Longs, columns: Longs, node: Bools) -
     A node without rows of its own has to be regular by itself. Therefore children of joints get
     rows first: they may have no mass. In a floating tree the root remains without rows.
     """
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import maximum_bipartite_matching
+
     same = pattern.sizes[rows] == pattern.sizes[columns]
     # what modes let go holds nothing for good
     permanent = pattern.multiplier & ~pattern.switched

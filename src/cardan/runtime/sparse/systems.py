@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.sparse import csr_array
 
 from ...arrays import Array
 from ...errors import ArgumentError, SolveError
 from .plan import Plan
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 Reals = Array
 EVEN = 0.3  # units are good enough where largest numbers are between this and its inverse
@@ -16,6 +20,8 @@ EVEN = 0.3  # units are good enough where largest numbers are between this and i
 
 def assembled(plan: Plan, values: ArrayLike) -> csr_array:
     """The matrix of SciPy with these values (not copied if they are float64)."""
+    from scipy.sparse import csr_array
+
     matrix = plan.pattern
     columns, starts = matrix.csr
     return csr_array((np.asarray(values, float), columns, starts), shape=(matrix.n, matrix.n))

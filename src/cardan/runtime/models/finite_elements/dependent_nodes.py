@@ -8,14 +8,18 @@ over from one to the other along the beam.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from functools import cache
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from ....arrays import Array
 from ....records import dataclass
 from ....schema.finite_elements import GROUND
 from .tables import Integers, Tables
+
+if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation
 
 
 @dataclass(frozen=True)
@@ -44,7 +48,12 @@ class Motion:
         return self.velocity + np.cross(self.omega, self.at(home))
 
 
-STILL = Motion(Rotation.identity(), np.zeros(3), np.zeros(3), np.zeros(3))
+@cache
+def still() -> Motion:
+    """No displacement."""
+    from scipy.spatial.transform import Rotation
+
+    return Motion(Rotation.identity(), np.zeros(3), np.zeros(3), np.zeros(3))
 
 
 def trailed(
@@ -66,7 +75,7 @@ def trailed(
         located: Places that are there already.
         tree_ends: Displacements of the bodies of rigid trees that segments end at.
     """
-    moved, motions = x.copy(), {GROUND: STILL, **tree_ends}
+    moved, motions = x.copy(), {GROUND: still(), **tree_ends}
     ends = {int(place) for line in lines for place in (line[0], line[-1])}
     for place in ends & set(located):
         motions[place] = motion_of(tables, reference, x, place)
@@ -79,9 +88,9 @@ def trailed(
         one, other = (motions.get(int(line[k])) for k in (0, -1))
         if one is None and other is None:
             break
-        _carry(tables, reference, moved, line, one or other or STILL, other or one or STILL)
+        _carry(tables, reference, moved, line, one or other or still(), other or one or still())
         for k, motion in ((0, other), (-1, one)):
-            motions.setdefault(int(line[k]), motion or STILL)
+            motions.setdefault(int(line[k]), motion or still())
     return moved
 
 
@@ -129,6 +138,8 @@ def _carry(
     tables: Tables, reference: Array, x: Array, line: Integers, one: Motion, other: Motion
 ) -> None:
     """Move the nodes inside of a segment, and ends that are not known, into ``x``."""
+    from scipy.spatial.transform import Rotation
+
     nodes = line >= 0
     places, s = line[nodes], np.linspace(0.0, 1.0, len(line))[nodes, None]
     arc = (other.turn * one.turn.inv()).as_rotvec()
@@ -145,4 +156,6 @@ def _carry(
 
 def _rotation(q: Array) -> Rotation:
     """Rotation matrices of unit quaternions (..., 4)."""
+    from scipy.spatial.transform import Rotation
+
     return Rotation.from_quat(np.roll(q, -1, axis=-1))

@@ -14,7 +14,7 @@ from ....arrays import Array
 from ....schema.finite_elements import GROUND, ON_TREE
 from ....schema.rows import column
 from . import table_loading
-from .dependent_nodes import STILL, Motion, displacement, joined, motion_of, trailed
+from .dependent_nodes import Motion, displacement, joined, motion_of, still, trailed
 from .node_pose import pose, speeds
 from .tables import Integers, Tables
 
@@ -181,7 +181,7 @@ class Carrier:
         Returns:
             Motion of what each place carries, and a position (3,).
         """
-        x, ends = np.concatenate([q, u]), {GROUND: STILL, **self._tree_ends(q, u)}
+        x, ends = np.concatenate([q, u]), {GROUND: still(), **self._tree_ends(q, u)}
         first, second = (
             motion_of(self.tables, self.reference, x, place) if place >= 0 else ends[place]
             for place in (one, other)

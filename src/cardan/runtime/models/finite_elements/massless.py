@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.linalg import null_space
 
 from ....arrays import Array
 from .elements import Elements, State
@@ -16,6 +15,8 @@ SHARE, MOST = 0.2, 3
 
 def massless(mesh: Elements, at: State) -> str:
     """Names of massless motions; "" where everything that can move has inertia."""
+    from scipy.linalg import null_space
+
     tangent = mesh.tangent(State(at.q, at.u, t=at.t, r=at.r, z=at.z, s=at.s))
     M, G = tangent["M"], tangent["G"]
     if not (np.isfinite(M.data).all() and np.isfinite(G.data).all()):

@@ -1,0 +1,219 @@
+"""Compile scenes. What was written of an equal scene before is used without deriving it again.
+
+The cache says by a hash of the scene, of what is asked of it and of this version of cardan in
+which folder its C is. Then neither the equations nor the rooms that derive them are loaded, until a
+function is called that was never written.
+"""
+
+from __future__ import annotations
+
+import copy
+import hashlib
+import json
+import re
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from . import regular_file
+from .api.compiled_model import CompiledModel
+from .arguments import checked
+from .errors import ModelError, watched_warnings
+from .runtime.build import cache as compile_cache
+from .runtime.build import cache_folder
+from .scene.content import content_hash
+from .scene.scene import SceneRecord
+from .schema.functions import STANDARD
+from .version import VERSION, source_state
+
+if TYPE_CHECKING:
+    from .equations.constraints.treatments import Treatment
+    from .equations.finite_elements.record import FiniteElementRecord
+    from .equations.record import EquationRecord
+
+FOLDER = re.compile(r"[0-9a-f]{32}\Z")
+MOST = 1 << 20  # bytes of an entry of the cache
+
+
+@checked
+def compile(
+    scene: SceneRecord | EquationRecord | FiniteElementRecord,
+    functions: Sequence[str] = STANDARD,
+    directory: str | Path | None = None,
+    *,
+    coordinates: str | None = None,
+    method: str | None = None,
+    speeds: Mapping[str, object] | None = None,
+    rewrites: Sequence[str] | None = None,
+    specialize: bool | Sequence[str] | Mapping[str, float] | None = None,
+    constraints: str | Treatment | None = None,
+    branches: Mapping[str, str] | None = None,
+    independent: Sequence[str] | None = None,
+    plane: str | None = None,
+    loops: bool | None = None,
+    threads: int | None = None,
+    reproducible: bool = False,
+) -> CompiledModel:
+    """C functions of a scene, written, compiled and checked when they are first used.
+
+    Args:
+        scene: A model or its equations.
+        functions: What may be used; anything else is neither derived nor written.
+        directory: Where C and manifest go; a folder of the cache by default.
+        coordinates, method, speeds, rewrites: As :func:`derive` takes them.
+        specialize, constraints, branches, independent, plane: As :func:`derive` takes them.
+        loops: True writes recursions as loops over the bodies, False as straight-line code; by
+            default systems of many bodies get loops: a little slower, but written and compiled in
+            a time that does not grow with them.
+        threads: That share a large batch of states; by default ``$CARDAN_THREADS``, else the cores
+            that this process may use.
+        reproducible: Equal bits from every compiler and processor, 10-30 % slower.
+
+    Raises:
+        DerivationError: an unknown function, or options for equations that are derived already.
+        BuildError: no compiler, or a build that failed its check.
+    """
+    options: dict[str, object] = {
+        "coordinates": coordinates,
+        "method": method,
+        "speeds": speeds,
+        "rewrites": rewrites,
+        "specialize": specialize,
+        "constraints": constraints,
+        "branches": branches,
+        "independent": independent,
+        "plane": plane,
+    }
+
+    def derived(of: SceneRecord | EquationRecord | FiniteElementRecord) -> CompiledModel:
+        return _derived(of, functions, directory, options, loops, threads, reproducible)
+
+    if directory is not None or not isinstance(scene, SceneRecord):
+        return derived(scene)
+    # how many threads share a batch, and how their C is compiled, is nothing to the equations
+    key = content_hash(VERSION, source_state(), functions, options, loops, scene)
+    model = key and _earlier(key, scene, derived, threads, reproducible)
+    if model:
+        return model
+    with watched_warnings() as warnings:
+        model = derived(scene)
+    # a warning is given every time
+    if key and not warnings:
+        _remember(key, model)
+    return model
+
+
+def _derived(
+    scene: SceneRecord | EquationRecord | FiniteElementRecord,
+    functions: Sequence[str],
+    directory: str | Path | None,
+    options: Mapping[str, object],
+    loops: bool | None,
+    threads: int | None,
+    reproducible: bool,
+) -> CompiledModel:
+    """The whole way."""
+    from .pipeline import compile_scene
+
+    return compile_scene(scene, functions, directory, options, loops, threads, reproducible)
+
+
+class _Entry(NamedTuple):
+    """What the cache says of a scene.
+
+    Attributes:
+        folder: Of its C, in the folder of models.
+        available: Functions that it may have; None: all of its manifest.
+    """
+
+    folder: str
+    available: Sequence[str] | None
+
+
+def _place(key: str) -> Path:
+    return cache_folder.directory() / "models" / f"{key[:32]}.json"
+
+
+def _remember(key: str, model: CompiledModel) -> None:
+    """Let the next process know where the C of a scene is."""
+    path = _place(key)
+    # a model in a temporary folder is lost with this process
+    if model.directory.parent != path.parent:
+        return
+    entry = _Entry(model.directory.name, model._objects.available)
+    try:
+        compile_cache.publish(path, json.dumps(entry._asdict()).encode())
+    except OSError:
+        return  # it is derived again
+
+
+def _read(path: Path) -> _Entry | None:
+    """An entry of the cache; None where there is none, or a damaged one."""
+    try:
+        entry = _Entry(**json.loads(regular_file.content(path, MOST)))
+        names = () if entry.available is None else entry.available
+        sound = FOLDER.match(entry.folder) and all(isinstance(name, str) for name in names)
+    except (OSError, TypeError, ValueError):
+        return None
+    return entry if sound else None
+
+
+def _earlier(
+    key: str,
+    scene: SceneRecord,
+    derive: Callable[[SceneRecord], CompiledModel],
+    threads: int | None,
+    reproducible: bool,
+) -> CompiledModel | None:
+    """The model of an equal scene, whole; None where the cache has none."""
+    path = _place(key)
+    entry = _read(path)
+    if entry is None:
+        return None
+    # whoever changes the scene afterwards does not change what was compiled
+    as_written = _copied(scene)
+
+    @cache
+    def derived() -> CompiledModel:
+        return derive(as_written)
+
+    def provide(keys: Sequence[tuple[str, str | None]]) -> list[str]:
+        """C names of functions; of those that nobody has asked for yet after deriving them."""
+        objects = model._objects
+        names = [objects.stored(*one) for one in keys if one[0] in (objects.available or (one[0],))]
+        files = [objects.manifest.functions[name].file for name in filter(None, names)]
+        if len(files) == len(keys) and all(_intact(folder, file, model) for file in files):
+            return names
+        return derived()._objects.symbols(keys)
+
+    folder = path.parent / entry.folder
+    try:
+        model = CompiledModel(
+            folder, provide, reproducible=reproducible, threads=threads, available=entry.available
+        )
+    except ModelError:
+        return None
+    if not all(_intact(folder, Path(name).name, model) for name in model.manifest.sha256):
+        return None
+    for used in (path, folder):
+        cache_folder.used(used)
+    return model
+
+
+def _intact(folder: Path, name: str, model: CompiledModel) -> bool:
+    """True for a file that is what the manifest says."""
+    try:
+        content = regular_file.content(folder / name)
+    except OSError:
+        return False
+    return hashlib.sha256(content).hexdigest() == model.manifest.sha256.get(name)
+
+
+def _copied(scene: SceneRecord) -> SceneRecord:
+    """The scene as it is now: its records are frozen, its tables are not."""
+    other = copy.copy(scene)
+    for name, table in vars(scene).items():
+        if isinstance(table, dict | list):
+            setattr(other, name, table.copy())
+    return other

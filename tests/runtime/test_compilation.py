@@ -1,0 +1,227 @@
+"""Scenes that were compiled before: what is used again, and what makes a scene another."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy
+
+import cardan as cd
+from cardan import compilation
+from cardan.scene.content import content_hash
+from table import each
+
+Change = Callable[[cd.Scene], object]
+
+
+@pytest.fixture
+def derivations(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Names of the scenes whose equations are derived."""
+    names: list[str] = []
+    derived = compilation._derived
+
+    def counted(scene: Any, *arguments: Any) -> cd.CompiledModel:
+        names.append(scene.name)
+        return derived(scene, *arguments)
+
+    monkeypatch.setattr(compilation, "_derived", counted)
+    return names
+
+
+def pendulum(mass: float = 1.0) -> cd.Scene:
+    """A rod and a bob on it, a spring with a measured law, an input and an output."""
+    scene = cd.Scene("pendulum", gravity=(0, 0, -9.81))
+    length, push = scene.parameter("l", 0.5, "m"), scene.input("push")
+    rod = scene.body("rod", mass=mass, com=(0, 0, -length / 2), inertia=(0.1, 0.1, 0.01))
+    scene.joint("pivot", cd.Revolute("y"), scene.ground, rod, q0=0.1)
+    law = cd.table([-2.0, 0.0, 2.0], [-1.0, 0.0, 1.5])
+    scene.force("spring", cd.JointForce("pivot", push - law(scene.q("pivot"))))
+    scene.output("height", rod.at(0, 0, -length, name="tip").position()[2], "m")
+    return scene
+
+
+def test_an_equal_scene_is_not_derived_again(cache_directory: Path, derivations: list[str]) -> None:
+    first = cd.compile(pendulum())
+    value = first.forward_dynamics([0.3], [0.1])
+    again = cd.compile(pendulum())
+    assert again.directory == first.directory
+    assert derivations == ["pendulum"]
+    assert np.array_equal(again.forward_dynamics([0.3], [0.1]), value)
+    assert again.manifest == first.manifest
+
+
+def test_functions_that_nobody_called_are_derived_of_the_scene_as_it_was(
+    cache_directory: Path, derivations: list[str]
+) -> None:
+    cd.compile(pendulum())
+    scene = pendulum()
+    model = cd.compile(scene)
+    scene.body("ballast", mass=5.0)
+    scene.joint("clamp", cd.Fixed(), scene.bodies["rod"], "ballast")
+    assert derivations == ["pendulum"]
+    mass = model.mass_matrix([0.3])
+    assert derivations == ["pendulum"] * 2
+    # inertia about the hinge of the rod, m = 1 kg at l/2 = 0.25 m, without the ballast
+    assert mass.item() == pytest.approx(0.1 + 0.25**2, rel=1e-14)
+
+
+def test_a_function_that_was_not_asked_for_is_refused(cache_directory: Path) -> None:
+    for _ in range(2):
+        model = cd.compile(pendulum(), functions=["bias"])
+        model.bias([0.3], [0.1])
+        with pytest.raises(cd.DerivationError, match="mass_matrix"):
+            model.mass_matrix([0.3])
+    # the same folder, and more of it
+    assert cd.compile(pendulum()).mass_matrix([0.3]).shape == (1, 1)
+
+
+def test_damage_is_mended(cache_directory: Path, derivations: list[str]) -> None:
+    model = cd.compile(pendulum())
+    value = model.forward_dynamics([0.3], [0.1])
+    file = model.directory / "forward_dynamics.c"
+    text = file.read_text()
+    file.write_text(text.replace("*", "+", 1))
+    again = cd.compile(pendulum())
+    assert np.array_equal(again.forward_dynamics([0.3], [0.1]), value)
+    assert file.read_text() == text
+    assert len(derivations) == 2
+
+
+@each("content", ["", "{", "[]", '{"folder": "../other", "available": null}',
+                  '{"folder": 3, "available": []}', '{"folder": "00", "more": 1}'])  # fmt: skip
+def test_an_entry_of_the_cache_is_not_believed(
+    content: str, cache_directory: Path, derivations: list[str]
+) -> None:
+    cd.compile(pendulum())
+    (entry,) = (cache_directory / "models").glob("*.json")
+    assert json.loads(entry.read_text())["folder"]
+    entry.write_text(content)
+    derivations.clear()
+    cd.compile(pendulum()).forward_dynamics([0.3], [0.1])
+    assert derivations == ["pendulum"]
+
+
+def test_a_model_that_was_pruned_is_derived_again(
+    cache_directory: Path, derivations: list[str]
+) -> None:
+    from cardan.runtime.build.prune import content, prune
+
+    cd.compile(pendulum())
+    assert content(cache_directory).models == 1
+    prune(cache_directory, 0)
+    assert not [*(cache_directory / "models").iterdir()]
+    cd.compile(pendulum())
+    assert derivations == ["pendulum"] * 2
+
+
+def test_a_warning_is_given_every_time(cache_directory: Path, derivations: list[str]) -> None:
+    for _ in range(3):
+        scene = pendulum()
+        ends = scene.ground, scene.bodies["rod"]
+        scene.force("meeting", cd.SpringDamper(*ends, stiffness=1.0, rest_length=0.1))
+        with pytest.warns(cd.ModelWarning, match="meeting"):
+            cd.compile(scene)
+    assert len(derivations) == 3
+
+
+CHANGES: dict[str, Change] = {
+    "a last bit": lambda scene: scene.values.update(l=np.nextafter(0.5, 1)),
+    "a parameter": lambda scene: scene.parameter("k", 1.0),
+    "a body": lambda scene: scene.body("more", mass=1),
+    "gravity": lambda scene: setattr(scene, "gravity", (0, 0, -9.8)),
+    "another kind of number": lambda scene: setattr(scene, "gravity", (0.0, 0, -9.81)),
+    "a name": lambda scene: setattr(scene, "name", "pendulum2"),
+    "an output": lambda scene: scene.output("angle", scene.q("pivot")),
+    "a table": lambda scene: scene.output("law", cd.table([0, 1], [0, 1])(scene.q("pivot"))),
+    "another table": lambda scene: scene.output("law", cd.table([0, 1], [0, 2])(scene.q("pivot"))),
+    "its slope": lambda scene: scene.output(
+        "law", cd.table([0, 1], [0, 2])(scene.q("pivot")).diff(scene.q("pivot"))
+    ),
+    "a real symbol": lambda scene: scene.output("x", sympy.Symbol("l", real=True)),
+    "a symbol": lambda scene: scene.output("x", sympy.Symbol("l")),
+    "an exact number": lambda scene: scene.output("x", sympy.Rational(1, 2)),
+    "a float of it": lambda scene: scene.output("x", sympy.Float(0.5)),
+    "more digits of it": lambda scene: scene.output("x", sympy.Float("0.5", 40)),
+    "an array": lambda scene: scene.settings.update(t_eval=np.array([0.0, 1.0])),
+    "its precision": lambda scene: scene.settings.update(t_eval=np.array([0.0, 1.0], np.float32)),
+    "its shape": lambda scene: scene.settings.update(t_eval=np.array([[0.0, 1.0]])),
+    "texts that join alike": lambda scene: scene.notes.extend(["ab", "c"]),
+    "others": lambda scene: scene.notes.extend(["a", "bc"]),
+}
+
+
+def test_whatever_is_changed_makes_another_scene() -> None:
+    hashes = {"none": content_hash(pendulum())}
+    for name, change in CHANGES.items():
+        scene = pendulum()
+        change(scene)
+        hashes[name] = content_hash(scene)
+    assert None not in hashes.values()
+    assert len({*hashes.values()}) == len(hashes), hashes
+    assert content_hash(pendulum()) == hashes["none"]
+
+
+def test_every_attribute_counts() -> None:
+    """Records of a scene, each with one attribute after the other replaced."""
+    scene, before = pendulum(), content_hash(pendulum())
+    count = 0
+    for table in (scene.bodies, scene.joints, scene.forces, scene.outputs, scene.parameters):
+        (record, *_) = table.values()
+        for name, value in vars(record).items():
+            if value is not scene:
+                object.__setattr__(record, name, ("another", value))
+                assert content_hash(scene) != before, (record, name)
+                object.__setattr__(record, name, value)
+                count += 1
+    assert count > 25
+    assert content_hash(scene) == before
+
+
+class Heavier(cd.JointForce):
+    """Of a user: nobody knows what it says."""
+
+
+@each(
+    "part",
+    [
+        lambda: 1,
+        sympy.Function("f")(sympy.Symbol("x")),
+        sympy.Dummy("x"),
+        Heavier("pivot", 1.0),
+        object(),
+        np.array([object()]),
+        type(cd.table([0, 1], [0, 1])(sympy.Symbol("x"))),
+    ],
+)
+def test_what_may_hold_more_than_it_shows_has_no_hash(part: object) -> None:
+    assert content_hash({"a": [1, part]}) is None
+
+
+def test_hashes_are_those_of_other_processes() -> None:
+    script = (
+        "import sys; sys.path.insert(0, sys.argv[1])\n"
+        "from runtime.test_compilation import content_hash, pendulum\n"
+        "import cardan as cd\n"
+        "print(content_hash(pendulum(), {'b', 'a', 'c'}), content_hash(cd.examples['trolley']))\n"
+    )
+    tests = str(Path(__file__).parents[1])
+    lines = {
+        subprocess.run(
+            [sys.executable, "-c", script, tests],
+            capture_output=True,
+            text=True,
+            check=True,
+            env={**os.environ, "PYTHONHASHSEED": seed},
+        ).stdout
+        for seed in ("1", "2")
+    }
+    (line,) = lines
+    assert "None" not in line
