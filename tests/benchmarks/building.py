@@ -67,13 +67,25 @@ def build(scene: Any, method: str, loops: bool | None, repeats: int) -> tuple[An
 
 def standard(name: str) -> dict[str, Any]:
     """One of the cases."""
-    from benchmarks.cases import CASES
+    from benchmarks.cases import CASES, DERIVATIVES
 
     case = next(case for case in CASES if case.name == name)
     model, found = build(case.build(), "auto", case.loops, 5)
+    if DERIVATIVES in case.functions:
+        found["slopes"] = slopes(case.build())
     command = [sys.executable, __file__, "--load", str(model.directory)]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     return found | {"loaded": json.loads(done.stdout)["loaded"]}
+
+
+def slopes(scene: Any) -> float:
+    """Seconds until the C of the derivatives of forward dynamics is written and compiled."""
+    import cardan as cd
+
+    model = cd.compile(scene, functions=("derivative",))
+    request = model.derivative("forward_dynamics", wrt=("q", "u")).request
+    symbols = [("derivative", request)]
+    return seconds(lambda: model._objects.load(model._objects.symbols(symbols)))
 
 
 def load(folder: str) -> dict[str, Any]:

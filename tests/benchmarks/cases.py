@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import cardan as cd
-from mechanisms.chain import chain
+from mechanisms.chain import chain, full_chain
 from mechanisms.closed import CLOSED
 from mechanisms.robots import STANDARD
 
@@ -64,8 +64,10 @@ CASES = (
     Case("chain5", "chain of 5", lambda: chain(5), (FORWARD,), quick=True, size=5),
     _standard("chain7", ALL),
     _standard("chain14", (FORWARD, INVERSE)),
-    _standard("chain30", (FORWARD, INVERSE), quick=True),
-    _standard("chain100", (FORWARD, INVERSE)),
+    _standard("chain30", ALL, quick=True),
+    _standard("chain100", ALL),
+    Case("full30", "chain of 30, full inertias", lambda: full_chain(30), (FORWARD,)),
+    Case("full100", "chain of 100, full inertias", lambda: full_chain(100), (FORWARD,)),
     Case("chain100_straight", "chain of 100, no loops", lambda: chain(100), (FORWARD,), False),
     _standard("pendulum10", (FORWARD,)),
     _standard("pendulum100", (FORWARD,)),

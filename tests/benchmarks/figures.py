@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from benchmarks.cases import CASES, DERIVATIVES, FORWARD, INVERSE
+from benchmarks.cases import CASES, DERIVATIVES, FORWARD, INVERSE, MASS
 from benchmarks.measure import Found
 from cardan.peers import PEERS, peer
 from cardan.peers.comparison import LANES, OURS, Comparison
@@ -115,6 +115,13 @@ def scalar(found: Found) -> Iterator[Figure]:
         name = f"forward dynamics, {title}, of CasADi's time"
         yield Figure(name, target, ratio(found, case, FORWARD, "casadi"))
 
+    for case, title, program, target in (
+        ("full30", "chain of 30, full inertias", "casadi", 0.45),
+        ("full100", "chain of 100, full inertias", "pinocchio", 0.25),
+    ):
+        name = f"forward dynamics, {title}, of {peer(program).name}'s time"
+        yield Figure(name, target, ratio(found, case, FORWARD, program))
+
 
 def batch(found: Found) -> Iterator[Figure]:
     comparison = found.comparisons.get("panda")
@@ -132,6 +139,15 @@ def derivatives(found: Found) -> Iterator[Figure]:
         for of, way, target in ((OURS, "scalar", 0.3), (LANES, "batch", 0.08)):
             value = ratio(found, case, DERIVATIVES, "pinocchio", of)
             yield Figure(f"derivatives, {title}, {way}, of Pinocchio's time", target, value)
+    for case, title, target in (
+        ("chain30", "chain of 30", 0.45),
+        ("chain100", "chain of 100", 0.5),
+    ):
+        value = ratio(found, case, DERIVATIVES, "pinocchio")
+        yield Figure(f"derivatives, {title}, of Pinocchio's time", target, value)
+    for case, title, target in (("talos", "Talos", 0.25), ("chain100", "chain of 100", 0.5)):
+        value = ratio(found, case, MASS, "pinocchio")
+        yield Figure(f"mass matrix, {title}, of Pinocchio's time", target, value)
 
 
 def circuits(found: Found) -> Iterator[Figure]:
@@ -159,6 +175,12 @@ def building(found: Found) -> Iterator[Figure]:
     yield Figure("derivation, chain of 100", 150, value("chain100", "derived", 1e3), "ms")
     yield Figure("cold compile, Panda", 0.3, value("panda", "compiled"), "s")
     yield Figure("cold compile, chain of 100", 3, value("chain100", "compiled"), "s")
+    for case, title in (
+        ("chain30", "chain of 30"),
+        ("talos", "Talos"),
+        ("chain100", "chain of 100"),
+    ):
+        yield Figure(f"derivatives written and compiled, {title}", 1, value(case, "slopes"), "s")
     yield Figure("cold compile, chain of 1,000, loops", 0.4, value("1000", "compiled"), "s")
     far, near = value("100000", "call"), value("1000", "call")
     growth = far / near if far and near else None

@@ -26,7 +26,6 @@ from ..functions.newton_euler_derivatives import joint_change
 from ..kinematics.kinematics import Kinematics
 from ..kinematics.loads import Loads, applied, none
 from ..recursion.folded import Fold, fold
-from ..recursion.looped import repeats
 from ..recursion.recursion_boundary import Cuts
 from ..recursion.steps import recursion
 from ..recursion.sweeps import LEFT_OUT, Sweeps
@@ -303,13 +302,19 @@ def _parts(
             function = _function(k, names, table, numbers(k, cuts, numbering), labels_of, folded)
             homes = _homes(system, table, folded)
             looped = recursion(Sweeps(cuts, function, homes, k.system, folded))
-            if looped is not None and (loops or repeats(looped)):
-                return looped
             if looped is not None:
+                if loops or _pays(looped):
+                    return looped
                 break
     k = Kinematics(system)
     every = range(len(system.bodies))
     return _function(k, names, table, numbers(k, None, every), labels_of, None)
+
+
+def _pays(looped: Recursion) -> bool:
+    """True when bodies are alike enough: a third of them saves what calls of steps cost."""
+    visits = sum(len(sweep) for sweep in looped.sweeps)
+    return 3 * len(looped.steps) <= 2 * visits
 
 
 def _function(
