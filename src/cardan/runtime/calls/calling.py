@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import prod
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +17,8 @@ from ...schema.blocks import ORDER, SLOT
 from . import abi
 from .batch import FEW, Batch
 from .interpreted import Interpreted
+from .lanes import States
+from .memory_order import first_bad, laid_out, room
 
 MAX_PRINTED = 12
 LITTLE = 200_000  # operations that take no longer than a look at all arguments
@@ -52,6 +55,13 @@ class Argument:
     def size(self) -> int:
         return prod(self.shape)
 
+    @cached_property
+    def block_sizes(self) -> tuple[tuple[int, int], ...]:
+        """(slot in cardan_in, numbers) of every input block it fills."""
+        ends = [*[first for _, first in self.blocks[1:]], self.size]
+        pairs = zip(self.blocks, ends, strict=True)
+        return tuple((slot, end - first) for (slot, first), end in pairs)
+
     def __str__(self) -> str:
         return self.label or self.name
 
@@ -73,6 +83,7 @@ class Caller:
         few: States that are done one by one, with nothing prepared for many.
         evaluator: What stands in for the C function where there is no compiler.
         batch: What goes through many states.
+        single: The same in single precision, for models that have it.
         w_slot: Where w stands in cardan_in.
     """
 
@@ -88,6 +99,7 @@ class Caller:
         operations: int = 0,
         evaluator: Interpreted | None = None,
         batch: Batch | None = None,
+        single: Batch | None = None,
     ) -> None:
         self.name = name
         self.address = address
@@ -100,7 +112,8 @@ class Caller:
         self.operations = operations
         self.few = min(FEW - 1, LITTLE // max(1, operations))
         self.evaluator = evaluator
-        self.batch = Batch(name, None) if batch is None else batch
+        self.batch = Batch(name, None, sizes=sizes(arguments)) if batch is None else batch
+        self.single = single
         self.w_slot = SLOT["w"]
 
     def __call__(self, out: Array | None, *values: object, w: Array | None = None) -> Array:
@@ -125,50 +138,60 @@ class Caller:
 
     def _results(self, out: Array | None, values: Sequence[object], w: Array | None) -> Array:
         values = [*values, *[None] * (len(self.arguments) - len(values))]
-        arrays = [self._read(a, v) for a, v in zip(self.arguments, values, strict=True)]
+        batch, dtype = self._precision(values)
+        arrays = [self._read(a, v, dtype) for a, v in zip(self.arguments, values, strict=True)]
         lead = self._lead(arrays, w)
         count = prod(lead)
         blocks: list[Array | None] = [None] * len(ORDER)
-        strides = [0] * len(ORDER)
-        argument_arrays: list[tuple[Argument, Array]] = []
+        strides, spacings = [0] * len(ORDER), [1] * len(ORDER)
+        orders = set()
         for argument, array in zip(self.arguments, arrays, strict=True):
-            flat, stride = _rows(array, lead, argument.shape)
-            argument_arrays.append((argument, flat))
+            flat, stride, spacing = laid_out(array, lead, argument.shape)
+            if stride and argument.size > 1:
+                orders.add("columns" if spacing > 1 else "rows")
             for slot, first in argument.blocks:
-                blocks[slot], strides[slot] = flat[first:], stride
-        prepared = self.w if w is None else w
-        blocks[SLOT["w"]], strides[SLOT["w"]] = _rows(prepared, lead, prepared.shape[-1:])
+                blocks[slot] = flat[first * spacing :]
+                strides[slot], spacings[slot] = stride, spacing
+        prepared = (self.w if w is None else w).astype(dtype, copy=False)
+        slot = self.w_slot
+        placed = laid_out(np.ascontiguousarray(prepared), lead, prepared.shape[-1:])
+        blocks[slot], strides[slot], spacings[slot] = placed
         # lanes look at the numbers while they have them at hand
-        watched = self.batch.watches(strides, count)
-        later = [row for row in argument_arrays if all(watched[slot] for slot, _ in row[0].blocks)]
-        for argument, flat in argument_arrays:
-            if not all(watched[slot] for slot, _ in argument.blocks):
-                self._check_finite(argument, flat)
+        watched = batch.watches(strides, count)
+        later: list[tuple[Argument, Array]] = []
+        for argument, array in zip(self.arguments, arrays, strict=True):
+            if all(watched[slot] for slot, _ in argument.blocks):
+                later.append((argument, array))
+            else:
+                self._check_finite(argument, array)
         if count * max(1, self.size) > LARGEST:
             raise MemoryError(f"{count} states of {self.size} numbers")
-        result = self._room(lead, count, blocks, out)
+        columns = orders == {"columns"}
+        result = room(out if lead else None, lead, self.shape, dtype, columns, blocks)
         if count:
-            status, failed, finite = self.batch.run(self.call, blocks, strides, result)
+            states = States(blocks, strides, result, spacings)
+            status, failed, finite = batch.run(self.call, states)
             if not finite:
-                for argument, flat in later:
-                    self._check_finite(argument, flat)
+                for argument, array in later:
+                    self._check_finite(argument, array)
                 self.check_result(result, status, failed, single=not lead)
         return self._deliver(result.reshape(lead + self.shape), out)
 
-    def _room(
-        self, lead: tuple[int, ...], count: int, blocks: list[Array | None], out: object
-    ) -> Array:
-        """Array for the results, (count, size): for a batch ``out`` itself if it takes them so."""
-        if (
-            lead
-            and isinstance(out, np.ndarray)
-            and out.dtype == np.float64
-            and out.shape == lead + self.shape
-            and out.flags.carray
-            and not any(b is not None and np.may_share_memory(b, out) for b in blocks)
-        ):
-            return out.reshape(count, self.size)
-        return np.empty((count, self.size))
+    def _precision(self, values: Sequence[object]) -> tuple[Batch, type[np.floating[Any]]]:
+        """What goes through the states of a call, and the type of its numbers.
+
+        Floats where the model has them and all arrays of several states are such.
+        """
+        if self.single is not None:
+            pairs = zip(self.arguments, values, strict=True)
+            batches = [
+                value.dtype
+                for argument, value in pairs
+                if isinstance(value, np.ndarray) and value.ndim > len(argument.shape)
+            ]
+            if batches and all(dtype == np.float32 for dtype in batches):
+                return self.single, np.float32
+        return self.batch, np.float64
 
     def call(
         self, blocks: list[Array | None], strides: Sequence[int], rows: Array
@@ -178,15 +201,17 @@ class Caller:
             return self.evaluator.run(blocks, strides, rows)
         return abi.run(self.address, blocks, strides, len(rows), rows, self.work_size)
 
-    def _read(self, argument: Argument, value: object) -> Array:
-        """The value as float64 with the trailing axes of the argument."""
+    def _read(self, argument: Argument, value: object, dtype: type[np.floating[Any]]) -> Array:
+        """The value as float64, or float32, with the trailing axes of the argument."""
         if value is None:
             if argument.default is None and argument.size:
                 raise ArgumentError(f"{self.name} needs {argument}=")
-            return np.zeros(argument.shape) if argument.default is None else argument.default
+            default = np.zeros(argument.shape) if argument.default is None else argument.default
+            return default.astype(dtype, copy=False)
         if isinstance(value, Mapping) and argument.start is not None:
-            return by_name(f"{self.name}, {argument}", argument, value)
-        array = numbers(f"{self.name}: {argument}", value)
+            vector = by_name(f"{self.name}, {argument}", argument, value)
+            return vector.astype(dtype, copy=False)
+        array = numbers(f"{self.name}: {argument}", value, dtype)
         n = len(argument.shape)
         if array.ndim < n or array.shape[array.ndim - n :] != argument.shape:
             raise ArgumentError(
@@ -205,8 +230,9 @@ class Caller:
             shapes["parameters"] = w.shape[:-1]
         return common(self.name, shapes)
 
-    def _check_finite(self, argument: Argument, flat: Array) -> None:
-        bad = abi.first_bad(flat)
+    def _check_finite(self, argument: Argument, array: Array) -> None:
+        flat = np.ascontiguousarray(array).reshape(-1)
+        bad = first_bad(flat)
         if bad < 0:
             return
         state, entry = divmod(bad, argument.size)
@@ -223,7 +249,7 @@ class Caller:
             result: (count, size); rows of states that failed become NaN.
             status, failed: What the C loop returned.
         """
-        if not status and abi.first_bad(result) < 0:
+        if not status and first_bad(result) < 0:
             return
         if failed >= 0:
             result[failed] = np.nan
@@ -250,24 +276,25 @@ class Caller:
     def _deliver(self, result: Array, out: Array | None) -> Array:
         if out is None:
             return result
-        if not isinstance(out, np.ndarray) or out.shape != result.shape or out.dtype != float:
-            has = getattr(out, "shape", None)
+        right = isinstance(out, np.ndarray) and out.dtype == result.dtype
+        if not right or out.shape != result.shape:
+            has = getattr(out, "dtype", type(out).__name__), getattr(out, "shape", None)
             raise ArgumentError(
-                f"{self.name}: out has shape {has}, expected float64 of shape {result.shape}"
+                f"{self.name}: out has {has[0]} of shape {has[1]}, expected {result.dtype} of "
+                f"shape {result.shape}"
             )
         if not np.may_share_memory(out, result):
             out[...] = result
         return out
 
 
-def _rows(array: Array, lead: tuple[int, ...], trail: tuple[int, ...]) -> tuple[Array, int]:
-    """The numbers of an array state by state, and how far apart the states are."""
-    leading = array.shape[: array.ndim - len(trail)]
-    if prod(leading) == 1:
-        return np.ascontiguousarray(array).reshape(-1), 0
-    if leading != lead:
-        array = np.broadcast_to(array, lead + trail)
-    return np.ascontiguousarray(array).reshape(-1), prod(trail)
+def sizes(arguments: Sequence[Argument]) -> list[int]:
+    """Numbers of every block in the order of cardan_in that arguments fill."""
+    counts = [0] * len(ORDER)
+    for argument in arguments:
+        for slot, size in argument.block_sizes:
+            counts[slot] = size
+    return counts
 
 
 def _shape_text(shape: tuple[int, ...]) -> str:
@@ -283,8 +310,8 @@ def _listed(argument: Argument) -> str:
     return f": {argument.what} {listing}{more}"
 
 
-def numbers(where: str, value: object) -> Array:
-    """A value as an array of float64.
+def numbers(where: str, value: object, dtype: type[np.floating[Any]] = np.float64) -> Array:
+    """A value as an array of float64, or float32, in the order in memory that it has.
 
     Raises:
         ArgumentError: it holds other things than real numbers, or rows of different lengths.
@@ -295,7 +322,7 @@ def numbers(where: str, value: object) -> Array:
         raise ArgumentError(f"{where}: its rows have different lengths") from None
     if array.dtype.kind not in "fiub":
         raise ArgumentError(f"{where} must be real numbers, not {array.dtype}")
-    return np.asarray(array, dtype=np.float64)
+    return np.asarray(array, dtype=dtype)
 
 
 def common(where: str, shapes: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:

@@ -6,47 +6,53 @@ import ctypes
 import math
 import os
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.lib.stride_tricks import as_strided
 
 from ...arrays import Array, on_lines
 from ...build_progress import stage
 from ...errors import BuildError, CompilerMissing
 from ...schema.blocks import ORDER
-from ..build import cache, kernels, prebuilt
+from ..build import cache, kernels, prebuilt, single_sources
 from ..build.object_file import Object
 from ..build.toolchain import Compiler
 
 Answer = tuple[int, int, bool]
 WIDTHS = (1, 2, 4, 8)
+BYTES = 8  # of a double; a vector holds twice as many floats
 # what the compiler takes, measured: seconds for a file, and for a statement of it
 FILE, STATEMENT = 0.08, 150e-6
 Pointers = ctypes.c_void_p * len(ORDER)
-Sizes = ctypes.c_size_t * len(ORDER)
+# of the blocks and of the result
+Sizes = ctypes.c_size_t * (len(ORDER) + 1)
 
 
-def width() -> int:
+def width(single: bool = False) -> int:
     """States side by side in a batch: ``$CARDAN_LANES``, else what vectors of the level hold.
 
     One where there is no compiler: what was compiled before goes on one by one.
+
+    Args:
+        single: In single precision vectors hold twice as many.
 
     Raises:
         BuildError: CARDAN_LANES is not a width, or CC names a compiler that does not work.
     """
     text = os.environ.get("CARDAN_LANES", "").strip()
-    if not text:
-        try:
-            return cache.compiler().level.lanes
-        except CompilerMissing:
-            return 1
-    if text not in map(str, WIDTHS):
+    if text and text not in map(str, WIDTHS):
         raise BuildError(f"CARDAN_LANES={text!r} is not a number of lanes: 1, 2, 4 or 8")
-    return int(text)
+    try:
+        lanes = int(text) if text else cache.compiler().level.lanes
+    except CompilerMissing:
+        return 1
+    return 2 * lanes if single and lanes > 1 else lanes
 
 
 @dataclass(frozen=True)
@@ -54,14 +60,46 @@ class States:
     """Arguments of a function over many states, and the array for its results.
 
     Attributes:
-        blocks: Arrays in the order of cardan_in; only where they start matters.
+        blocks: Arrays in the order of cardan_in, of the type of ``out``; only where they start
+            matters.
         strides: Numbers from one state to the next, 0 for a block that all states share.
-        out: (count, output size), C-contiguous.
+        out: (count, output size), float64 or float32: rows one behind the other, or columns.
+        spacings: Numbers from one entry of a state to the next; 1 of a block that all states share.
     """
 
     blocks: list[Array | None]
     strides: Sequence[int]
     out: Array
+    spacings: Sequence[int] = (1,) * len(ORDER)
+
+    @property
+    def plain(self) -> bool:
+        """Whether they are rows of doubles, as loops over single states take them."""
+        rows = self.out.dtype == np.float64 and self.out.flags.c_contiguous
+        return rows and all(spacing == 1 for spacing in self.spacings)
+
+    def rows(self, start: int, end: int, sizes: Sequence[int]) -> States:
+        """Some of them as rows of doubles.
+
+        Args:
+            start, end: The first one, and the one behind the last.
+            sizes: Entries of every block that is read.
+        """
+        blocks: list[Array | None] = []
+        strides: list[int] = []
+        sources = zip(self.blocks, self.strides, self.spacings, sizes, strict=True)
+        for block, stride, spacing, size in sources:
+            if block is None or (spacing == 1 and block.dtype == np.float64):
+                rows = None if block is None else block[start * stride :]
+            elif stride:
+                steps = (stride * block.itemsize, spacing * block.itemsize)
+                view = as_strided(block[start * stride :], (end - start, size), steps)
+                rows, stride = np.ascontiguousarray(view, np.float64).reshape(-1), size
+            else:
+                rows = block.astype(np.float64)
+            blocks.append(rows)
+            strides.append(stride)
+        return States(blocks, strides, np.empty((end - start, self.out.shape[1])))
 
 
 @dataclass(frozen=True)
@@ -100,14 +138,17 @@ class Lanes:
             sizes: Entries of every block that is read.
             work_size: Numbers of work memory it needs.
         """
-        size = states.out.shape[1]
+        size, unit = states.out.shape[1], states.out.itemsize
         padded = [-(-n // self.width) * self.width for n in (*sizes, size)]
-        numbers = (sum(padded) + work_size + 1) * self.width
-        strides, lengths = Sizes(*states.strides), Sizes(*sizes)
+        vectors = unit * self.width  # bytes of one
+        room = vectors * (sum(padded) + work_size + 1) + BYTES * (sum(sizes) + size + work_size)
+        steps_out = [step // unit for step in states.out.strides]
+        strides, lengths = Sizes(*states.strides, steps_out[0]), Sizes(*sizes, size)
+        spacings = Sizes(*states.spacings, steps_out[1])
         # where the blocks that are read begin, and how far one state is from the next [bytes]
         read = (b if n else None for b, n in zip(states.blocks, sizes, strict=True))
         starts = [None if block is None else block.ctypes.data for block in read]
-        steps = [8 * stride for stride in states.strides]
+        steps = [unit * stride for stride in states.strides]
         out = states.out.ctypes.data
         # every thread has memory of its own
         thread_memory = threading.local()
@@ -116,10 +157,10 @@ class Lanes:
             try:
                 begin: int = thread_memory.begin
             except AttributeError:
-                thread_memory.memory = np.empty(numbers)
+                thread_memory.memory = np.empty(room, np.uint8)
                 begin = thread_memory.memory.ctypes.data
                 # vectors begin at multiples of their length
-                thread_memory.begin = begin = begin + -begin % (8 * self.width)
+                thread_memory.begin = begin = begin + -begin % vectors
             here = [s and s + start * d for s, d in zip(starts, steps, strict=True)]
             failed, finite = ctypes.c_ssize_t(-1), ctypes.c_int(0)
             status = self.driver(
@@ -127,10 +168,11 @@ class Lanes:
                 single,
                 Pointers(*here),
                 strides,
+                spacings,
                 lengths,
                 end - start,
-                out + 8 * size * start,
-                size,
+                out + states.out.strides[0] * start,
+                work_size,
                 begin,
                 failed,
                 finite,
@@ -151,6 +193,7 @@ class Recipe:
         reproducible: Equal bits from every compiler.
         by: What compiled it for single states: lanes get the same bits.
         check: Raises where the text or a header was changed.
+        single: Its numbers are float.
     """
 
     symbol: str
@@ -159,6 +202,7 @@ class Recipe:
     reproducible: bool
     by: Compiler
     check: Callable[[], None]
+    single: bool = False
 
     @cached_property
     def seconds(self) -> float:
@@ -170,12 +214,22 @@ class Recipe:
 
     def there(self, lanes: int, lane_parameters: bool) -> Lanes | None:
         """The build if it is in the cache; none where a text was removed, which names it there."""
-        extra = prebuilt.macros(lanes, lane_parameters)
+        variant = prebuilt.Variant(self.reproducible, lanes, lane_parameters, self.single)
         try:
-            built = cache.cached([self.text], [self.directory], self.reproducible, self.by, extra)
+            with self.sources() as sources:
+                built = cache.cached(*sources, self.reproducible, self.by, variant.macros)
         except BuildError:
             return None
-        return None if built is None else self.loaded(built, lanes, lane_parameters)
+        return None if built is None else self.loaded(built, variant)
+
+    @contextmanager
+    def sources(self) -> Iterator[tuple[list[Path], list[Path]]]:
+        """The C file and the folder of its headers, in single precision where it is asked for."""
+        if self.single:
+            with single_sources.written([self.text], [self.directory]) as sources:
+                yield sources
+        else:
+            yield [self.text], [self.directory]
 
     def built_now(self, lanes: int, lane_parameters: bool) -> Lanes:
         """The build, compiled where it is not there; not yet published.
@@ -188,20 +242,23 @@ class Recipe:
             BuildError: the compiler failed, or a text was changed.
         """
         self.check()
-        extra = prebuilt.macros(lanes, lane_parameters)
-        with stage(f"compiling {self.text.stem} for {lanes} states side by side"):
-            built = cache.compiled([self.text], [self.directory], self.reproducible, self.by, extra)
+        variant = prebuilt.Variant(self.reproducible, lanes, lane_parameters, self.single)
+        with (
+            stage(f"compiling {self.text.stem} for {lanes} states side by side"),
+            self.sources() as sources,
+        ):
+            built = cache.compiled(*sources, self.reproducible, self.by, variant.macros)
         try:
-            return self.loaded(built, lanes, lane_parameters)
+            return self.loaded(built, variant)
         except BaseException:
             built.discard()
             raise
 
-    def loaded(self, built: Object, lanes: int, lane_parameters: bool) -> Lanes:
+    def loaded(self, built: Object, variant: prebuilt.Variant) -> Lanes:
         library = built.load()
-        driver = _driver(self.reproducible, lanes, lane_parameters)
+        driver = _driver(variant)
         address = ctypes.cast(library[self.symbol], ctypes.c_void_p).value or 0
-        return Lanes(lanes, built, address, driver.cardan_batch, (library, driver))
+        return Lanes(variant.lanes, built, address, driver.cardan_batch, (library, driver))
 
 
 def packed(rows: Array, lanes: int) -> Array:
@@ -221,11 +278,11 @@ def unpacked(blocks: Array, lanes: int) -> Array:
 
 
 @lru_cache(maxsize=16)
-def _driver(reproducible: bool, lanes: int, lane_parameters: bool) -> ctypes.CDLL:
-    library = kernels.library(reproducible, lanes, lane_parameters)
+def _driver(variant: prebuilt.Variant) -> ctypes.CDLL:
+    library = kernels.variant(variant)
     at, count = ctypes.c_void_p, ctypes.c_size_t
     library.cardan_batch.argtypes = [
-        *(at, at, Pointers, Sizes, Sizes, count, at, count, at),
+        *(at, at, Pointers, Sizes, Sizes, Sizes, count, at, count, at),
         *(ctypes.POINTER(ctypes.c_ssize_t), ctypes.POINTER(ctypes.c_int)),
     ]
     return library
