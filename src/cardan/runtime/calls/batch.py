@@ -62,10 +62,9 @@ def one_by_one(one: Single, states: States, sizes: Sequence[int] = ()) -> Run:
         one: Runs through rows of states.
         states: Rows, or anything else where ``sizes`` tell the entries of the blocks.
     """
-    plain = states.plain
 
     def run(start: int, end: int) -> Answer:
-        if plain:
+        if states.plain:
             pairs = zip(states.blocks, states.strides, strict=True)
             here = [None if block is None else block[start * step :] for block, step in pairs]
             status, failed = one(here, states.strides, states.out[start:end])
@@ -110,6 +109,7 @@ class Batch:
         # by whether every state has parameters of its own
         self._built: dict[bool, Lanes | None] = {}
         self._spent = {False: 0.0, True: 0.0}
+        self._rates: dict[bool, float] = {}
 
     @property
     def single(self) -> bool:
@@ -139,30 +139,42 @@ class Batch:
             lanes = self._better(lane_parameters, one, states)
         way = lanes or single
         answers: list[Answer] = []
-        at, end = 0, min(count, FIRST)
+        # seconds of a state in lanes are remembered: most batches are done by one call
+        rate = self._rates.get(lane_parameters) if way is lanes else None
+        at = 0
         while at < count:
+            piece = FIRST
+            if rate is not None:
+                # whole vectors
+                piece = max(1, int(CHUNK_SECONDS / max(rate, 1e-9)) // MOST_LANES) * MOST_LANES
+                if self._in_threads(rate * (count - at)):
+                    answers.extend(self._threaded(way, at, count, piece))
+                    break
+            end = min(count, at + piece)
             before = time.perf_counter()
             answers.append(way(at, end))
             spent = time.perf_counter() - before
-            rate, at = spent / (end - at), end
-            left = rate * (count - at)
-            if way is single and count >= FEW:
+            rate = spent / (end - at)
+            if way is lanes:
+                # of a few states the call itself takes more
+                if end - at >= FIRST:
+                    self._rates[lane_parameters] = rate
+            elif count >= FEW:
                 self._spent[lane_parameters] += spent
-                if self._spent[lane_parameters] + left > self.cost:
-                    way = self._better(lane_parameters, one, states) or single
-            # whole blocks of lanes
-            chunk = max(1, int(CHUNK_SECONDS / max(rate, 1e-9)) // MOST_LANES) * MOST_LANES
-            if left > THREADED and self.address and threads(self.thread_count) > 1:
-                answers.extend(self._threaded(way, at, count, chunk))
-                break
-            end = min(count, at + chunk)
+                if self._spent[lane_parameters] + rate * (count - end) > self.cost:
+                    lanes = self._better(lane_parameters, one, states)
+                    way = lanes or single
+            at = end
         failed = next((answer for answer in answers if answer[0]), None)
         return failed or (0, -1, all(finite for _, _, finite in answers))
 
-    def watches(self, strides: Sequence[int], count: int) -> tuple[bool, ...]:
-        """Mask of the slots that a run checks for numbers that are not finite."""
-        lanes = (count >= FEW or self.single) and self.ready(strides[SLOT["w"]] != 0) is not None
-        return tuple(lanes and size > 0 for size in self.sizes)
+    def _in_threads(self, seconds: float) -> bool:
+        """Whether work of so many seconds is shared by threads."""
+        return seconds > THREADED and bool(self.address) and threads(self.thread_count) > 1
+
+    def watches(self, lane_parameters: bool, count: int) -> bool:
+        """Whether a run looks for numbers that are not finite, in all that is read."""
+        return (count >= FEW or self.single) and self.ready(lane_parameters) is not None
 
     @property
     def lanes(self) -> int:

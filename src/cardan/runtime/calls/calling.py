@@ -56,6 +56,11 @@ class Argument:
         return prod(self.shape)
 
     @cached_property
+    def finite(self) -> bool:
+        """Whether its default is."""
+        return self.default is None or bool(np.isfinite(self.default).all())
+
+    @cached_property
     def block_sizes(self) -> tuple[tuple[int, int], ...]:
         """(slot in cardan_in, numbers) of every input block it fills."""
         ends = [*[first for _, first in self.blocks[1:]], self.size]
@@ -115,6 +120,7 @@ class Caller:
         self.batch = Batch(name, None, sizes=sizes(arguments)) if batch is None else batch
         self.single = single
         self.w_slot = SLOT["w"]
+        self._constant_blocks: dict[type[np.floating[Any]], list[Array | None]] = {}
 
     def __call__(self, out: Array | None, *values: object, w: Array | None = None) -> Array:
         """The results for states of any leading shape.
@@ -137,37 +143,34 @@ class Caller:
             ) from None
 
     def _results(self, out: Array | None, values: Sequence[object], w: Array | None) -> Array:
-        values = [*values, *[None] * (len(self.arguments) - len(values))]
         batch, dtype = self._precision(values)
-        arrays = [self._read(a, v, dtype) for a, v in zip(self.arguments, values, strict=True)]
+        arrays = self._read_all(values, dtype)
         lead = self._lead(arrays, w)
         count = prod(lead)
-        blocks: list[Array | None] = [None] * len(ORDER)
-        strides, spacings = [0] * len(ORDER), [1] * len(ORDER)
-        orders = set()
-        for argument, array in zip(self.arguments, arrays, strict=True):
-            flat, stride, spacing = laid_out(array, lead, argument.shape)
+        blocks, strides, spacings = [*self._constants(dtype)], [0] * len(ORDER), [1] * len(ORDER)
+        rows = columns = False
+        for argument, array in arrays:
+            flat, stride, spacing = laid_out(array, lead, len(argument.shape))
             if stride and argument.size > 1:
-                orders.add("columns" if spacing > 1 else "rows")
+                rows, columns = rows or spacing == 1, columns or spacing > 1
             for slot, first in argument.blocks:
-                blocks[slot] = flat[first * spacing :]
+                blocks[slot] = flat[first * spacing :] if first else flat
                 strides[slot], spacings[slot] = stride, spacing
-        prepared = (self.w if w is None else w).astype(dtype, copy=False)
-        slot = self.w_slot
-        placed = laid_out(np.ascontiguousarray(prepared), lead, prepared.shape[-1:])
-        blocks[slot], strides[slot], spacings[slot] = placed
+        if w is not None:
+            flat, strides[self.w_slot], _ = laid_out(np.ascontiguousarray(w, dtype), lead, 1)
+            blocks[self.w_slot] = flat
         # lanes look at the numbers while they have them at hand
-        watched = batch.watches(strides, count)
+        watched = batch.watches(strides[self.w_slot] != 0, count)
         later: list[tuple[Argument, Array]] = []
-        for argument, array in zip(self.arguments, arrays, strict=True):
-            if all(watched[slot] for slot, _ in argument.blocks):
+        for argument, array in arrays:
+            if watched and all(batch.sizes[slot] for slot, _ in argument.blocks):
                 later.append((argument, array))
             else:
                 self._check_finite(argument, array)
         if count * max(1, self.size) > LARGEST:
             raise MemoryError(f"{count} states of {self.size} numbers")
-        columns = orders == {"columns"}
-        result = room(out if lead else None, lead, self.shape, dtype, columns, blocks)
+        in_columns = columns and not rows
+        result = room(out if lead else None, lead, self.shape, dtype, in_columns, blocks)
         if count:
             states = States(blocks, strides, result, spacings)
             status, failed, finite = batch.run(self.call, states)
@@ -177,13 +180,42 @@ class Caller:
                 self.check_result(result, status, failed, single=not lead)
         return self._deliver(result.reshape(lead + self.shape), out)
 
+    def _constants(self, dtype: type[np.floating[Any]]) -> list[Array | None]:
+        """The blocks of arguments that are left out, and the parameters."""
+        blocks = self._constant_blocks.get(dtype)
+        if blocks is None:
+            blocks = [None] * len(ORDER)
+            for argument in self.arguments:
+                default = np.zeros(argument.size) if argument.default is None else argument.default
+                flat = np.ascontiguousarray(default, dtype).reshape(-1)
+                for slot, first in argument.blocks:
+                    blocks[slot] = flat[first:]
+            blocks[self.w_slot] = np.ascontiguousarray(self.w, dtype)
+            self._constant_blocks[dtype] = blocks
+        return blocks
+
+    def _read_all(
+        self, values: Sequence[object], dtype: type[np.floating[Any]]
+    ) -> list[tuple[Argument, Array]]:
+        """The arguments that are not left out, and those whose default is not finite."""
+        arrays = []
+        for k, argument in enumerate(self.arguments):
+            value = values[k] if k < len(values) else None
+            if value is not None:
+                arrays.append((argument, self._read(argument, value, dtype)))
+            elif argument.default is None and argument.size:
+                raise ArgumentError(f"{self.name} needs {argument}=")
+            elif not argument.finite and argument.default is not None:
+                arrays.append((argument, argument.default.astype(dtype)))
+        return arrays
+
     def _precision(self, values: Sequence[object]) -> tuple[Batch, type[np.floating[Any]]]:
         """What goes through the states of a call, and the type of its numbers.
 
         Floats where the model has them and all arrays of several states are such.
         """
         if self.single is not None:
-            pairs = zip(self.arguments, values, strict=True)
+            pairs = zip(self.arguments, values, strict=False)
             batches = [
                 value.dtype
                 for argument, value in pairs
@@ -203,11 +235,6 @@ class Caller:
 
     def _read(self, argument: Argument, value: object, dtype: type[np.floating[Any]]) -> Array:
         """The value as float64, or float32, with the trailing axes of the argument."""
-        if value is None:
-            if argument.default is None and argument.size:
-                raise ArgumentError(f"{self.name} needs {argument}=")
-            default = np.zeros(argument.shape) if argument.default is None else argument.default
-            return default.astype(dtype, copy=False)
         if isinstance(value, Mapping) and argument.start is not None:
             vector = by_name(f"{self.name}, {argument}", argument, value)
             return vector.astype(dtype, copy=False)
@@ -220,15 +247,16 @@ class Caller:
             )
         return array
 
-    def _lead(self, arrays: Sequence[Array], w: Array | None) -> tuple[int, ...]:
+    def _lead(self, arrays: Sequence[tuple[Argument, Array]], w: Array | None) -> tuple[int, ...]:
         """Common leading axes of all values."""
-        shapes = {
-            str(a): x.shape[: x.ndim - len(a.shape)]
-            for a, x in zip(self.arguments, arrays, strict=True)
-        }
+        shapes = [x.shape[: x.ndim - len(a.shape)] for a, x in arrays]
+        distinct = {shape for shape in shapes if shape}
+        if w is None and len(distinct) < 2:
+            return distinct.pop() if distinct else ()
+        named = {str(a): shape for (a, _), shape in zip(arrays, shapes, strict=True)}
         if w is not None:
-            shapes["parameters"] = w.shape[:-1]
-        return common(self.name, shapes)
+            named["parameters"] = w.shape[:-1]
+        return common(self.name, named)
 
     def _check_finite(self, argument: Argument, array: Array) -> None:
         flat = np.ascontiguousarray(array).reshape(-1)
@@ -278,10 +306,9 @@ class Caller:
             return result
         right = isinstance(out, np.ndarray) and out.dtype == result.dtype
         if not right or out.shape != result.shape:
-            has = getattr(out, "dtype", type(out).__name__), getattr(out, "shape", None)
+            has = f"{getattr(out, 'shape', None)} of {getattr(out, 'dtype', 'no numbers')}"
             raise ArgumentError(
-                f"{self.name}: out has {has[0]} of shape {has[1]}, expected {result.dtype} of "
-                f"shape {result.shape}"
+                f"{self.name}: out has shape {has}, expected {result.shape} of {result.dtype}"
             )
         if not np.may_share_memory(out, result):
             out[...] = result

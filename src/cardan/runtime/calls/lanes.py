@@ -72,7 +72,7 @@ class States:
     out: Array
     spacings: Sequence[int] = (1,) * len(ORDER)
 
-    @property
+    @cached_property
     def plain(self) -> bool:
         """Whether they are rows of doubles, as loops over single states take them."""
         rows = self.out.dtype == np.float64 and self.out.flags.c_contiguous
@@ -138,18 +138,25 @@ class Lanes:
             sizes: Entries of every block that is read.
             work_size: Numbers of work memory it needs.
         """
-        size, unit = states.out.shape[1], states.out.itemsize
-        padded = [-(-n // self.width) * self.width for n in (*sizes, size)]
-        vectors = unit * self.width  # bytes of one
-        room = vectors * (sum(padded) + work_size + 1) + BYTES * (sum(sizes) + size + work_size)
-        steps_out = [step // unit for step in states.out.strides]
-        strides, lengths = Sizes(*states.strides, steps_out[0]), Sizes(*sizes, size)
-        spacings = Sizes(*states.spacings, steps_out[1])
-        # where the blocks that are read begin, and how far one state is from the next [bytes]
-        read = (b if n else None for b, n in zip(states.blocks, sizes, strict=True))
-        starts = [None if block is None else block.ctypes.data for block in read]
-        steps = [unit * stride for stride in states.strides]
-        out = states.out.ctypes.data
+        out, unit = states.out, states.out.itemsize
+        size, vectors = out.shape[1], unit * self.width  # bytes of a vector
+        room = _room(tuple(sizes), size, work_size, self.width, unit)
+        # how far states and entries are from the next, and how many entries there are
+        stride, spacing = (step // unit for step in out.strides)
+        shape = (
+            _sizes((*states.strides, stride)),
+            _sizes((*states.spacings, spacing)),
+            _sizes((*sizes, size)),
+        )
+        # where the blocks that are read begin
+        starts = [
+            (slot, block.ctypes.data, unit * stride)
+            for slot, (block, stride, n) in enumerate(
+                zip(states.blocks, states.strides, sizes, strict=True)
+            )
+            if n and block is not None
+        ]
+        result, step = out.ctypes.data, out.strides[0]
         # every thread has memory of its own
         thread_memory = threading.local()
 
@@ -161,17 +168,17 @@ class Lanes:
                 begin = thread_memory.memory.ctypes.data
                 # vectors begin at multiples of their length
                 thread_memory.begin = begin = begin + -begin % vectors
-            here = [s and s + start * d for s, d in zip(starts, steps, strict=True)]
+            here = Pointers()
+            for slot, first, distance in starts:
+                here[slot] = first + start * distance
             failed, finite = ctypes.c_ssize_t(-1), ctypes.c_int(0)
             status = self.driver(
                 self.address,
                 single,
-                Pointers(*here),
-                strides,
-                spacings,
-                lengths,
+                here,
+                *shape,
                 end - start,
-                out + states.out.strides[0] * start,
+                result + step * start,
                 work_size,
                 begin,
                 failed,
@@ -180,6 +187,19 @@ class Lanes:
             return status, failed.value + start if failed.value >= 0 else -1, bool(finite.value)
 
         return run
+
+
+@lru_cache(maxsize=1024)
+def _sizes(numbers: tuple[int, ...]) -> ctypes.Array[ctypes.c_size_t]:
+    """Numbers as C takes them, which nobody changes."""
+    return Sizes(*numbers)
+
+
+@lru_cache(maxsize=1024)
+def _room(sizes: tuple[int, ...], size: int, work_size: int, lanes: int, unit: int) -> int:
+    """Bytes of memory that ``cardan_batch`` works in, and those before it begins."""
+    padded = sum(-(-n // lanes) * lanes for n in (*sizes, size))
+    return unit * lanes * (padded + work_size + 1) + BYTES * (sum(sizes) + size + work_size)
 
 
 @dataclass(frozen=True)

@@ -22,13 +22,17 @@ def by_entry(array: Array, lead: int) -> Array:
     return array.transpose(*range(lead, array.ndim), *range(lead))
 
 
-def laid_out(array: Array, lead: tuple[int, ...], trail: tuple[int, ...]) -> tuple[Array, int, int]:
+def laid_out(array: Array, lead: tuple[int, ...], axes: int) -> tuple[Array, int, int]:
     """Numbers of an array, how far apart its states are, and the entries of a state.
 
     Arrays of states row by row (order "C") and entry by entry (the transpose of such, order "F")
     are taken as they are.
+
+    Args:
+        array: Of shape ``lead`` or what broadcasts to it, and so many axes of a state.
     """
-    leading, size = array.shape[: array.ndim - len(trail)], prod(trail)
+    first = array.ndim - axes
+    leading, trail = array.shape[:first], array.shape[first:]
     if prod(leading) == 1:
         return np.ascontiguousarray(array).reshape(-1), 0, 1
     if leading != lead:
@@ -37,7 +41,7 @@ def laid_out(array: Array, lead: tuple[int, ...], trail: tuple[int, ...]) -> tup
         entries = by_entry(array, len(lead))
         if entries.flags.c_contiguous:
             return entries.reshape(-1), 1, prod(lead)
-    return np.ascontiguousarray(array).reshape(-1), size, 1
+    return np.ascontiguousarray(array).reshape(-1), prod(trail), 1
 
 
 def room(
