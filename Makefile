@@ -22,7 +22,7 @@ BIN := $(VENV)/bin
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --no-compile
 # of what pip says: the packages, and the kernels while they are compiled
 STEPS := ^ *(Collecting [[:alnum:]_.-]+|Installing collected packages|kernels: .*)
-SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/calls/*.pyx) $(wildcard src/cardan/kernels/*.[ch] src/cardan/kernels/*/*.[ch] src/cardan/kernels/*/*/*.[ch])
+SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/calls/*.pyx src/cardan/runtime/calls/*.pxi) $(wildcard src/cardan/kernels/*.[ch] src/cardan/kernels/*/*.[ch] src/cardan/kernels/*/*/*.[ch])
 
 .PHONY: help demo test tests slow bench hard lint types external fuzz wheel browser picture site clean
 

@@ -17,7 +17,7 @@ from ...arrays import Array
 from ...atomic_file import written
 from ...errors import ArgumentError, near
 from ...runtime import formats
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 from ...runtime.trajectory.storage import load
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from . import smoothing

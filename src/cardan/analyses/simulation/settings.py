@@ -21,7 +21,7 @@ from ...errors import (
     outside,
     warn,
 )
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.integrators import INTEGRATORS, Integrator

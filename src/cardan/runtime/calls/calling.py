@@ -2,26 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import prod
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, near, warn
+from ...errors import ArgumentError, SolveError, SolveWarning, warn
 from ...schema.blocks import ORDER, SLOT
 from . import abi
-from .batch import FEW, Batch
+from .argument_values import by_name, common, numbers
+from .batch import Batch
 from .interpreted import Interpreted
 from .lanes import States
 from .memory_order import first_bad, laid_out, room
 
 MAX_PRINTED = 12
+ANY = -1
 LITTLE = 200_000  # operations that take no longer than a look at all arguments
+MOST = 4096  # states that are done without one
 LARGEST = np.iinfo(np.intp).max // 8  # numbers that can be addressed
 
 
@@ -71,6 +73,31 @@ class Argument:
         return self.label or self.name
 
 
+# takes all arguments as one tuple and gives the results of a plain call, None of all others
+Attempt = Callable[[tuple[object, ...]], Array | tuple[Array, ...] | None]
+
+
+class Arrangement(NamedTuple):
+    """How a function is called whose arguments and results are arranged in another way.
+
+    Attributes:
+        handed: Number of arguments that the caller hands over.
+        places: Of every argument of the C among these; -1 where it is left out.
+        shapes: By the index of an argument of the C: its shape, where the caller has another;
+            :data:`ANY` for an axis of any length, if it is as many numbers in all.
+        joined: Index of the argument of the C that is handed over as several, -1 if none is.
+        components: First number and size of each of them, and whether it is a number without axes.
+        parts: First number, size and shape of every result; none if they come as one array.
+    """
+
+    handed: int
+    places: tuple[int, ...]
+    shapes: Mapping[int, tuple[int, ...]]
+    joined: int
+    components: tuple[tuple[int, int, bool], ...]
+    parts: tuple[tuple[int, int, tuple[int, ...]], ...]
+
+
 class Caller:
     """One function of a model, ready to be called.
 
@@ -115,7 +142,7 @@ class Caller:
         self.work_size = work_size
         self.w = w
         self.operations = operations
-        self.few = min(FEW - 1, LITTLE // max(1, operations))
+        self.few = min(MOST, LITTLE // max(1, operations))
         self.evaluator = evaluator
         self.batch = Batch(name, None, sizes=sizes(arguments)) if batch is None else batch
         self.single = single
@@ -141,6 +168,10 @@ class Caller:
             raise ArgumentError(
                 f"{self.name}: so many states do not fit into memory ({error}). Give fewer at once"
             ) from None
+
+    def arranged(self, arrangement: Arrangement) -> Attempt:
+        """A quick way into the function as arranged; here there is none."""
+        return lambda values: None
 
     def _results(self, out: Array | None, values: Sequence[object], w: Array | None) -> Array:
         batch, dtype = self._precision(values)
@@ -335,66 +366,3 @@ def _listed(argument: Argument) -> str:
     listing = ", ".join(argument.entries[:MAX_PRINTED])
     more = ", ..." if len(argument.entries) > MAX_PRINTED else ""
     return f": {argument.what} {listing}{more}"
-
-
-def numbers(where: str, value: object, dtype: type[np.floating[Any]] = np.float64) -> Array:
-    """A value as an array of float64, or float32, in the order in memory that it has.
-
-    Raises:
-        ArgumentError: it holds other things than real numbers, or rows of different lengths.
-    """
-    try:
-        array = np.asarray(value)
-    except ValueError:
-        raise ArgumentError(f"{where}: its rows have different lengths") from None
-    if array.dtype.kind not in "fiub":
-        raise ArgumentError(f"{where} must be real numbers, not {array.dtype}")
-    return np.asarray(array, dtype=dtype)
-
-
-def common(where: str, shapes: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
-    """The leading axes that several arguments broadcast to.
-
-    Raises:
-        ArgumentError: there are none.
-    """
-    try:
-        return np.broadcast_shapes(*shapes.values())
-    except ValueError:
-        text = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
-        raise ArgumentError(f"{where}: leading axes do not broadcast together: {text}") from None
-
-
-def by_name(where: str, argument: Argument, values: Mapping[str, ArrayLike]) -> Array:
-    """A vector from named values, the rest as it starts.
-
-    Args:
-        where: Function and argument, for errors.
-        values: Name -> number (...), or the name of a joint -> all its numbers (..., n).
-
-    Raises:
-        ModelError: an unknown name, with near ones.
-    """
-    lead: tuple[int, ...] = ()
-    read: dict[str, Array] = {}
-    for name, entry_value in values.items():
-        if name not in argument.places:
-            raise ModelError(f"{where}: '{name}' does not exist.{near(name, argument.places)}")
-        value, place = numbers(f"{where}: '{name}'", entry_value), argument.places[name]
-        size = place.stop - place.start
-        if size == 1:
-            value = value[..., None]
-        elif value.ndim == 0 or value.shape[-1] != size:
-            raise ArgumentError(
-                f"{where}: '{name}' has shape {value.shape}, expected (..., {size}): "
-                f"{', '.join(argument.entries[place])}"
-            )
-        read[name] = value
-        lead = common(where, {"the others": lead, f"'{name}'": value.shape[:-1]})
-    result: Array = np.broadcast_to(
-        np.zeros(argument.size) if argument.start is None else argument.start,
-        (*lead, argument.size),
-    ).copy()
-    for name, value in read.items():
-        result[..., argument.places[name]] = value
-    return result

@@ -16,7 +16,7 @@ from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief, counted, near
 from ...schema.functions import FUNCTIONS, STANDARD
 from ..build import kernels
-from ..calls.calling import by_name, numbers
+from ..calls.argument_values import by_name, numbers
 from ..calls.evaluation import Values
 from ..calls.generated import Generated, Source
 from ..calls.layout import Layout
