@@ -191,7 +191,7 @@ CARDAN_INLINE double cardan_of_bits(cardan_word bits)
 
 /* sine and cosine, where the reduction of sincos.h holds: of one number, of a vector */
 #ifdef CARDAN_FLOAT
-#define CARDAN_SINCOS_RANGE 256.0
+#define CARDAN_SINCOS_RANGE 100.0
 #else
 #define CARDAN_SINCOS_RANGE 1e5
 #endif
