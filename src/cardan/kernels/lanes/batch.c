@@ -132,10 +132,21 @@ static void gather(const double *from, const numbers *a, size_t left, real *to, 
     size_t k = 0;
     if (a->stride == 1 && left >= L) {
         /* entry by entry the states stand side by side already */
+        real first = {0.0}, second = {0.0};
+        for (; k + 2 <= size; k += 2) {
+            real x, y;
+            memcpy(&x, from + k * a->spacing, sizeof x);
+            memcpy(&y, from + (k + 1) * a->spacing, sizeof y);
+            first += x;
+            second += y;
+            to[k] = x;
+            to[k + 1] = y;
+        }
         for (; k < size; ++k) {
             memcpy(to + k, from + k * a->spacing, sizeof(real));
-            *sum += to[k];
+            first += to[k];
         }
+        *sum += first + second;
         return;
     }
     /* whole squares, the last of which may overlap the one before or reach into the next rows */
@@ -197,14 +208,17 @@ static void scatter(const real *from, const numbers *a, size_t left, double *to,
         scatter_rows(from, a->size, to, sum);
         return;
     }
+    real all = {0.0};
     for (size_t k = 0; k < a->size; ++k) {
         double *const at = to + k * a->spacing;
-        *sum += from[k];
+        const real x = from[k];
+        all += x;
         if (left >= L && a->stride == 1)
-            memcpy(at, from + k, sizeof(real));
+            memcpy(at, &x, sizeof x);
         else
-            for (size_t j = 0; j < left && j < L; ++j) at[j * a->stride] = from[k][j];
+            for (size_t j = 0; j < left && j < L; ++j) at[j * a->stride] = x[j];
     }
+    *sum += all;
 }
 
 /* States from `first` to before `last` one after the other, as cardan_map does it, in `room` for the

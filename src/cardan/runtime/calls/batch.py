@@ -30,6 +30,7 @@ FIRST = 256  # states before the time of one is known
 CHUNK_SECONDS = 0.03  # seconds between two looks at signals
 FEW = 32  # states from which on lanes are worth a thought
 THREADED = 4e-3  # seconds of work from which on threads pay
+SHARES = 4  # of a thread
 DIFFERENCE = 1e-6  # of the largest entry; builds of one text differ by rounding, if at all
 MOST_LANES = 16  # all widths divide it
 FLOAT_ERROR = 1e-3  # of the largest entry, from which on results in single precision deserve a word
@@ -140,7 +141,8 @@ class Batch:
         way = lanes or single
         answers: list[Answer] = []
         # seconds of a state in lanes are remembered: most batches are done by one call
-        rate = self._rates.get(lane_parameters) if way is lanes else None
+        remembered = self._rates.get(lane_parameters)
+        rate = remembered if way is lanes else None
         at = 0
         while at < count:
             piece = FIRST
@@ -156,9 +158,9 @@ class Batch:
             spent = time.perf_counter() - before
             rate = spent / (end - at)
             if way is lanes:
-                # of a few states the call itself takes more
+                # of a few states the call itself takes more, and others may have had the processor
                 if end - at >= FIRST:
-                    self._rates[lane_parameters] = rate
+                    self._rates[lane_parameters] = min(rate, remembered or rate)
             elif count >= FEW:
                 self._spent[lane_parameters] += spent
                 if self._spent[lane_parameters] + rate * (count - end) > self.cost:
@@ -185,7 +187,8 @@ class Batch:
     def _threaded(self, way: Run, start: int, count: int, chunk: int) -> list[Answer]:
         """The states from ``start`` on, shared by threads."""
         many = threads(self.thread_count)
-        share = -(-(count - start) // (many * MOST_LANES)) * MOST_LANES
+        # several shares each: a thread that was kept waiting leaves some to others
+        share = -(-(count - start) // (SHARES * many * MOST_LANES)) * MOST_LANES
         step = min(chunk, share)
         with ThreadPoolExecutor(many, "cardan") as pool:
             futures = [

@@ -269,8 +269,11 @@ class Caller:
         if isinstance(value, Mapping) and argument.start is not None:
             vector = by_name(f"{self.name}, {argument}", argument, value)
             return vector.astype(dtype, copy=False)
-        array = numbers(f"{self.name}: {argument}", value, dtype)
         n = len(argument.shape)
+        if type(value) is np.ndarray and value.dtype == dtype:
+            array = value
+        else:
+            array = numbers(f"{self.name}: {argument}", value, dtype)
         if array.ndim < n or array.shape[array.ndim - n :] != argument.shape:
             raise ArgumentError(
                 f"{self.name}: {argument} has shape {array.shape}, expected "

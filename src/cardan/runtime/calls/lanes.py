@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.lib.stride_tricks import as_strided
@@ -30,6 +30,7 @@ BYTES = 8  # of a double; a vector holds twice as many floats
 # what the compiler takes, measured: seconds for a file, and for a statement of it
 FILE, STATEMENT = 0.08, 150e-6
 Pointers = ctypes.c_void_p * len(ORDER)
+_BYTE = ctypes.c_char.from_buffer
 # of the blocks and of the result
 Sizes = ctypes.c_size_t * (len(ORDER) + 1)
 
@@ -112,6 +113,7 @@ class Lanes:
         address: The function in it.
         driver: ``cardan_batch`` of the same width.
         libraries: What keeps them loaded.
+        memory: Where it works.
     """
 
     width: int
@@ -119,6 +121,7 @@ class Lanes:
     address: int
     driver: Any = field(repr=False)
     libraries: tuple[ctypes.CDLL, ...] = field(repr=False)
+    memory: ThreadMemory = field(default_factory=lambda: ThreadMemory(), repr=False)
 
     def discard(self) -> None:
         """Nobody finds its object in the cache."""
@@ -139,35 +142,27 @@ class Lanes:
             work_size: Numbers of work memory it needs.
         """
         out, unit = states.out, states.out.itemsize
-        size, vectors = out.shape[1], unit * self.width  # bytes of a vector
-        room = _room(tuple(sizes), size, work_size, self.width, unit)
-        # how far states and entries are from the next, and how many entries there are
-        stride, spacing = (step // unit for step in out.strides)
-        shape = (
-            _sizes((*states.strides, stride)),
-            _sizes((*states.spacings, spacing)),
-            _sizes((*sizes, size)),
+        size, strides_out = out.shape[1], out.strides
+        shape, room = _shape(
+            (*states.strides, strides_out[0] // unit),
+            (*states.spacings, strides_out[1] // unit),
+            (*sizes, size),
+            work_size,
+            self.width,
+            unit,
         )
-        # where the blocks that are read begin
+        # where the blocks that are read begin, and how far their states are apart [bytes]
         starts = [
-            (slot, block.ctypes.data, unit * stride)
+            (slot, _address(block), unit * stride)
             for slot, (block, stride, n) in enumerate(
                 zip(states.blocks, states.strides, sizes, strict=True)
             )
             if n and block is not None
         ]
-        result, step = out.ctypes.data, out.strides[0]
-        # every thread has memory of its own
-        thread_memory = threading.local()
+        result, step = _address(out if out.flags.c_contiguous else out.T), strides_out[0]
 
         def run(start: int, end: int) -> Answer:
-            try:
-                begin: int = thread_memory.begin
-            except AttributeError:
-                thread_memory.memory = np.empty(room, np.uint8)
-                begin = thread_memory.memory.ctypes.data
-                # vectors begin at multiples of their length
-                thread_memory.begin = begin = begin + -begin % vectors
+            begin = self.memory.of(room, unit * self.width)
             here = Pointers()
             for slot, first, distance in starts:
                 here[slot] = first + start * distance
@@ -189,17 +184,45 @@ class Lanes:
         return run
 
 
-@lru_cache(maxsize=1024)
-def _sizes(numbers: tuple[int, ...]) -> ctypes.Array[ctypes.c_size_t]:
-    """Numbers as C takes them, which nobody changes."""
-    return Sizes(*numbers)
+class ThreadMemory(threading.local):
+    """Memory of each thread, which grows to what was asked of it."""
+
+    def __init__(self) -> None:
+        self.numbers = np.empty(0, np.uint8)
+        self.begin = 0
+
+    def of(self, size: int, vector: int) -> int:
+        """Address of so many bytes, at a multiple of the length of a vector."""
+        if len(self.numbers) < size + vector:
+            self.numbers = np.empty(size + vector, np.uint8)
+            self.begin = self.numbers.ctypes.data + -self.numbers.ctypes.data % vector
+        return self.begin
+
+
+def _address(array: Array) -> int:
+    """Address of an array that is contiguous."""
+    try:
+        return ctypes.addressof(_BYTE(cast(Any, array)))
+    except (TypeError, ValueError):
+        # slower, for what is empty or must not be written to
+        return int(array.ctypes.data)
 
 
 @lru_cache(maxsize=1024)
-def _room(sizes: tuple[int, ...], size: int, work_size: int, lanes: int, unit: int) -> int:
-    """Bytes of memory that ``cardan_batch`` works in, and those before it begins."""
-    padded = sum(-(-n // lanes) * lanes for n in (*sizes, size))
-    return unit * lanes * (padded + work_size + 1) + BYTES * (sum(sizes) + size + work_size)
+def _shape(
+    strides: tuple[int, ...],
+    spacings: tuple[int, ...],
+    sizes: tuple[int, ...],
+    work_size: int,
+    lanes: int,
+    unit: int,
+) -> tuple[tuple[ctypes.Array[ctypes.c_size_t], ...], int]:
+    """What ``cardan_batch`` is told of blocks and result, which nobody changes, and the bytes of
+    memory that it works in.
+    """
+    padded = sum(-(-n // lanes) * lanes for n in sizes)
+    room = unit * lanes * (padded + work_size) + BYTES * (sum(sizes) + work_size)
+    return (Sizes(*strides), Sizes(*spacings), Sizes(*sizes)), room
 
 
 @dataclass(frozen=True)
