@@ -7,7 +7,7 @@
 
 #if CARDAN_LANES > 1
 
-enum { BLOCKS = 17, L = CARDAN_LANES };
+enum { BLOCKS = 17, L = CARDAN_LANES, GROUP = 4 };
 
 /* room for so many vectors in whole squares */
 static inline size_t round_up(size_t size) { return (size + L - 1) / L * L; }
@@ -124,31 +124,29 @@ typedef struct numbers {
     size_t stride, spacing, size;
 } numbers;
 
+/* The entries of GROUP blocks of L states that stand side by side, entry by entry, into vectors: `room`
+ * of them for a block. Several blocks at once, as lines of memory that two blocks share would be gone
+ * before the second one, where entries are a power of two apart. What is read is added to `sum`. */
+static void gather_group(const double *from, const numbers *a, real *to, size_t room, real *sum)
+{
+    real sums[GROUP] = {{0.0}};
+    for (size_t k = 0; k < a->size; ++k)
+        UNROLL for (size_t g = 0; g < GROUP; ++g)
+        {
+            real x;
+            memcpy(&x, from + k * a->spacing + g * L, sizeof x);
+            sums[g] += x;
+            to[g * room + k] = x;
+        }
+    for (size_t g = 0; g < GROUP; ++g) *sum += sums[g];
+}
+
 /* the entries of L of the `left` states into vectors, of which a whole number of squares is written;
  * what is read is added to `sum` */
 static void gather(const double *from, const numbers *a, size_t left, real *to, real *sum)
 {
     const size_t size = a->size, room = (left - 1) * a->stride + size;
     size_t k = 0;
-    if (a->stride == 1 && left >= L) {
-        /* entry by entry the states stand side by side already */
-        real first = {0.0}, second = {0.0};
-        for (; k + 2 <= size; k += 2) {
-            real x, y;
-            memcpy(&x, from + k * a->spacing, sizeof x);
-            memcpy(&y, from + (k + 1) * a->spacing, sizeof y);
-            first += x;
-            second += y;
-            to[k] = x;
-            to[k + 1] = y;
-        }
-        for (; k < size; ++k) {
-            memcpy(to + k, from + k * a->spacing, sizeof(real));
-            first += to[k];
-        }
-        *sum += first + second;
-        return;
-    }
     /* whole squares, the last of which may overlap the one before or reach into the next rows */
     if (a->spacing == 1 && left >= L && (size >= L || (L - 1) * a->stride + L <= room))
         for (; k < size; k += L) {
@@ -277,7 +275,7 @@ int cardan_batch(int (*f)(const cardan_in *in, real *out, real *work), cardan_si
 #endif
         if (!field[k]) continue;
         *field[k] = column[k] = next;
-        next += round_up(sizes[k]);
+        next += GROUP * round_up(sizes[k]);
         if (strides[k])
             moving[movers++] = k;
         else
@@ -290,10 +288,20 @@ int cardan_batch(int (*f)(const cardan_in *in, real *out, real *work), cardan_si
     for (size_t i = shape->size; i < round_up(shape->size); ++i) result[i] = CARDAN_REAL(0.0);
 
     for (size_t i = 0; i < n; i += L) {
-        const size_t left = n - i;
+        const size_t left = n - i, member = i / L % GROUP;
+        const int grouped = left + member * L >= GROUP * L;
         for (int m = 0; m < movers; ++m) {
             const int k = moving[m];
-            gather(blocks[k] + i * strides[k], shapes + k, left, column[k], &sum);
+            const size_t room = round_up(sizes[k]);
+            const double *const from = blocks[k] + i * strides[k];
+            real *to = column[k];
+            if (strides[k] == 1 && grouped) {
+                if (member == 0) gather_group(from, shapes + k, to, room, &sum);
+                to += member * room;
+            } else {
+                gather(from, shapes + k, left, to, &sum);
+            }
+            *field[k] = to;
         }
         const int answer = f(&in, result, work);
         if (answer == CARDAN_OK) {

@@ -21,9 +21,9 @@ typedef int cardan_single(const CARDAN_WIDE *const *in, CARDAN_WIDE *out, CARDAN
  * spacings 18 distances from one entry of a state to the next; 1 where all states share a block
  * sizes    18 numbers of entries
  * out      where the result of the first state goes
- * memory   aligned for `real`: CARDAN_LANES numbers for every entry of a block and of the result,
- *          each rounded up to a multiple of CARDAN_LANES, and for the work memory of f; then the
- *          same of one state in numbers of `single`, nothing rounded
+ * memory   aligned for `real`: 4 CARDAN_LANES numbers for every entry of a block and CARDAN_LANES for
+ *          one of the result, entries rounded up to a multiple of CARDAN_LANES, and for the work
+ *          memory of f; then the same of one state in numbers of `single`, nothing rounded
  * finite   1 if all numbers read and all results are finite; 0 if not, or if their sum is too large
  * failed   index of the first state at which `single` returned a status other than 0, else -1
  *

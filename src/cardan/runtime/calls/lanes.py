@@ -26,6 +26,7 @@ from ..build.toolchain import Compiler
 
 Answer = tuple[int, int, bool]
 WIDTHS = (1, 2, 4, 8)
+GROUP = 4  # blocks of lanes that are read at once, as in batch.c
 BYTES = 8  # of a double; a vector holds twice as many floats
 # what the compiler takes, measured: seconds for a file, and for a statement of it
 FILE, STATEMENT = 0.08, 150e-6
@@ -220,8 +221,9 @@ def _shape(
     """What ``cardan_batch`` is told of blocks and result, which nobody changes, and the bytes of
     memory that it works in.
     """
-    padded = sum(-(-n // lanes) * lanes for n in sizes)
-    room = unit * lanes * (padded + work_size) + BYTES * (sum(sizes) + work_size)
+    *blocks, result = (-(-n // lanes) * lanes for n in sizes)
+    vectors = GROUP * sum(blocks) + result + work_size
+    room = unit * lanes * vectors + BYTES * (sum(sizes) + work_size)
     return (Sizes(*strides), Sizes(*spacings), Sizes(*sizes)), room
 
 
