@@ -81,7 +81,7 @@ $(VENV)/.installed-bench: $(VENV)/.installed-test
 	$(INSTALL) --quiet --editable '.[bench]' || for peer in $(PEERS); do $(INSTALL) --quiet $$peer || true; done
 	@touch $@
 
-# writes docs/performance: calls, motions, beams, superelements, long loops, paths; QUICK=1 for a few of both and no page
+# writes docs/performance: calls, motions, beams, superelements, long loops, paths, profiles; QUICK=1 for a few of both and no page
 bench: $(VENV)/.installed-bench
 	$(BIN)/python tests/benchmarks/bench.py $(if $(QUICK),--quick)
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/runs.py $(if $(QUICK),--quick)
@@ -89,6 +89,7 @@ bench: $(VENV)/.installed-bench
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/superelement_runs.py $(if $(QUICK),--quick)
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/large_loops.py $(if $(QUICK),--quick)
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/paths.py $(if $(QUICK),--quick)
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/profiles.py $(if $(QUICK),--quick)
 
 $(VENV)/.installed-browser: $(VENV)/.installed-test
 	$(INSTALL) playwright

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import isfinite
 from typing import Any
 
@@ -20,6 +20,7 @@ from ..equations.kinematics.kinematics import Kinematics
 from ..equations.record import EquationRecord
 from ..errors import lasting
 from ..ir.function import Function
+from ..records import dataclass
 from ..schema import mechanism
 from ..schema.entries import (
     CoordinateRow,

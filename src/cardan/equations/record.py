@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self
 
@@ -13,6 +13,7 @@ from ..ir.function import Block, Function
 from ..ir.graph import collector_paused
 from ..ir.recursion import Recursion
 from ..ir.stage import stage
+from ..records import dataclass
 from ..schema.blocks import ABI_ORDER
 from ..schema.functions import FUNCTIONS
 from ..schema.request import Request

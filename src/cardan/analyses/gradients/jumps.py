@@ -12,12 +12,11 @@ Source: P. C. Müller, Chaos, Solitons & Fractals 5 (1995) 1671-1681.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from ...schema.cost import Cost
 from ...schema.request import reads
 from ..simulation import run_record as abi

@@ -27,6 +27,13 @@ typedef struct cardan_call {
     const wreal *w;
 } cardan_call;
 
+/* Many products at one state of elements: what is solved and factored there stays in a room. */
+typedef struct cardan_repeated {
+    int (*enter)(const cardan_in *in, real *room);  /* `in` as the product reads it but for v */
+    int (*pull)(real *room, const real *v, real *out);
+    int (*push)(real *room, const real *v, real *out);
+} cardan_repeated;
+
 /* what an integrator says: not negative: the run may go on or is over; negative: it broke down */
 enum {
     CARDAN_DONE = 0,

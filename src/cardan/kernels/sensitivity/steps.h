@@ -35,6 +35,9 @@ typedef struct cardan_steps {
     real *lengths;       /* (CARDAN_MOST_STAGES, quaternions) of what coupled stages scale to 1 */
     real *system;        /* cardan_stages_length numbers, of coupled stages */
     real *jacobians;     /* (stages, nx, nx) of a sweep forward over elements, else NULL */
+    const struct cardan_repeated *repeated; /* cardan_mesh_repeated, NULL: products are calls each */
+    real *factored;      /* (CARDAN_MOST_STAGES, factored_length) of these, of a state each */
+    ptrdiff_t factored_length;
     real *work;          /* of the functions */
 } cardan_steps;
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from math import prod
 from typing import Any, NamedTuple
@@ -12,6 +12,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError, SolveError, SolveWarning, warn
+from ...records import dataclass
 from ...schema.blocks import ORDER, SLOT
 from . import abi
 from .argument_values import by_name, common, numbers

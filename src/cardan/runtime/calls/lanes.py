@@ -8,7 +8,7 @@ import os
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any, cast
@@ -19,6 +19,7 @@ from numpy.lib.stride_tricks import as_strided
 from ...arrays import Array, on_lines
 from ...build_progress import stage
 from ...errors import BuildError, CompilerMissing
+from ...records import dataclass
 from ...schema.blocks import ORDER
 from ..build import cache, kernels, prebuilt, single_sources
 from ..build.object_file import Object
