@@ -234,13 +234,10 @@ def compile(
         coordinates, method, speeds, rewrites: As :func:`derive` takes them.
         specialize, constraints, branches, independent, plane: As :func:`derive` takes them.
         loops: True writes recursions as loops over the bodies, False as straight-line code; by
-            default systems of many bodies get loops: a little slower, but written and compiled in
-            a time that does not grow with them.
-        threads: That share a large batch of states; by default ``$CARDAN_THREADS``, else the cores
-            that this process may use.
+            default systems of many get loops: a little slower, compiled in a time that never grows.
+        threads: That share a large batch; by default ``$CARDAN_THREADS``, else the cores available.
         reproducible: Equal bits from every compiler and processor, 10-30 % slower.
-        dtype: ``"float32"``: batches whose arrays are of float32 are computed so, in twice as many
-            lanes, with results of float32; single states, runs and analyses stay in doubles.
+        dtype: ``"float32"``: batches of arrays of float32 are computed so; all else in doubles.
 
     Raises:
         DerivationError: an unknown function, or options for equations that are derived already.
@@ -261,10 +258,11 @@ def compile(
         independent=independent,
         plane=plane,
     )
+    opened = partial(CompiledModel, threads=threads, reproducible=reproducible, dtype=dtype)
     if isinstance(equations, FiniteElementRecord):
         folder = _of_elements(equations, directory)
         write = partial(model_folder.add_requested, folder, equations)
-        return CompiledModel(folder, write, threads=threads, reproducible=reproducible, dtype=dtype)
+        return opened(folder, write)
     functions = requested(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
@@ -286,14 +284,7 @@ def compile(
         _add(folder, base, [_c_of(equations, key, loops) for key in missing])
         return names
 
-    model = CompiledModel(
-        folder,
-        provide,
-        reproducible=reproducible,
-        threads=threads,
-        available=functions,
-        dtype=dtype,
-    )
+    model = opened(folder, provide, available=functions)
     _say_what_is_not_checked(model)
     return model
 

@@ -12,7 +12,7 @@ import re
 SKIPPED = re.compile(r"/\*.*?\*/|//[^\n]*|\"(?:\\.|[^\"\\\n])*\"|#include[^\n]*", re.S)
 # decimals, but for those that say already what they are
 _LITERAL = re.compile(r"(?<![\w.])((?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?|\d+[eE][+-]?\d+)(?![\w.])")
-_WORDS = {
+_NAMES = {
     "double": "float",
     "DBL_EPSILON": "FLT_EPSILON",
     "DBL_MAX": "FLT_MAX",
@@ -23,7 +23,7 @@ _CALLED = (
     *("atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "floor", "ceil", "fabs"),
     *("fmax", "fmin", "fmod", "copysign", "nextafter", "nan"),
 )
-_WORD = re.compile(r"(?<!long )\b(?:" + "|".join(map(re.escape, _WORDS)) + r")\b")
+_NAME = re.compile(r"(?<!long )\b(?:" + "|".join(map(re.escape, _NAMES)) + r")\b")
 # a function of the mathematical library, called or handed on; not a member of that name
 _FUNCTION = re.compile(rf"(?<![\w.>])(?:{'|'.join(_CALLED)})(?=\s*[(])")
 LEAST, MOST = 1.1754943508222875e-38, 3.4028234663852886e38
@@ -39,7 +39,7 @@ def single(text: str) -> str:
 
 
 def _code(text: str) -> str:
-    text = _WORD.sub(lambda match: _WORDS[match.group()], text)
+    text = _NAME.sub(lambda match: _NAMES[match.group()], text)
     text = _FUNCTION.sub(lambda match: f"{match.group()}f", text)
     return _LITERAL.sub(_literal, text)
 

@@ -58,8 +58,8 @@ class Variant:
 
     def sources(self) -> list[Path]:
         """C files."""
-        own = self.lane_parameters or self.single
-        patterns = ("*.c",) if self.lanes == 1 else LANE_SOURCES[own]
+        batches_alone = self.lane_parameters or self.single
+        patterns = ("*.c",) if self.lanes == 1 else LANE_SOURCES[batches_alone]
         paths = {path for pattern in patterns for path in kernel_files.files(pattern)}
         return sorted(paths - {kernel_files.file(LEVEL)})
 

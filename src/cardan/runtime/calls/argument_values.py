@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...arrays import Array
+from ...arrays import Array, Numbers
 from ...errors import ArgumentError, ModelError, near
 
 if TYPE_CHECKING:
     from .calling import Argument
 
 
-def numbers(where: str, value: object, dtype: type[np.floating[Any]] = np.float64) -> Array:
+def numbers(where: str, value: object, dtype: Numbers = np.float64) -> Array:
     """A value as an array of float64, or float32, in the order in memory that it has.
 
     Raises:

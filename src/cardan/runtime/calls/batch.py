@@ -1,6 +1,6 @@
-"""Many states: in lanes once they pay, in pieces, in threads where there is enough to do.
+"""Many states: in lanes once they pay, in chunks, in threads where there is enough to do.
 
-A piece takes some hundredths of a second, so that Ctrl-C is heard. The lane build of a function is
+A chunk takes some hundredths of a second, so that Ctrl-C is heard. The lane build of a function is
 compiled when the time that its batches took, with what is left of the present one, exceeds what the
 compiler will take: no sequence of calls takes much more than twice the time of the best choice.
 What is in the cache is used at once. Lanes give the bits of single states: nobody sees the change.
@@ -145,14 +145,14 @@ class Batch:
         rate = remembered if way is lanes else None
         at = 0
         while at < count:
-            piece = FIRST
+            chunk = FIRST
             if rate is not None:
                 # whole vectors
-                piece = max(1, int(CHUNK_SECONDS / max(rate, 1e-9)) // MOST_LANES) * MOST_LANES
+                chunk = max(1, int(CHUNK_SECONDS / max(rate, 1e-9)) // MOST_LANES) * MOST_LANES
                 if self._in_threads(rate * (count - at)):
-                    answers.extend(self._threaded(way, at, count, piece))
+                    answers.extend(self._threaded(way, at, count, chunk))
                     break
-            end = min(count, at + piece)
+            end = min(count, at + chunk)
             before = time.perf_counter()
             answers.append(way(at, end))
             spent = time.perf_counter() - before

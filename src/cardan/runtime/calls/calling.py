@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
 from functools import cached_property
 from math import prod
-from typing import Any, NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 
-from ...arrays import Array
+from ...arrays import Array, Numbers
 from ...errors import ArgumentError, SolveError, SolveWarning, warn
 from ...records import dataclass
 from ...schema.blocks import ORDER, SLOT
@@ -148,7 +148,7 @@ class Caller:
         self.batch = Batch(name, None, sizes=sizes(arguments)) if batch is None else batch
         self.single = single
         self.w_slot = SLOT["w"]
-        self._constant_blocks: dict[type[np.floating[Any]], list[Array | None]] = {}
+        self._constant_blocks: dict[Numbers, list[Array | None]] = {}
 
     def __call__(self, out: Array | None, *values: object, w: Array | None = None) -> Array:
         """The results for states of any leading shape.
@@ -212,7 +212,7 @@ class Caller:
                 self.check_result(result, status, failed, single=not lead)
         return self._deliver(result.reshape(lead + self.shape), out)
 
-    def _constants(self, dtype: type[np.floating[Any]]) -> list[Array | None]:
+    def _constants(self, dtype: Numbers) -> list[Array | None]:
         """The blocks of arguments that are left out, and the parameters."""
         blocks = self._constant_blocks.get(dtype)
         if blocks is None:
@@ -226,9 +226,7 @@ class Caller:
             self._constant_blocks[dtype] = blocks
         return blocks
 
-    def _read_all(
-        self, values: Sequence[object], dtype: type[np.floating[Any]]
-    ) -> list[tuple[Argument, Array]]:
+    def _read_all(self, values: Sequence[object], dtype: Numbers) -> list[tuple[Argument, Array]]:
         """The arguments that are not left out, and those whose default is not finite."""
         arrays = []
         for k, argument in enumerate(self.arguments):
@@ -241,7 +239,7 @@ class Caller:
                 arrays.append((argument, argument.default.astype(dtype)))
         return arrays
 
-    def _precision(self, values: Sequence[object]) -> tuple[Batch, type[np.floating[Any]]]:
+    def _precision(self, values: Sequence[object]) -> tuple[Batch, Numbers]:
         """What goes through the states of a call, and the type of its numbers.
 
         Floats where the model has them and all arrays of several states are such.
@@ -254,7 +252,7 @@ class Caller:
                 if isinstance(value, np.ndarray) and value.ndim > len(argument.shape)
             ]
             if batches and all(dtype == np.float32 for dtype in batches):
-                return self.single, np.float32
+                return self.single, cast(Numbers, np.float32)
         return self.batch, np.float64
 
     def call(
@@ -265,7 +263,7 @@ class Caller:
             return self.evaluator.run(blocks, strides, rows)
         return abi.run(self.address, blocks, strides, len(rows), rows, self.work_size)
 
-    def _read(self, argument: Argument, value: object, dtype: type[np.floating[Any]]) -> Array:
+    def _read(self, argument: Argument, value: object, dtype: Numbers) -> Array:
         """The value as float64, or float32, with the trailing axes of the argument."""
         if isinstance(value, Mapping) and argument.start is not None:
             vector = by_name(f"{self.name}, {argument}", argument, value)

@@ -204,7 +204,7 @@ class ThreadMemory(threading.local):
 def _address(array: Array) -> int:
     """Address of an array that is contiguous."""
     try:
-        return ctypes.addressof(_BYTE(cast(Any, array)))
+        return ctypes.addressof(_BYTE(cast(bytearray, array)))
     except (TypeError, ValueError):
         # slower, for what is empty or must not be written to
         return int(array.ctypes.data)

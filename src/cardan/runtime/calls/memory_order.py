@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import prod
-from typing import Any
 
 import numpy as np
 
-from ...arrays import Array
+from ...arrays import Array, Numbers
 from . import abi, abi_ctypes
 
 
@@ -48,7 +47,7 @@ def room(
     out: object,
     lead: tuple[int, ...],
     shape: tuple[int, ...],
-    dtype: type[np.floating[Any]],
+    dtype: Numbers,
     columns: bool,
     blocks: Sequence[Array | None],
 ) -> Array:
