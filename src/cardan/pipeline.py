@@ -258,11 +258,11 @@ def compile(
         independent=independent,
         plane=plane,
     )
-    opened = partial(CompiledModel, threads=threads, reproducible=reproducible, dtype=dtype)
+    model_from = partial(CompiledModel, threads=threads, reproducible=reproducible, dtype=dtype)
     if isinstance(equations, FiniteElementRecord):
         folder = _of_elements(equations, directory)
         write = partial(model_folder.add_requested, folder, equations)
-        return opened(folder, write)
+        return model_from(folder, write)
     functions = requested(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
@@ -284,7 +284,7 @@ def compile(
         _add(folder, base, [_c_of(equations, key, loops) for key in missing])
         return names
 
-    model = opened(folder, provide, available=functions)
+    model = model_from(folder, provide, available=functions)
     _say_what_is_not_checked(model)
     return model
 
