@@ -12,7 +12,16 @@ import numpy as np
 
 import cardan as cd
 from cardan.elements.forces.force import Action, ForceElement, Places, one_coordinate
-from cardan.elements.internal_states import MODE, Change, EventSpec, Jumped, Mode, Solved
+from cardan.elements.internal_states import (
+    IMPACT,
+    MODE,
+    Change,
+    EventSpec,
+    Impulse,
+    Jumped,
+    Mode,
+    Solved,
+)
 from cardan.elements.quantity import JointName
 from cardan.ir.arithmetic import Scalar, select
 from cardan.ir.matrix import Matrix
@@ -48,13 +57,15 @@ def buffered() -> cd.Scene:
 
 @dataclass(frozen=True)
 class Gauge(ForceElement):
-    """Keeps how a joint answers a force, the square of its speed behind an event, and more.
+    """Strikes two joints, and keeps how they answer, a speed behind an event, and more.
 
-    Of the catalog nothing but decisions follows from responses, which have no derivatives.
+    Of the catalog nothing but decisions follows from responses, which have no derivatives, and
+    impulses act along speeds, which no coordinates turn.
     """
 
     kind: ClassVar[str] = "gauge"
     joint: JointName
+    other: JointName
 
     def act(self, at: Places) -> tuple[Action, ...]:
         return ()
@@ -63,21 +74,27 @@ class Gauge(ForceElement):
         return (Mode("kept", 0.5),)
 
     def events(self) -> tuple[EventSpec, ...]:
-        return (EventSpec("taken", MODE, "it is read"),)
+        return (EventSpec("taken", MODE, "it is read"), EventSpec("struck", IMPACT, "it strikes"))
 
     def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
         x, v = self._of_joint(at)
-        return (v * v - x * solved.derivative(v),)
+        return (v * v - x * solved.derivative(v), x * x * v - 2)
+
+    def impulses(self, at: Places, jumped: Jumped) -> tuple[Impulse, ...]:
+        (x, v), (y, w) = self._of_joint(at), self._of_joint(at, "other")
+        velocity = v * (x * x + 2) + w * y
+        return (Impulse(velocity, velocity * velocity * x, jumped.fired(1)),)
 
     def change(self, at: Places, jumped: Jumped) -> Change:
         x, v = self._of_joint(at)
         behind, rate = jumped.after(v), jumped.before.derivative(v)
-        kept = at.s[0] * (jumped.response(v) * behind * behind + rate * rate * x)
+        response = jumped.response(v + self._of_joint(at, "other")[1] * x)
+        kept = at.s[0] * (response * behind * behind + rate * rate * x)
         taken = select(jumped.fired(0), kept, at.s[0])
         return Change(s=Matrix.vector(at.motion.graph, [taken]))
 
-    def _of_joint(self, at: Places) -> tuple[Scalar, Scalar]:
-        return one_coordinate(at.motion, at.joints["joint"], "gauge")
+    def _of_joint(self, at: Places, role: str = "joint") -> tuple[Scalar, Scalar]:
+        return one_coordinate(at.motion, at.joints[role], "gauge")
 
 
 def gauged() -> tuple[cd.Scene, Start]:
@@ -93,8 +110,8 @@ def gauged() -> tuple[cd.Scene, Start]:
     scene.force("motor", cd.JointForce("elbow", torque * (1 + cd.t)))
     scene.force("buffer", cd.Stop("shoulder", upper=0.9, restitution=bounce))
     scene.force("end", cd.Stop("elbow", upper=1.0, restitution=bounce**2))
-    for joint in ("elbow", "wrist"):
-        scene.force(f"gauge of {joint}", Gauge(joint))
+    for joint, other in (("elbow", "wrist"), ("wrist", "shoulder")):
+        scene.force(f"gauge of {joint}", Gauge(joint, other))
     return scene, {"shoulder": 0.5, "elbow": 0.7, "wrist": 0.3}
 
 

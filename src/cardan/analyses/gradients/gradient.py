@@ -196,6 +196,7 @@ def _swept(
     halted = motion.solver_info.status == EVENT
     for block in store.backward(motion):
         _sweep_block(block, sweep, jumps, final_rate if halted and block.last else None)
+    sweep.arrived()
     # what was not named at the start followed from what was
     modes = store.start[1 + runner.n + model.nr :][: model.ns]
     begin = named_start(setup, sweep, state, modes, names, names.parameters)

@@ -173,7 +173,7 @@ class Jumps:
             SolveError: two events at one time that are not one, or one that happens by a touch.
         """
         lam, ended = self.sweep.lam, final_rate is not None
-        self.sweep.jumped()
+        self.sweep.arrived()
         root = root_of(at, self.events, self.start)
         inputs, rates = self._inputs(at.t)
         by_time = final_rate or 0.0

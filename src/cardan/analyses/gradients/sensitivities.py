@@ -36,9 +36,9 @@ from .unknowns import Unknowns, start_blocks, start_places, unknowns
 class Sensitivities(Mapping[str, Array]):
     """What a motion changes by: ``motion.sensitivity["m"]``, (nt, nx) along ``motion.t``.
 
-    Of what consists of several numbers, such as ``"x0"`` or the values of an input, (nt, nx, k).
-    Of outputs and other histories: :meth:`of`. At
+    Of what consists of several numbers, such as ``"x0"`` or the values of an input, (nt, nx, k). At
     an event the last entry before it is at its time, the first one behind it: times do not move.
+    Outputs and other histories: :meth:`of`.
 
     Attributes:
         names: What it is differentiated by.
@@ -233,8 +233,7 @@ class SensitiveRuns:
         setup: Of the first one.
         names: What they are differentiated by.
         inputs: As ``simulate`` takes them.
-        directions: Along which, of parameters and inputs, where each run has columns of its start;
-            by default one for every number that is named.
+        directions: Of parameters and inputs, where runs have columns; else one for each number.
 
         Raises:
             ModelError, ArgumentError: what has no gradient.
@@ -275,8 +274,7 @@ class SensitiveRuns:
             state: x0, q, u and z as they were given.
             check, progress: As ``simulate`` takes them.
             dense: Keep what tells states between steps.
-            columns: Of the start along the speeds, of every direction (k, 2 nu + nz); by default
-                those of the names.
+            columns: Of the start along the speeds (k, 2 nu + nz); by default those of the names.
 
         Raises:
             SolveError: it is not complete, or has no derivative. KeyboardInterrupt: by Ctrl-C.
@@ -354,8 +352,7 @@ def _directions(
     tables = {name: listed.table(name) for name in listed.names if name in model.inputs}
     by_name = columns_by_name(model, listed)
     sizes = [1 if size is None else size for size in by_name.values()]
-    # a unit of every number that is wanted, one after the other
-    columns = columns_of(sizes)
+    columns = columns_of(sizes)  # a unit of every number that is wanted, one after the other
     directions = directions_of(model, sum(len(one.coefficients) for one in tabulated), sum(sizes))
     for name, column in zip(listed.names, columns, strict=True):
         table = tables.get(name)
@@ -369,8 +366,8 @@ def _directions(
             directions.r[column, model.inputs.index(name)] = 1.0
         else:
             directions.coefficients[column] = _coefficients(setup, name, table[0])
-    single = [size is None for size in by_name.values()]
-    return directions, dict(zip(listed.names, zip(columns, single, strict=True), strict=True))
+    parts = zip(columns, (size is None for size in by_name.values()), strict=True)
+    return directions, dict(zip(listed.names, parts, strict=True))
 
 
 def columns_by_name(model: LoadedModel, listed: Unknowns) -> dict[str, int | None]:
@@ -392,11 +389,10 @@ def columns_by_name(model: LoadedModel, listed: Unknowns) -> dict[str, int | Non
 def _coefficients(setup: RunSetup, name: str, times: Array) -> Array:
     """Coefficients (n, segments, 4) of all tabulated inputs per unit of each value of one."""
     tabulated, result = setup.input_signals.tabulated, []
+    span = (float(times[0]), float(times[-1]))
     for unit in np.eye(len(times)):
-        span = (float(times[0]), float(times[-1]))
         rows = signals(setup.model.manifest.inputs, {name: (times, unit)}, None, span).tabulated
         by_input = {one.input: one.coefficients for one in rows}
-        result.append(
-            np.concatenate([by_input.get(x.input, 0 * x.coefficients) for x in tabulated])
-        )
+        every = [by_input.get(x.input, 0 * x.coefficients) for x in tabulated]
+        result.append(np.concatenate(every))
     return np.array(result)

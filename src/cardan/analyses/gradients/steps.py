@@ -84,13 +84,13 @@ class StepsAgain:
         for owner, name, function in listed:
             setattr(owner, name, function.address)
             setattr(owner, f"{name}_w", self.pointer(function.w))
-        self._keep_factors(functions)
+        self._share_factors(functions)
         # one room serves all of them, one after the other
         called = [self.runner.functions[0], *(function for _, _, function in listed)]
         room = np.zeros(max(function.work_size for function in called) + 1)
         self.steps.work = self.pointer(room)
 
-    def _keep_factors(self, functions: dict[str, LoadedFunction]) -> None:
+    def _share_factors(self, functions: dict[str, LoadedFunction]) -> None:
         """Let products at one state of elements share what is factored there."""
         library, products = self.runner.library, [*functions.values()]
         compiled = not any(function.interpreted for function in products)

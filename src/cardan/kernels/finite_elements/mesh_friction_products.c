@@ -41,7 +41,7 @@ static ptrdiff_t row_of(const cardan_group *g, ptrdiff_t element, ptrdiff_t i)
 static real *exchange(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element, ptrdiff_t lanes,
                       const shares *all, int adding, real *to)
 {
-    const ptrdiff_t first = cardan_mesh_first_friction(mesh, g) + element * g->frictions, k = g->frictions;
+    const ptrdiff_t first = CARDAN_FIRST(mesh, g, frictions) + element * g->frictions, k = g->frictions;
 
     for (ptrdiff_t j = first; j < first + k; j++, to += lanes) {
         if (adding)

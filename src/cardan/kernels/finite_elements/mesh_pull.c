@@ -343,11 +343,8 @@ static int finish(const cardan_place *here)
     const int status = cardan_mesh_pull_rates(here, NULL, by->q, NULL, by->along);
 
     for (ptrdiff_t k = 0; k < here->product->quaternions; k++) {
-        const real *q = here->at.q + here->product->quaternion[k];
-        real *by_q = by->q + here->product->quaternion[k];
-        const real along = cardan_dot(q, by_q, 4) / cardan_dot(q, q, 4);
-        for (int i = 0; i < 4; i++)
-            by_q[i] -= along * q[i];
+        const ptrdiff_t at = here->product->quaternion[k];
+        (void)cardan_take_along(here->at.q + at, by->q + at);
     }
     return status;
 }

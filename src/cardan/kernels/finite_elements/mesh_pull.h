@@ -175,8 +175,6 @@ int cardan_mesh_push_impulse(cardan_place *here, const real *motion);
  * the event is lost, or `out`. */
 int cardan_mesh_push_motion(cardan_place *here, cardan_mesh_system *system, const real *motion,
                             const real *force, real *out);
-/* Number of the first friction of a group. */
-ptrdiff_t cardan_mesh_first_friction(const cardan_mesh *mesh, const cardan_group *g);
 /* mesh_friction_products.c: of how certain friction is that follows from reactions */
 int cardan_mesh_pull_certainty(cardan_place *here);
 int cardan_mesh_push_certainty(cardan_place *here);

@@ -64,25 +64,6 @@ int cardan_mesh_enter_event(const cardan_in *in, real *solution, real *work, car
                        : cardan_mesh_jump(mesh, &here->at, &event->all, &event->released, event->work);
 }
 
-ptrdiff_t cardan_mesh_first_friction(const cardan_mesh *mesh, const cardan_group *g)
-{
-    ptrdiff_t first = 0;
-
-    for (const cardan_group *other = mesh->groups; other != g; other++)
-        first += other->count * other->frictions;
-    return first;
-}
-
-/* Number of the first response of a group. */
-static ptrdiff_t first_response(const cardan_mesh *mesh, const cardan_group *g)
-{
-    ptrdiff_t first = 0;
-
-    for (const cardan_group *other = mesh->groups; other != g; other++)
-        first += other->count * other->responses;
-    return first;
-}
-
 /* Add derivatives by numbers of elements that stand one behind the other, from the first of a group. */
 static const real *add_numbered(const cardan_element_lanes *some, ptrdiff_t n, const real *next,
                                  real *by)
@@ -98,8 +79,8 @@ const real *cardan_mesh_add_events(const cardan_mesh *mesh, const cardan_group *
                                    const cardan_slopes *by)
 {
     next = cardan_mesh_add_places(g, some, mesh->u, next, by->behind);
-    next = add_numbered(some, g->frictions, next, by->certainty + cardan_mesh_first_friction(mesh, g));
-    return add_numbered(some, g->responses, next, by->responses + first_response(mesh, g));
+    next = add_numbered(some, g->frictions, next, by->certainty + CARDAN_FIRST(mesh, g, frictions));
+    return add_numbered(some, g->responses, next, by->responses + CARDAN_FIRST(mesh, g, responses));
 }
 
 /* Directions of numbers of elements that stand one behind the other, from the first of a group. */
@@ -116,8 +97,8 @@ real *cardan_mesh_give_events(const cardan_mesh *mesh, const cardan_group *g, co
                               ptrdiff_t lanes, const cardan_slopes *way, real *to)
 {
     to = cardan_mesh_fetch_places(g, element, lanes, mesh->u, way->behind, to);
-    to = give_numbered(way->certainty + cardan_mesh_first_friction(mesh, g), g->frictions, element, lanes, to);
-    return give_numbered(way->responses + first_response(mesh, g), g->responses, element, lanes, to);
+    to = give_numbered(way->certainty + CARDAN_FIRST(mesh, g, frictions), g->frictions, element, lanes, to);
+    return give_numbered(way->responses + CARDAN_FIRST(mesh, g, responses), g->responses, element, lanes, to);
 }
 
 /* Weights of M udot - G^T lam (nu) and G udot - H lam (m). */
@@ -144,7 +125,7 @@ static real *give_jumps(const cardan_mesh *mesh, const cardan_group *g, const pt
                         ptrdiff_t lanes, const cardan_gift *gift, real *to)
 {
     const cardan_event_place *event = gift->more;
-    const ptrdiff_t first = cardan_mesh_first_jump(mesh, g), size = g->jumps * CARDAN_JUMP_ROW;
+    const ptrdiff_t first = CARDAN_FIRST(mesh, g, jumps), size = g->jumps * CARDAN_JUMP_ROW;
 
     for (ptrdiff_t lane = 0; lane < lanes; lane++) {
         const ptrdiff_t jump = first + element[lane] * g->jumps;

@@ -28,7 +28,7 @@ static void take_jumps(const cardan_mesh *mesh, const cardan_group *g,
                        const cardan_element_lanes *some, real *out, void *into)
 {
     const cardan_event_place *event = into;
-    const ptrdiff_t first = cardan_mesh_first_jump(mesh, g), size = g->jumps * CARDAN_JUMP_ROW;
+    const ptrdiff_t first = CARDAN_FIRST(mesh, g, jumps), size = g->jumps * CARDAN_JUMP_ROW;
 
     for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
         const ptrdiff_t jump = first + some->element[lane] * g->jumps;

@@ -270,6 +270,16 @@ static inline real cardan_dot(const real *a, const real *b, ptrdiff_t n)
     return sum;
 }
 
+/* Take from a change (4) of a quaternion q, or a gradient by it, its part along q; returns it in q. */
+static inline real cardan_take_along(const real *q, real *change)
+{
+    const real along = cardan_dot(q, change, 4) / cardan_dot(q, q, 4);
+
+    for (int i = 0; i < 4; i++)
+        change[i] -= along * q[i];
+    return along;
+}
+
 static inline ptrdiff_t cardan_larger_of(ptrdiff_t a, ptrdiff_t b)
 {
     return a > b ? a : b;

@@ -83,10 +83,9 @@ int cardan_swept_enough(real change, real size, real *last);
  * before: both are the same. q: either of them; length: what it was. */
 static inline void cardan_unit_change(const real *q, real length, real *change)
 {
-    const real along = cardan_dot(q, change, 4) / cardan_dot(q, q, 4);
-
+    (void)cardan_take_along(q, change);
     for (int j = 0; j < 4; j++)
-        change[j] = (change[j] - along * q[j]) / length;
+        change[j] /= length;
 }
 
 /* Nodes (stages), weights (stages) and matrix (stages, stages) of methods; return their stages. */

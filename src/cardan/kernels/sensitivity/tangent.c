@@ -2,16 +2,12 @@
  *
  * Part of cardan. Caller owns all memory.
  */
+#include "side_by_side.h"
 #include "tangent.h"
 #include <math.h>
 #include <string.h>
 
 enum { MOST_SWEEPS = 100 };
-/* numbers of so many columns; they need no alignment */
-typedef real side_by_side
-    __attribute__((vector_size(CARDAN_SIDE_BY_SIDE * sizeof(real)), aligned(sizeof(real)), may_alias));
-#define AT(at) (*(side_by_side *)(void *)(at))
-#define OF(at) (*(const side_by_side *)(const void *)(at))
 
 /* Change of inputs (nr) at t along a column, as far as signals and constants change them. */
 static void inputs_of(const cardan_tangent *tangent, ptrdiff_t column, real t, real *change)
@@ -43,18 +39,6 @@ static void complete(const cardan_tangent *tangent, real t)
         for (ptrdiff_t i = 0; i < run->nr; i++)
             next[(run->ns + i) * wide + k] = tangent->along[i];
     }
-}
-
-/* sums (rows, wide) grow by a matrix (rows, size) times x (size, wide). */
-static void add_product(ptrdiff_t wide, ptrdiff_t rows, ptrdiff_t size, const real *by, const real *x, real *sums)
-{
-    for (ptrdiff_t k = 0; k < wide; k += CARDAN_SIDE_BY_SIDE)
-        for (ptrdiff_t i = 0; i < rows; i++) {
-            side_by_side sum = AT(sums + i * wide + k);
-            for (ptrdiff_t j = 0; j < size; j++)
-                sum += by[i * size + j] * OF(x + j * wide + k);
-            AT(sums + i * wide + k) = sum;
-        }
 }
 
 /* First `taken` of the `rows` results of a function changed: its derivative in `out` times `moved`. */
