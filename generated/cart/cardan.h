@@ -190,11 +190,7 @@ CARDAN_INLINE double cardan_of_bits(cardan_word bits)
 }
 
 /* sine and cosine, where the reduction of sincos.h holds: of one number, of a vector */
-#ifdef CARDAN_FLOAT
-#define CARDAN_SINCOS_RANGE 100.0
-#else
-#define CARDAN_SINCOS_RANGE 1e5
-#endif
+#define CARDAN_SINCOS_RANGE CARDAN_ROUNDING(1e5, 100.0)
 #define CARDAN_SINCOS cardan_sincos_one
 #define CARDAN_NUMBER double
 #define CARDAN_BITS cardan_word
@@ -222,42 +218,18 @@ CARDAN_INLINE void cardan_sincos_any(double x, double *sine, double *cosine)
 }
 
 #if CARDAN_PACK > 1
-/* the entries of a vector one by one: loops over them would go through memory */
-#define CARDAN_LIST_2(x, k) (x)[k], (x)[k + 1]
-#define CARDAN_LIST_4(x, k) CARDAN_LIST_2(x, k), CARDAN_LIST_2(x, k + 2)
-#define CARDAN_LIST_8(x, k) CARDAN_LIST_4(x, k), CARDAN_LIST_4(x, k + 4)
-#define CARDAN_ANY_2(x, k) ((x)[k] | (x)[k + 1])
-#define CARDAN_ANY_4(x, k) (CARDAN_ANY_2(x, k) | CARDAN_ANY_2(x, k + 2))
-#define CARDAN_ANY_8(x, k) (CARDAN_ANY_4(x, k) | CARDAN_ANY_4(x, k + 4))
-#if CARDAN_PACK == 16
-#define CARDAN_LIST(x) CARDAN_LIST_8(x, 0), CARDAN_LIST_8(x, 8)
-#define CARDAN_ANY(x) (CARDAN_ANY_8(x, 0) | CARDAN_ANY_8(x, 8))
-#elif CARDAN_PACK == 8
-#define CARDAN_LIST(x) CARDAN_LIST_8(x, 0)
-#define CARDAN_ANY(x) CARDAN_ANY_8(x, 0)
-#elif CARDAN_PACK == 4
-#define CARDAN_LIST(x) CARDAN_LIST_4(x, 0)
-#define CARDAN_ANY(x) CARDAN_ANY_4(x, 0)
-#else
-#define CARDAN_LIST(x) CARDAN_LIST_2(x, 0)
-#define CARDAN_ANY(x) CARDAN_ANY_2(x, 0)
-#endif
-
 /* whether a mask is set anywhere */
 CARDAN_INLINE int cardan_some(const cardan_mask *mask)
 {
-#if defined __AVX512F__ && CARDAN_PACK == 8 && !defined CARDAN_FLOAT
-    int some;
-    __asm__("vptestmq %1, %1, %%k1\n\tkmovw %%k1, %0" : "=r"(some) : "v"(*mask) : "k1");
-    return some != 0;
-#elif defined __AVX512F__ && CARDAN_PACK == 16
+#if defined __AVX512F__ && CARDAN_BYTES == 64
     int some;
     __asm__("vptestmd %1, %1, %%k1\n\tkmovw %%k1, %0" : "=r"(some) : "v"(*mask) : "k1");
     return some != 0;
 #else
-    cardan_word each[CARDAN_PACK];
+    cardan_word each[CARDAN_PACK], any = 0;
     memcpy(each, mask, sizeof each);
-    return CARDAN_ANY(each) != 0;
+    for (int k = 0; k < CARDAN_PACK; ++k) any |= each[k];
+    return any != 0;
 #endif
 }
 
@@ -301,8 +273,12 @@ CARDAN_INLINE void cardan_sincos(int n, const double *x, double *sine, double *c
     }
 #if CARDAN_PACK > 1
     for (int i = 0; i < n; i += CARDAN_PACK) {
-        const cardan_pack angle = {CARDAN_LIST(x + i)};
-        cardan_pack s, c;
+        cardan_pack angle, s, c;
+#if CARDAN_PACK == 2
+        angle = (cardan_pack){x[i], x[i + 1]}; /* it would wait for memory */
+#else
+        memcpy(&angle, x + i, sizeof angle);
+#endif
         cardan_sincos_pack(&angle, &s, &c);
         memcpy(sine + i, &s, sizeof s);
         memcpy(cosine + i, &c, sizeof c);
