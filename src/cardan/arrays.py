@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array: TypeAlias = NDArray[np.float64]
+# type of the numbers of a batch, which may be float32, too; arrays of such are annotated as Array
+Numbers: TypeAlias = type[np.float64]
 Complex: TypeAlias = NDArray[np.complex128]
 Booleans: TypeAlias = NDArray[np.bool_]
 Integers: TypeAlias = NDArray[np.intp]

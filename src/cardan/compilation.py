@@ -14,7 +14,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import regular_file
 from .api.compiled_model import CompiledModel
@@ -54,6 +54,7 @@ def compile(
     loops: bool | None = None,
     threads: int | None = None,
     reproducible: bool = False,
+    dtype: str = "float64",
 ) -> CompiledModel:
     """C functions of a scene, written, compiled and checked when they are first used.
 
@@ -69,9 +70,11 @@ def compile(
         threads: That share a large batch of states; by default ``$CARDAN_THREADS``, else the cores
             that this process may use.
         reproducible: Equal bits from every compiler and processor, 10-30 % slower.
+        dtype: ``"float32"``: batches of arrays of float32 are computed so; all else in doubles.
 
     Raises:
         DerivationError: an unknown function, or options for equations that are derived already.
+        ModelError: no such dtype, or float32 in absolute coordinates.
         BuildError: no compiler, or a build that failed its check.
     """
     options: dict[str, object] = {
@@ -86,14 +89,19 @@ def compile(
         "plane": plane,
     }
 
+    # how many threads share a batch, and how their C is compiled, is nothing to the equations
+    how: dict[str, Any] = {"threads": threads, "reproducible": reproducible, "dtype": dtype}
+
     def derived(of: SceneRecord | EquationRecord | FiniteElementRecord) -> CompiledModel:
-        return _derived(of, functions, directory, options, loops, threads, reproducible)
+        # the rooms of the compiler are loaded when they are needed
+        from .pipeline import compile_scene
+
+        return compile_scene(of, functions, directory, options, loops, **how)
 
     if directory is not None or not isinstance(scene, SceneRecord):
         return derived(scene)
-    # how many threads share a batch, and how their C is compiled, is nothing to the equations
     key = content_hash(VERSION, source_state(), functions, options, loops, scene)
-    model = key and _earlier(key, scene, derived, threads, reproducible)
+    model = key and _earlier(key, scene, derived, how)
     if model:
         return model
     with watched_warnings() as warnings:
@@ -102,21 +110,6 @@ def compile(
     if key and not warnings:
         _remember(key, model)
     return model
-
-
-def _derived(
-    scene: SceneRecord | EquationRecord | FiniteElementRecord,
-    functions: Sequence[str],
-    directory: str | Path | None,
-    options: Mapping[str, object],
-    loops: bool | None,
-    threads: int | None,
-    reproducible: bool,
-) -> CompiledModel:
-    """The whole way."""
-    from .pipeline import compile_scene
-
-    return compile_scene(scene, functions, directory, options, loops, threads, reproducible)
 
 
 class _Entry(NamedTuple):
@@ -163,8 +156,7 @@ def _earlier(
     key: str,
     scene: SceneRecord,
     derive: Callable[[SceneRecord], CompiledModel],
-    threads: int | None,
-    reproducible: bool,
+    how: Mapping[str, Any],
 ) -> CompiledModel | None:
     """The model of an equal scene, whole; None where the cache has none."""
     path = _place(key)
@@ -189,9 +181,7 @@ def _earlier(
 
     folder = path.parent / entry.folder
     try:
-        model = CompiledModel(
-            folder, provide, reproducible=reproducible, threads=threads, available=entry.available
-        )
+        model = CompiledModel(folder, provide, available=entry.available, **how)
     except ModelError:
         return None
     if not all(_intact(folder, Path(name).name, model) for name in model.manifest.sha256):

@@ -212,14 +212,17 @@ def compile_scene(
     loops: bool | None,
     threads: int | None,
     reproducible: bool,
+    dtype: str,
 ) -> CompiledModel:
     """The whole way to compiled functions; :func:`cardan.compile` tells the arguments.
 
     Args:
         options: Of :func:`derive`, None for its default.
+        dtype: As :func:`cardan.compile` takes it.
 
     Raises:
         DerivationError: an unknown function, or options for equations that are derived already.
+        ModelError: no such dtype, or float32 in absolute coordinates.
         BuildError: no compiler, or a build that failed its check.
     """
     named_options = {name: x for name, x in options.items() if x is not None}
@@ -229,10 +232,11 @@ def compile_scene(
         if coordinates is not None:
             named_options.setdefault("coordinates", coordinates)
     equations = _derived(scene, **named_options)
+    model_from = partial(CompiledModel, threads=threads, reproducible=reproducible, dtype=dtype)
     if isinstance(equations, FiniteElementRecord):
         folder = _of_elements(equations, directory)
         write = partial(model_folder.add_requested, folder, equations)
-        return CompiledModel(folder, write, threads=threads, reproducible=reproducible)
+        return model_from(folder, write)
     functions = requested(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
@@ -254,9 +258,7 @@ def compile_scene(
         _add(folder, base, [_c_of(equations, key, loops) for key in missing])
         return names
 
-    model = CompiledModel(
-        folder, provide, reproducible=reproducible, threads=threads, available=functions
-    )
+    model = model_from(folder, provide, available=functions)
     _say_what_is_not_checked(model)
     return model
 

@@ -14,7 +14,7 @@ from cardan.peers.comparison import LANES, OURS, Comparison
 
 EPS = float(np.finfo(float).eps)
 # multiplications and additions of one sine with its cosine in kernels/sincos.h
-SINCOS = 50
+SINCOS = 48
 # "a small multiple" of eps cond(M)
 MULTIPLE = 10
 
@@ -63,6 +63,7 @@ def figures(found: Found) -> list[Figure]:
         *derivatives(found),
         *circuits(found),
         *ensembles(found),
+        *in_memory(found),
         *building(found),
         *accuracy(found),
         Figure("peers that took part", len(PEERS), len(present()), "", least=True),
@@ -164,7 +165,18 @@ def circuits(found: Found) -> Iterator[Figure]:
 def ensembles(found: Found) -> Iterator[Figure]:
     alone, lanes = found.ensembles.get("panda", (None, None))
     gain = alone / lanes if alone and lanes else None
-    yield Figure("ensemble of Panda, runs per time, of our loop in C", 5, gain, least=True)
+    yield Figure("ensemble of Panda, runs per time, of our loop in C", 5.5, gain, least=True)
+
+
+def in_memory(found: Found) -> Iterator[Figure]:
+    """Batches from Python, by how they lie in memory and by the type of their numbers."""
+    ways = {way.name: 1e9 * way.seconds for way in found.batches.get("panda", [])}
+    targets = {"rows": 33, "structure of arrays": 25, "structure of arrays, float32": 13.5}
+    for name, target in targets.items():
+        title = f"Panda, forward dynamics, batch from Python, {name}"
+        yield Figure(title, target, ways.get(name), "ns")
+    second = found.threads.get("panda")
+    yield Figure("Panda, forward dynamics, two threads, of one", 1.85, second, least=True)
 
 
 def building(found: Found) -> Iterator[Figure]:

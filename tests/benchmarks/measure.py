@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import cardan as cd
+from benchmarks.batches import Way, second_thread, ways
 from benchmarks.cases import CASES, DERIVATIVES, FORWARD, LONG, MASS, Case
 from benchmarks.ensembles import beside
 from cardan.errors import CardanError
@@ -42,6 +43,9 @@ class Found:
         formulas: Closed case -> seconds of a call and of a state in a batch, its loops solved
             by formulas.
         ensembles: Case -> seconds of a run among many: one by one, in lanes.
+        batches: Case -> ways of a batch to lie in memory, in doubles and floats.
+        threads: Case -> time of a batch in one thread over that in two; None where other work
+            kept it from being measured.
     """
 
     comparisons: dict[str, Comparison]
@@ -52,6 +56,8 @@ class Found:
     lanes: int
     formulas: dict[str, tuple[Time, Time]] = field(default_factory=dict)
     ensembles: dict[str, tuple[float, float]] = field(default_factory=dict)
+    batches: dict[str, list[Way]] = field(default_factory=dict)
+    threads: dict[str, float | None] = field(default_factory=dict)
 
 
 def undamped(model: cd.CompiledModel) -> cd.CompiledModel:
@@ -122,6 +128,8 @@ def run(quick: bool, rounds: int, show: Callable[[str], None]) -> Found:
     lacking: dict[str, str] = {}
     by_formulas: dict[str, tuple[Time, Time]] = {}
     many: dict[str, tuple[float, float]] = {}
+    batches: dict[str, list[Way]] = {}
+    threads: dict[str, float | None] = {}
     peaks, lanes = [peak()], 1
     for case in CASES:
         if quick and not case.quick:
@@ -135,6 +143,9 @@ def run(quick: bool, rounds: int, show: Callable[[str], None]) -> Found:
             if case.name in ENSEMBLES:
                 show(f"{case.title}: ensemble")
                 many[case.name] = beside(case, rounds)
+                show(f"{case.title}: batches")
+                batches[case.name] = ways(case, rounds)
+                threads[case.name] = second_thread(case)
             show(f"{case.title}: building")
             buildings[case.name] = building([case.name], SECONDS)
         except (CardanError, FileNotFoundError, TimeoutError, RuntimeError) as problem:
@@ -148,4 +159,6 @@ def run(quick: bool, rounds: int, show: Callable[[str], None]) -> Found:
     peaks.append(peak())
     best = max(peaks, key=lambda found: found.vector)
     counts = json.loads(COUNTS.read_text("utf-8"))
-    return Found(comparisons, buildings, counts, lacking, best, lanes, by_formulas, many)
+    return Found(
+        comparisons, buildings, counts, lacking, best, lanes, by_formulas, many, batches, threads
+    )

@@ -15,6 +15,7 @@ from cardan.peers.comparison import LANES, OURS
 from cardan.peers.processor import name as processor
 from cardan.runtime.build import cache
 
+BUSY = "it has no core of its own, or other work was on the processor"
 CIRCUITS = {case.name for case in CASES if case.closed}
 Section = tuple[str, tuple[str, ...], list[tuple[str, ...]]]
 
@@ -27,6 +28,7 @@ def sections(found: Found) -> Iterator[Section]:
     """Title, headings and rows of every table."""
     yield comparisons(found)
     yield circuits(found)
+    yield batches(found)
     yield buildings(found)
     yield counts(found)
 
@@ -85,6 +87,24 @@ def circuits(found: Found) -> Section:
     return "closed mechanisms, forward dynamics with constraints", headings, lines
 
 
+def batches(found: Found) -> Section:
+    """Batches from Python, as they lie in memory; what ensembles and a second thread gain."""
+    headings = ("mechanism", "batch or runs", "least [ns]", "error", "gain")
+    lines: list[tuple[str, ...]] = []
+    for case, ways in found.batches.items():
+        for way in ways:
+            gain = ways[0].seconds / way.seconds
+            cells = f"{1e9 * way.seconds:.1f}", f"{way.error:.1e}", f"{gain:.2f}"
+            lines.append((titles()[case], way.name, *cells))
+    for case, second in found.threads.items():
+        gain = "not measurable" if second is None else f"{second:.2f}"
+        lines.append((titles()[case], "two threads, of the time of one", "", "", gain))
+    for case, (alone, lanes) in found.ensembles.items():
+        cells = f"{1e9 * lanes:.0f}", "0", f"{alone / lanes:.2f}"
+        lines.append((titles()[case], "a run of an ensemble in lanes, of our loop in C", *cells))
+    return "many states and runs in one thread, per state or run", headings, lines
+
+
 def buildings(found: Found) -> Section:
     """From the scene to the first number."""
     headings = (
@@ -129,6 +149,8 @@ def left_out(found: Found) -> Iterator[str]:
         why = peer(name).missing()
         if why:
             yield f"{peer(name).name} was not measured: {why}"
+    if None in found.threads.values():
+        yield f"a second thread was not measured: {BUSY}"
     for title, why in found.lacking.items():
         yield f"{title} was not measured: {why}"
     where: dict[tuple[str, str], list[str]] = {}

@@ -27,7 +27,7 @@ from numpy.typing import ArrayLike
 
 from ...arrays import Array
 from ...errors import ArgumentError
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 from ...runtime.models.loaded_model import LoadedModel
 from .coordinates import Coordinates
 from .joint_pairs import joint_map

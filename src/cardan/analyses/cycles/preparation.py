@@ -9,7 +9,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 from ..systems.dynamic_system import DynamicSystem
 from .cycle_problem import RESOLUTION, CycleProblem, CycleState
 from .named_states import blocks_of

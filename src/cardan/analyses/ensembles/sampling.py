@@ -23,7 +23,7 @@ from ...arguments import Count, Seed, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, counted
 from ...records import dataclass
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 
 MOST = 1 << 31  # runs of a plan
 

@@ -12,7 +12,7 @@ from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, named, near
 from ...records import dataclass
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 from ...runtime.models.initial import initial_state, missing
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.models.named_rotations import check_units, component, refuse_components

@@ -11,7 +11,7 @@ from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import ArgumentError, DerivationError, ModelError, SolveError, brief, near
 from ...records import dataclass
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 from ...runtime.calls.loaded_function import LoadedFunction
 from ...runtime.models.derivatives import Derivative
 from ...runtime.models.loaded_model import LoadedModel

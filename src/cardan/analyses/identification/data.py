@@ -18,7 +18,7 @@ from ...atomic_file import written
 from ...errors import ArgumentError, brief, counted, near
 from ...records import dataclass
 from ...runtime import formats
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 from ...runtime.trajectory.storage import load
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from . import smoothing

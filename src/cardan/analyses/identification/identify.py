@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from ...arguments import Count, checked
 from ...arrays import Array
 from ...errors import ArgumentError, near
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 from ..mechanisms.actuation import named_speeds
 from .base_parameters import REQUIRED, Base, base_parameters, circuits, needed
 from .data import Data, columns, measured

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from ...arguments import Count, Seed, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 from ...runtime.calls.evaluation import State
 from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel

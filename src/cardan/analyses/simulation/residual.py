@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from ...arguments import checked
 from ...arrays import Array
 from ...errors import ArgumentError, brief
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 from ...runtime.calls.evaluation import State, Values
 from ...runtime.models.constraint_projection import Closing
 from ...runtime.models.loaded_model import LoadedModel

@@ -22,7 +22,7 @@ from ...errors import (
     warn,
 )
 from ...records import dataclass
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.integrators import INTEGRATORS, Integrator

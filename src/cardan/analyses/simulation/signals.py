@@ -13,7 +13,7 @@ from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import ArgumentError, FunctionError, ModelError, SolveError, brief, named, near
 from ...records import dataclass
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 from ...runtime.trajectory.input_history import PiecewiseInput, Recorded
 from ...schema.entries import Entry
 from .input_functions import CEntry, CFunction

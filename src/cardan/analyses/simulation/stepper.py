@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from ...arguments import checked
 from ...arrays import Array
 from ...errors import FunctionError, ModelError, SolveError, brief, near
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.event_log import Event, EventLog
 from . import run_record as abi

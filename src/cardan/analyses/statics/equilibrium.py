@@ -13,7 +13,7 @@ from ...arguments import LockedValues, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, brief, counted, near, warn
 from ...records import dataclass
-from ...runtime.calls.calling import numbers
+from ...runtime.calls.argument_values import numbers
 from ...runtime.models.finite_elements.beam_sections import sections
 from ...runtime.models.wrenches import force_names, force_part, reaction_part
 from ...schema.functions import FUNCTIONS

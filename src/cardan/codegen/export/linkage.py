@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from functools import cache
 
 from ...schema import kernel_files
+from ...schema.single_precision import SKIPPED
 
 # what headers declare and files define for others, at the beginnings of lines; what is
 # CARDAN_INLINE is static
@@ -17,8 +18,6 @@ _EXTERNAL = re.compile(
 )
 _PROTOTYPE = re.compile(r"^(?!static|typedef|#)[A-Za-z_][^;{}#]*\([^;{}#]*\);", re.M)
 _INCLUDED = re.compile(r"^#include \"(\w+\.h)\"", re.M)
-# what names nothing: comments, strings and names of files
-SKIPPED = re.compile(r"/\*.*?\*/|//[^\n]*|\"(?:\\.|[^\"\\\n])*\"|#include[^\n]*", re.S)
 WORD = re.compile(r"[A-Za-z_]\w*")
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from ...errors import CodegenError, brief
+from ...schema.single_precision import SKIPPED
 from .. import layout
 from . import linkage
 
@@ -92,7 +93,7 @@ def renamed(text: str, names: Iterable[str], prefix: str) -> str:
         return prefix + name if name in renamed_names else name
 
     parts, last = [], 0
-    for skipped in linkage.SKIPPED.finditer(text):
+    for skipped in SKIPPED.finditer(text):
         parts += [linkage.WORD.sub(word, text[last : skipped.start()]), skipped.group()]
         last = skipped.end()
     parts.append(linkage.WORD.sub(word, text[last:]))

@@ -16,7 +16,7 @@ from pathlib import Path
 from ... import processes
 from ...records import dataclass
 from ...schema import kernel_files
-from . import cache, prebuilt
+from . import cache, prebuilt, single_sources
 from .cpu_levels import LEVELS, Level, family
 from .object_file import Object
 from .toolchain import Compiler, compile_shared
@@ -50,8 +50,13 @@ def library(
     Raises:
         CompilerMissing: it is not there, and no compiler either. BuildError: compiling failed.
     """
+    return variant(prebuilt.Variant(reproducible, lanes, lane_parameters))
+
+
+def variant(one: prebuilt.Variant) -> ctypes.CDLL:
+    """The library of a variant, as :func:`library`; those of single precision are not installed."""
     with _LOCK:
-        return _library(cache.level(), prebuilt.Variant(reproducible, lanes, lane_parameters))
+        return _library(cache.level(), one)
 
 
 @lru_cache(maxsize=32)
@@ -59,9 +64,12 @@ def _library(level: Level, variant: prebuilt.Variant) -> ctypes.CDLL:
     installed = prebuilt.library(level, variant)
     if installed is not None:
         return Object(installed, False).library()
-    built = cache.build(
-        variant.sources(), kernel_files.includes(), variant.reproducible, extra=variant.macros
-    )
+    sources, include = variant.sources(), kernel_files.includes()
+    if variant.single:
+        with single_sources.written(sources, include) as (sources, include):
+            built = cache.build(sources, include, variant.reproducible, extra=variant.macros)
+    else:
+        built = cache.build(sources, include, variant.reproducible, extra=variant.macros)
     return built.load()
 
 

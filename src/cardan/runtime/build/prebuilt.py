@@ -23,6 +23,8 @@ INDEX = "index.json"
 # what works on lanes: shared parameters, or each lane its own
 LANE_SOURCES = (("batch.c", "simd_steps.c", "lane_*.c", "layouts.c"), ("batch.c",))
 WIDTHS = (2, 4, 8)
+# what texts in single precision are told: single states stay in double
+FLOATS = ("-DCARDAN_FLOAT", "-DCARDAN_WIDE=double")
 
 
 @dataclass(frozen=True)
@@ -33,26 +35,31 @@ class Variant:
         reproducible: No contraction: every compiler of IEEE arithmetic gives equal bits.
         lanes: States side by side; 1: everything but what works on lanes.
         lane_parameters: Every state has parameters of its own.
+        single: Numbers are float; of what goes through batches alone.
     """
 
     reproducible: bool = False
     lanes: int = 1
     lane_parameters: bool = False
+    single: bool = False
 
     @property
     def name(self) -> str:
         """Name in ``index.json``: ``"scalar"``, ``"lanes8-own-exact"``."""
         lanes = f"lanes{self.lanes}" if self.lanes > 1 else "scalar"
-        return lanes + "-own" * self.lane_parameters + "-exact" * self.reproducible
+        kinds = "-own" * self.lane_parameters + "-float" * self.single
+        return lanes + kinds + "-exact" * self.reproducible
 
     @property
     def macros(self) -> tuple[str, ...]:
         """Macros for the compiler."""
-        return macros(self.lanes, self.lane_parameters) if self.lanes > 1 else ()
+        numbers = FLOATS if self.single else ()
+        return (*macros(self.lanes, self.lane_parameters), *numbers) if self.lanes > 1 else ()
 
     def sources(self) -> list[Path]:
         """C files."""
-        patterns = ("*.c",) if self.lanes == 1 else LANE_SOURCES[self.lane_parameters]
+        batches_alone = self.lane_parameters or self.single
+        patterns = ("*.c",) if self.lanes == 1 else LANE_SOURCES[batches_alone]
         paths = {path for pattern in patterns for path in kernel_files.files(pattern)}
         return sorted(paths - {kernel_files.file(LEVEL)})
 

@@ -216,8 +216,9 @@ cdef class Fast:
         if lead < 0 or lead > 1 or self.axes[i] > AXES or not is_double(view):
             return -1
         if lead:
+            # of more states the numbers are looked at elsewhere
             count = view.shape[0]
-            if count < 1:
+            if count < 1 or count > self.few:
                 return -1
         for k in range(self.axes[i]):
             if view.shape[lead + k] != self.length[i][k] and self.length[i][k] >= 0:

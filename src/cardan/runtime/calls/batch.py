@@ -1,9 +1,10 @@
-"""Many states: in lanes once they pay, in pieces, in threads where there is enough to do.
+"""Many states: in lanes once they pay, in chunks, in threads where there is enough to do.
 
-A piece takes some hundredths of a second, so that Ctrl-C is heard. The lane build of a function is
+A chunk takes some hundredths of a second, so that Ctrl-C is heard. The lane build of a function is
 compiled when the time that its batches took, with what is left of the present one, exceeds what the
 compiler will take: no sequence of calls takes much more than twice the time of the best choice.
 What is in the cache is used at once. Lanes give the bits of single states: nobody sees the change.
+Floats are always done in lanes, so that the bits of a state do not depend on how many there are.
 """
 
 from __future__ import annotations
@@ -28,8 +29,10 @@ FIRST = 256  # states before the time of one is known
 CHUNK_SECONDS = 0.03  # seconds between two looks at signals
 FEW = 32  # states from which on lanes are worth a thought
 THREADED = 4e-3  # seconds of work from which on threads pay
+SHARES = 4  # of a thread
 DIFFERENCE = 1e-6  # of the largest entry; builds of one text differ by rounding, if at all
-LARGEST = 8  # all widths divide it
+MOST_LANES = 16  # all widths divide it
+FLOAT_ERROR = 1e-3  # of the largest entry, from which on results in single precision deserve a word
 
 
 def cores() -> int:
@@ -52,13 +55,24 @@ def threads(requested: int | None = None) -> int:
     return int(text)
 
 
-def one_by_one(one: Single, states: States) -> Run:
-    """The call from one state to another that goes through them one by one."""
+def one_by_one(one: Single, states: States, sizes: Sequence[int] = ()) -> Run:
+    """The call from one state to another that goes through them one by one, in doubles.
+
+    Args:
+        one: Runs through rows of states.
+        states: Rows, or anything else where ``sizes`` tell the entries of the blocks.
+    """
 
     def run(start: int, end: int) -> Answer:
-        pairs = zip(states.blocks, states.strides, strict=True)
-        here = [None if block is None else block[start * step :] for block, step in pairs]
-        status, failed = one(here, states.strides, states.out[start:end])
+        if states.plain:
+            pairs = zip(states.blocks, states.strides, strict=True)
+            here = [None if block is None else block[start * step :] for block, step in pairs]
+            status, failed = one(here, states.strides, states.out[start:end])
+        else:
+            rows = states.rows(start, end, sizes)
+            status, failed = one(rows.blocks, rows.strides, rows.out)
+            with np.errstate(over="ignore"):
+                states.out[start:end] = rows.out
         return status, failed + start if failed >= 0 else -1, False
 
     return run
@@ -95,53 +109,73 @@ class Batch:
         # by whether every state has parameters of its own
         self._built: dict[bool, Lanes | None] = {}
         self._spent = {False: 0.0, True: 0.0}
+        self._rates: dict[bool, float] = {}
+
+    @property
+    def single(self) -> bool:
+        """Whether its lanes are of floats."""
+        return self.recipe is not None and self.recipe.single
 
     @property
     def cost(self) -> float:
         """Expected compile time of a lane build [s]."""
         return np.inf if self.recipe is None else self.recipe.seconds
 
-    def run(
-        self, one: Single, blocks: list[Array | None], strides: Sequence[int], out: Array
-    ) -> Answer:
+    def run(self, one: Single, states: States) -> Answer:
         """Results at all states.
 
         Args:
-            one: Runs through states one by one.
-            blocks, strides, out: As :func:`.abi_ctypes.run` takes them.
+            one: Runs through rows of states one by one.
+            states: Where they are, and where their results go.
 
         Returns:
             (first status that is not 0, index of that state or -1, whether all numbers that are
             read and all results are known to be finite).
         """
-        states, lane_parameters = States(blocks, strides, out), strides[SLOT["w"]] != 0
-        count, single = len(out), one_by_one(one, states)
-        way = (self.lane_run(lane_parameters, states) if count >= FEW else None) or single
+        lane_parameters = states.strides[SLOT["w"]] != 0
+        count, single = len(states.out), one_by_one(one, states, self.sizes)
+        lanes = self.lane_run(lane_parameters, states) if count >= FEW or self.single else None
+        if self.single and lanes is None:
+            lanes = self._better(lane_parameters, one, states)
+        way = lanes or single
         answers: list[Answer] = []
-        at, end = 0, min(count, FIRST)
+        # seconds of a state in lanes are remembered: most batches are done by one call
+        remembered = self._rates.get(lane_parameters)
+        rate = remembered if way is lanes else None
+        at = 0
         while at < count:
+            chunk = FIRST
+            if rate is not None:
+                # whole vectors
+                chunk = max(1, int(CHUNK_SECONDS / max(rate, 1e-9)) // MOST_LANES) * MOST_LANES
+                if self._in_threads(rate * (count - at)):
+                    answers.extend(self._threaded(way, at, count, chunk))
+                    break
+            end = min(count, at + chunk)
             before = time.perf_counter()
             answers.append(way(at, end))
             spent = time.perf_counter() - before
-            rate, at = spent / (end - at), end
-            left = rate * (count - at)
-            if way is single and count >= FEW:
+            rate = spent / (end - at)
+            if way is lanes:
+                # of a few states the call itself takes more, and others may have had the processor
+                if end - at >= FIRST:
+                    self._rates[lane_parameters] = min(rate, remembered or rate)
+            elif count >= FEW:
                 self._spent[lane_parameters] += spent
-                if self._spent[lane_parameters] + left > self.cost:
-                    way = self._better(lane_parameters, one, states) or single
-            # whole blocks of lanes
-            chunk = max(1, int(CHUNK_SECONDS / max(rate, 1e-9)) // LARGEST) * LARGEST
-            if left > THREADED and self.address and threads(self.thread_count) > 1:
-                answers.extend(self._threaded(way, at, count, chunk))
-                break
-            end = min(count, at + chunk)
+                if self._spent[lane_parameters] + rate * (count - end) > self.cost:
+                    lanes = self._better(lane_parameters, one, states)
+                    way = lanes or single
+            at = end
         failed = next((answer for answer in answers if answer[0]), None)
         return failed or (0, -1, all(finite for _, _, finite in answers))
 
-    def watches(self, strides: Sequence[int], count: int) -> tuple[bool, ...]:
-        """Mask of the slots that a run checks for numbers that are not finite."""
-        lanes = count >= FEW and self.ready(strides[SLOT["w"]] != 0) is not None
-        return tuple(lanes and size > 0 for size in self.sizes)
+    def _in_threads(self, seconds: float) -> bool:
+        """Whether work of so many seconds is shared by threads."""
+        return seconds > THREADED and bool(self.address) and threads(self.thread_count) > 1
+
+    def watches(self, lane_parameters: bool, count: int) -> bool:
+        """Whether a run looks for numbers that are not finite, in all that is read."""
+        return (count >= FEW or self.single) and self.ready(lane_parameters) is not None
 
     @property
     def lanes(self) -> int:
@@ -154,7 +188,8 @@ class Batch:
         from concurrent.futures import ThreadPoolExecutor
 
         many = threads(self.thread_count)
-        share = -(-(count - start) // (many * LARGEST)) * LARGEST
+        # several shares each: a thread that was kept waiting leaves some to others
+        share = -(-(count - start) // (SHARES * many * MOST_LANES)) * MOST_LANES
         step = min(chunk, share)
         with ThreadPoolExecutor(many, "cardan") as pool:
             futures = [
@@ -171,7 +206,7 @@ class Batch:
         """The lane build, if it was made before, here or by another process."""
         with self._lock:
             if self.recipe is not None and lane_parameters not in self._built:
-                lanes = width()
+                lanes = width(self.single)
                 self._built[lane_parameters] = (
                     self.recipe.there(lanes, lane_parameters) if lanes > 1 else None
                 )
@@ -186,7 +221,7 @@ class Batch:
 
     def _better(self, lane_parameters: bool, one: Single, states: States) -> Run | None:
         """The call of the lane build, made now; None where there can be none."""
-        if self.recipe is None or width() == 1:
+        if self.recipe is None or width() == 1 or np.isneginf(self._spent[lane_parameters]):
             self._spent[lane_parameters] = -np.inf
             return None
         try:
@@ -216,7 +251,7 @@ class Batch:
         """
         with self._lock:
             lanes_built = self._built.get(lane_parameters)
-            lanes = 1 if self.recipe is None else width()
+            lanes = 1 if self.recipe is None else width(self.single)
             if self.recipe is None or lanes == 1:
                 return 1
             if lanes_built is None:
@@ -237,14 +272,28 @@ class Batch:
         Raises:
             BuildError: they differ.
         """
-        count = min(len(states.out), 4 * LARGEST)
+        count = min(len(states.out), 4 * MOST_LANES)
         shape = (count, states.out.shape[1])
-        first, second = np.empty(shape), np.empty(shape)
-        one_by_one(one, replace(states, out=first))(0, count)
+        first, second = np.empty(shape, states.out.dtype), np.empty(shape, states.out.dtype)
+        one_by_one(one, replace(states, out=first), self.sizes)(0, count)
         lanes.call(self.address, replace(states, out=second), self.sizes, self.work_size)(0, count)
+        if self.single:
+            self._judge(first, second)
+            return
         scale = np.abs(first[np.isfinite(first)]).max(initial=0.0)
         if not np.allclose(first, second, rtol=0, atol=DIFFERENCE * scale, equal_nan=True):
             raise BuildError(
                 f"{self.name}: the compiler makes different code of one text for single states and "
                 "for several at once. Try another one: CC"
+            )
+
+    def _judge(self, exact: Array, single: Array) -> None:
+        """Warn where single precision leaves few digits of results, or none."""
+        scale = np.abs(exact[np.isfinite(exact)]).max(initial=0.0)
+        error = float(np.abs(single - exact).max(initial=0.0)) / (float(scale) or 1.0)
+        if not error <= FLOAT_ERROR and np.isfinite(exact).all():
+            warn(
+                f"{self.name}: float32 differs from doubles by {error:.0e} of the largest entry. "
+                "Give arrays of float64 where that is too much",
+                BuildWarning,
             )

@@ -6,18 +6,20 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
 from functools import cached_property
 from math import prod
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from ...arrays import Array
-from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, near, warn
+from ...arrays import Array, Numbers
+from ...errors import ArgumentError, SolveError, SolveWarning, warn
 from ...records import dataclass
 from ...schema.blocks import ORDER, SLOT
 from . import abi
+from .argument_values import by_name, common, numbers
 from .batch import Batch
 from .interpreted import Interpreted
+from .lanes import States
+from .memory_order import first_bad, laid_out, room
 
 MAX_PRINTED = 12
 ANY = -1
@@ -55,6 +57,18 @@ class Argument:
     @cached_property
     def size(self) -> int:
         return prod(self.shape)
+
+    @cached_property
+    def finite(self) -> bool:
+        """Whether its default is."""
+        return self.default is None or bool(np.isfinite(self.default).all())
+
+    @cached_property
+    def block_sizes(self) -> tuple[tuple[int, int], ...]:
+        """(slot in cardan_in, numbers) of every input block it fills."""
+        ends = [*[first for _, first in self.blocks[1:]], self.size]
+        pairs = zip(self.blocks, ends, strict=True)
+        return tuple((slot, end - first) for (slot, first), end in pairs)
 
     def __str__(self) -> str:
         return self.label or self.name
@@ -102,6 +116,7 @@ class Caller:
         few: States that are done one by one, with nothing prepared for many.
         evaluator: What stands in for the C function where there is no compiler.
         batch: What goes through many states.
+        single: The same in single precision, for models that have it.
         w_slot: Where w stands in cardan_in.
     """
 
@@ -117,6 +132,7 @@ class Caller:
         operations: int = 0,
         evaluator: Interpreted | None = None,
         batch: Batch | None = None,
+        single: Batch | None = None,
     ) -> None:
         self.name = name
         self.address = address
@@ -129,8 +145,10 @@ class Caller:
         self.operations = operations
         self.few = min(MOST, LITTLE // max(1, operations))
         self.evaluator = evaluator
-        self.batch = Batch(name, None) if batch is None else batch
+        self.batch = Batch(name, None, sizes=sizes(arguments)) if batch is None else batch
+        self.single = single
         self.w_slot = SLOT["w"]
+        self._constant_blocks: dict[Numbers, list[Array | None]] = {}
 
     def __call__(self, out: Array | None, *values: object, w: Array | None = None) -> Array:
         """The results for states of any leading shape.
@@ -157,51 +175,85 @@ class Caller:
         return lambda values: None
 
     def _results(self, out: Array | None, values: Sequence[object], w: Array | None) -> Array:
-        values = [*values, *[None] * (len(self.arguments) - len(values))]
-        arrays = [self._read(a, v) for a, v in zip(self.arguments, values, strict=True)]
+        batch, dtype = self._precision(values)
+        arrays = self._read_all(values, dtype)
         lead = self._lead(arrays, w)
         count = prod(lead)
-        blocks: list[Array | None] = [None] * len(ORDER)
-        strides = [0] * len(ORDER)
-        argument_arrays: list[tuple[Argument, Array]] = []
-        for argument, array in zip(self.arguments, arrays, strict=True):
-            flat, stride = _rows(array, lead, argument.shape)
-            argument_arrays.append((argument, flat))
+        blocks, strides, spacings = [*self._constants(dtype)], [0] * len(ORDER), [1] * len(ORDER)
+        rows = columns = False
+        for argument, array in arrays:
+            flat, stride, spacing = laid_out(array, lead, len(argument.shape))
+            if stride and argument.size > 1:
+                rows, columns = rows or spacing == 1, columns or spacing > 1
             for slot, first in argument.blocks:
-                blocks[slot], strides[slot] = flat[first:], stride
-        prepared = self.w if w is None else w
-        blocks[SLOT["w"]], strides[SLOT["w"]] = _rows(prepared, lead, prepared.shape[-1:])
+                blocks[slot] = flat[first * spacing :] if first else flat
+                strides[slot], spacings[slot] = stride, spacing
+        if w is not None:
+            flat, strides[self.w_slot], _ = laid_out(np.ascontiguousarray(w, dtype), lead, 1)
+            blocks[self.w_slot] = flat
         # lanes look at the numbers while they have them at hand
-        watched = self.batch.watches(strides, count)
-        later = [row for row in argument_arrays if all(watched[slot] for slot, _ in row[0].blocks)]
-        for argument, flat in argument_arrays:
-            if not all(watched[slot] for slot, _ in argument.blocks):
-                self._check_finite(argument, flat)
+        watched = batch.watches(strides[self.w_slot] != 0, count)
+        later: list[tuple[Argument, Array]] = []
+        for argument, array in arrays:
+            if watched and all(batch.sizes[slot] for slot, _ in argument.blocks):
+                later.append((argument, array))
+            else:
+                self._check_finite(argument, array)
         if count * max(1, self.size) > LARGEST:
             raise MemoryError(f"{count} states of {self.size} numbers")
-        result = self._room(lead, count, blocks, out)
+        in_columns = columns and not rows
+        result = room(out if lead else None, lead, self.shape, dtype, in_columns, blocks)
         if count:
-            status, failed, finite = self.batch.run(self.call, blocks, strides, result)
+            states = States(blocks, strides, result, spacings)
+            status, failed, finite = batch.run(self.call, states)
             if not finite:
-                for argument, flat in later:
-                    self._check_finite(argument, flat)
+                for argument, array in later:
+                    self._check_finite(argument, array)
                 self.check_result(result, status, failed, single=not lead)
         return self._deliver(result.reshape(lead + self.shape), out)
 
-    def _room(
-        self, lead: tuple[int, ...], count: int, blocks: list[Array | None], out: object
-    ) -> Array:
-        """Array for the results, (count, size): for a batch ``out`` itself if it takes them so."""
-        if (
-            lead
-            and isinstance(out, np.ndarray)
-            and out.dtype == np.float64
-            and out.shape == lead + self.shape
-            and out.flags.carray
-            and not any(b is not None and np.may_share_memory(b, out) for b in blocks)
-        ):
-            return out.reshape(count, self.size)
-        return np.empty((count, self.size))
+    def _constants(self, dtype: Numbers) -> list[Array | None]:
+        """The blocks of arguments that are left out, and the parameters."""
+        blocks = self._constant_blocks.get(dtype)
+        if blocks is None:
+            blocks = [None] * len(ORDER)
+            for argument in self.arguments:
+                default = np.zeros(argument.size) if argument.default is None else argument.default
+                flat = np.ascontiguousarray(default, dtype).reshape(-1)
+                for slot, first in argument.blocks:
+                    blocks[slot] = flat[first:]
+            blocks[self.w_slot] = np.ascontiguousarray(self.w, dtype)
+            self._constant_blocks[dtype] = blocks
+        return blocks
+
+    def _read_all(self, values: Sequence[object], dtype: Numbers) -> list[tuple[Argument, Array]]:
+        """The arguments that are not left out, and those whose default is not finite."""
+        arrays = []
+        for k, argument in enumerate(self.arguments):
+            value = values[k] if k < len(values) else None
+            if value is not None:
+                arrays.append((argument, self._read(argument, value, dtype)))
+            elif argument.default is None and argument.size:
+                raise ArgumentError(f"{self.name} needs {argument}=")
+            elif not argument.finite and argument.default is not None:
+                arrays.append((argument, argument.default.astype(dtype)))
+        return arrays
+
+    def _precision(self, values: Sequence[object]) -> tuple[Batch, Numbers]:
+        """What goes through the states of a call, and the type of its numbers.
+
+        Floats where the model has them and all arrays of several states are such.
+        """
+        if self.single is not None:
+            pairs = zip(self.arguments, values, strict=False)
+            batches = [
+                value.dtype
+                for argument, value in pairs
+                if isinstance(value, np.ndarray) and value.ndim > len(argument.shape)
+            ]
+            if batches and all(dtype == np.float32 for dtype in batches):
+                return self.single, cast(Numbers, np.float32)
+        return self.batch, np.float64
 
     def call(
         self, blocks: list[Array | None], strides: Sequence[int], rows: Array
@@ -211,16 +263,16 @@ class Caller:
             return self.evaluator.run(blocks, strides, rows)
         return abi.run(self.address, blocks, strides, len(rows), rows, self.work_size)
 
-    def _read(self, argument: Argument, value: object) -> Array:
-        """The value as float64 with the trailing axes of the argument."""
-        if value is None:
-            if argument.default is None and argument.size:
-                raise ArgumentError(f"{self.name} needs {argument}=")
-            return np.zeros(argument.shape) if argument.default is None else argument.default
+    def _read(self, argument: Argument, value: object, dtype: Numbers) -> Array:
+        """The value as float64, or float32, with the trailing axes of the argument."""
         if isinstance(value, Mapping) and argument.start is not None:
-            return by_name(f"{self.name}, {argument}", argument, value)
-        array = numbers(f"{self.name}: {argument}", value)
+            vector = by_name(f"{self.name}, {argument}", argument, value)
+            return vector.astype(dtype, copy=False)
         n = len(argument.shape)
+        if type(value) is np.ndarray and value.dtype == dtype:
+            array = value
+        else:
+            array = numbers(f"{self.name}: {argument}", value, dtype)
         if array.ndim < n or array.shape[array.ndim - n :] != argument.shape:
             raise ArgumentError(
                 f"{self.name}: {argument} has shape {array.shape}, expected "
@@ -228,18 +280,20 @@ class Caller:
             )
         return array
 
-    def _lead(self, arrays: Sequence[Array], w: Array | None) -> tuple[int, ...]:
+    def _lead(self, arrays: Sequence[tuple[Argument, Array]], w: Array | None) -> tuple[int, ...]:
         """Common leading axes of all values."""
-        shapes = {
-            str(a): x.shape[: x.ndim - len(a.shape)]
-            for a, x in zip(self.arguments, arrays, strict=True)
-        }
+        shapes = [x.shape[: x.ndim - len(a.shape)] for a, x in arrays]
+        distinct = {shape for shape in shapes if shape}
+        if w is None and len(distinct) < 2:
+            return distinct.pop() if distinct else ()
+        named = {str(a): shape for (a, _), shape in zip(arrays, shapes, strict=True)}
         if w is not None:
-            shapes["parameters"] = w.shape[:-1]
-        return common(self.name, shapes)
+            named["parameters"] = w.shape[:-1]
+        return common(self.name, named)
 
-    def _check_finite(self, argument: Argument, flat: Array) -> None:
-        bad = abi.first_bad(flat)
+    def _check_finite(self, argument: Argument, array: Array) -> None:
+        flat = np.ascontiguousarray(array).reshape(-1)
+        bad = first_bad(flat)
         if bad < 0:
             return
         state, entry = divmod(bad, argument.size)
@@ -256,7 +310,7 @@ class Caller:
             result: (count, size); rows of states that failed become NaN.
             status, failed: What the C loop returned.
         """
-        if not status and abi.first_bad(result) < 0:
+        if not status and first_bad(result) < 0:
             return
         if failed >= 0:
             result[failed] = np.nan
@@ -283,24 +337,24 @@ class Caller:
     def _deliver(self, result: Array, out: Array | None) -> Array:
         if out is None:
             return result
-        if not isinstance(out, np.ndarray) or out.shape != result.shape or out.dtype != float:
-            has = getattr(out, "shape", None)
+        right = isinstance(out, np.ndarray) and out.dtype == result.dtype
+        if not right or out.shape != result.shape:
+            has = f"{getattr(out, 'shape', None)} of {getattr(out, 'dtype', 'no numbers')}"
             raise ArgumentError(
-                f"{self.name}: out has shape {has}, expected float64 of shape {result.shape}"
+                f"{self.name}: out has shape {has}, expected {result.shape} of {result.dtype}"
             )
         if not np.may_share_memory(out, result):
             out[...] = result
         return out
 
 
-def _rows(array: Array, lead: tuple[int, ...], trail: tuple[int, ...]) -> tuple[Array, int]:
-    """The numbers of an array state by state, and how far apart the states are."""
-    leading = array.shape[: array.ndim - len(trail)]
-    if prod(leading) == 1:
-        return np.ascontiguousarray(array).reshape(-1), 0
-    if leading != lead:
-        array = np.broadcast_to(array, lead + trail)
-    return np.ascontiguousarray(array).reshape(-1), prod(trail)
+def sizes(arguments: Sequence[Argument]) -> list[int]:
+    """Numbers of every block in the order of cardan_in that arguments fill."""
+    counts = [0] * len(ORDER)
+    for argument in arguments:
+        for slot, size in argument.block_sizes:
+            counts[slot] = size
+    return counts
 
 
 def _shape_text(shape: tuple[int, ...]) -> str:
@@ -314,66 +368,3 @@ def _listed(argument: Argument) -> str:
     listing = ", ".join(argument.entries[:MAX_PRINTED])
     more = ", ..." if len(argument.entries) > MAX_PRINTED else ""
     return f": {argument.what} {listing}{more}"
-
-
-def numbers(where: str, value: object) -> Array:
-    """A value as an array of float64.
-
-    Raises:
-        ArgumentError: it holds other things than real numbers, or rows of different lengths.
-    """
-    try:
-        array = np.asarray(value)
-    except ValueError:
-        raise ArgumentError(f"{where}: its rows have different lengths") from None
-    if array.dtype.kind not in "fiub":
-        raise ArgumentError(f"{where} must be real numbers, not {array.dtype}")
-    return np.asarray(array, dtype=np.float64)
-
-
-def common(where: str, shapes: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
-    """The leading axes that several arguments broadcast to.
-
-    Raises:
-        ArgumentError: there are none.
-    """
-    try:
-        return np.broadcast_shapes(*shapes.values())
-    except ValueError:
-        text = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
-        raise ArgumentError(f"{where}: leading axes do not broadcast together: {text}") from None
-
-
-def by_name(where: str, argument: Argument, values: Mapping[str, ArrayLike]) -> Array:
-    """A vector from named values, the rest as it starts.
-
-    Args:
-        where: Function and argument, for errors.
-        values: Name -> number (...), or the name of a joint -> all its numbers (..., n).
-
-    Raises:
-        ModelError: an unknown name, with near ones.
-    """
-    lead: tuple[int, ...] = ()
-    read: dict[str, Array] = {}
-    for name, entry_value in values.items():
-        if name not in argument.places:
-            raise ModelError(f"{where}: '{name}' does not exist.{near(name, argument.places)}")
-        value, place = numbers(f"{where}: '{name}'", entry_value), argument.places[name]
-        size = place.stop - place.start
-        if size == 1:
-            value = value[..., None]
-        elif value.ndim == 0 or value.shape[-1] != size:
-            raise ArgumentError(
-                f"{where}: '{name}' has shape {value.shape}, expected (..., {size}): "
-                f"{', '.join(argument.entries[place])}"
-            )
-        read[name] = value
-        lead = common(where, {"the others": lead, f"'{name}'": value.shape[:-1]})
-    result: Array = np.broadcast_to(
-        np.zeros(argument.size) if argument.start is None else argument.start,
-        (*lead, argument.size),
-    ).copy()
-    for name, value in read.items():
-        result[..., argument.places[name]] = value
-    return result

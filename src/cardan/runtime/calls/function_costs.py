@@ -16,6 +16,7 @@ from ...schema.blocks import ORDER
 from . import measuring, samples
 from .batch import one_by_one
 from .calling import Argument
+from .lanes import States
 from .loaded_function import LoadedFunction
 from .measuring import BATCH, Row, timed
 
@@ -48,16 +49,42 @@ def _measure(function: LoadedFunction, values: dict[str, Array], error: float | 
     # the batch as it is once it pays, in this thread
     lanes = caller.batch.build(False, caller.call, many)
     way = caller.batch.lane_run(False, many) or one_by_one(caller.call, many)
+    state_ns = timed(lambda: way(0, BATCH), BATCH)
+    float_ns, float_error = math.nan, math.nan
+    if caller.single is not None:
+        float_ns, float_error = _in_floats(function, values, many)
     still = one_by_one(caller.call, replace(many, strides=[0] * len(many.strides)))
     return Row(
         function=function.symbol,
         operations=function.entry.total_operations,
         python_ns=timed(lambda: function.fast(None, *one), 1),
         call_ns=math.nan if function.interpreted else timed(lambda: still(0, BATCH), BATCH),
-        state_ns=timed(lambda: way(0, BATCH), BATCH),
+        state_ns=state_ns,
         lanes=lanes,
         error=error,
+        float_ns=float_ns,
+        float_error=float_error,
     )
+
+
+def _in_floats(
+    function: LoadedFunction, values: dict[str, Array], doubles: States
+) -> tuple[float, float]:
+    """Time of a state in a batch of float32 [ns], and its largest difference from doubles.
+
+    Args:
+        function: Of a model that has such batches.
+        values: Arguments.
+        doubles: The same states, with their results.
+    """
+    caller, floats = function.caller, samples.states(function, values, BATCH, dtype="float32")
+    assert caller.single is not None
+    caller.single.build(False, caller.call, floats)
+    sizes = caller.single.sizes
+    way = caller.single.lane_run(False, floats) or one_by_one(caller.call, floats, sizes)
+    seconds = timed(lambda: way(0, BATCH), BATCH)
+    scale = float(np.abs(doubles.out).max(initial=0.0)) or 1.0
+    return seconds, float(np.abs(floats.out - doubles.out).max(initial=0.0)) / scale
 
 
 def _first(array: Array, argument: Argument) -> Any:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, final
 
 from ...build_progress import listed, stage
 from .code import Code
-from .loaded_function import LoadedFunction, assemble, batch
+from .loaded_function import LoadedFunction, assemble, batches
 from .objects import Key
 
 if TYPE_CHECKING:
@@ -46,7 +46,9 @@ class Generated(Source):
             for (name, of), code in zip(missing, codes, strict=True):
                 arguments = model._layout.reads(name, of, code.entry.vector)
                 if code.symbol not in objects.batches:
-                    objects.batches[code.symbol] = batch(code, arguments, objects.threads)
+                    objects.batches[code.symbol] = batches(
+                        code, arguments, objects.threads, objects.dtype
+                    )
                 ways = objects.batches[code.symbol]
                 loaded[name, of] = assemble(name, of, code, arguments, p, ways)
             if fresh:

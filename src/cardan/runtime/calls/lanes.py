@@ -6,48 +6,56 @@ import ctypes
 import math
 import os
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import field
 from functools import cached_property, lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
+from numpy.lib.stride_tricks import as_strided
 
 from ...arrays import Array, on_lines
 from ...build_progress import stage
 from ...errors import BuildError, CompilerMissing
 from ...records import dataclass
 from ...schema.blocks import ORDER
-from ..build import cache, kernels, prebuilt
+from ..build import cache, kernels, prebuilt, single_sources
 from ..build.object_file import Object
 from ..build.toolchain import Compiler
 
 Answer = tuple[int, int, bool]
 WIDTHS = (1, 2, 4, 8)
+GROUP = 4  # blocks of lanes that are read at once, as in batch.c
+BYTES = 8  # of a double; a vector holds twice as many floats
 # what the compiler takes, measured: seconds for a file, and for a statement of it
 FILE, STATEMENT = 0.08, 150e-6
 Pointers = ctypes.c_void_p * len(ORDER)
-Sizes = ctypes.c_size_t * len(ORDER)
+_BYTE = ctypes.c_char.from_buffer
+# of the blocks and of the result
+Sizes = ctypes.c_size_t * (len(ORDER) + 1)
 
 
-def width() -> int:
+def width(single: bool = False) -> int:
     """States side by side in a batch: ``$CARDAN_LANES``, else what vectors of the level hold.
 
     One where there is no compiler: what was compiled before goes on one by one.
+
+    Args:
+        single: In single precision vectors hold twice as many.
 
     Raises:
         BuildError: CARDAN_LANES is not a width, or CC names a compiler that does not work.
     """
     text = os.environ.get("CARDAN_LANES", "").strip()
-    if not text:
-        try:
-            return cache.compiler().level.lanes
-        except CompilerMissing:
-            return 1
-    if text not in map(str, WIDTHS):
+    if text and text not in map(str, WIDTHS):
         raise BuildError(f"CARDAN_LANES={text!r} is not a number of lanes: 1, 2, 4 or 8")
-    return int(text)
+    try:
+        lanes = int(text) if text else cache.compiler().level.lanes
+    except CompilerMissing:
+        return 1
+    return 2 * lanes if single and lanes > 1 else lanes
 
 
 @dataclass(frozen=True)
@@ -55,14 +63,46 @@ class States:
     """Arguments of a function over many states, and the array for its results.
 
     Attributes:
-        blocks: Arrays in the order of cardan_in; only where they start matters.
+        blocks: Arrays in the order of cardan_in, of the type of ``out``; only where they start
+            matters.
         strides: Numbers from one state to the next, 0 for a block that all states share.
-        out: (count, output size), C-contiguous.
+        out: (count, output size), float64 or float32: rows one behind the other, or columns.
+        spacings: Numbers from one entry of a state to the next; 1 of a block that all states share.
     """
 
     blocks: list[Array | None]
     strides: Sequence[int]
     out: Array
+    spacings: Sequence[int] = (1,) * len(ORDER)
+
+    @cached_property
+    def plain(self) -> bool:
+        """Whether they are rows of doubles, as loops over single states take them."""
+        rows = self.out.dtype == np.float64 and self.out.flags.c_contiguous
+        return rows and all(spacing == 1 for spacing in self.spacings)
+
+    def rows(self, start: int, end: int, sizes: Sequence[int]) -> States:
+        """Some of them as rows of doubles.
+
+        Args:
+            start, end: The first one, and the one behind the last.
+            sizes: Entries of every block that is read.
+        """
+        blocks: list[Array | None] = []
+        strides: list[int] = []
+        sources = zip(self.blocks, self.strides, self.spacings, sizes, strict=True)
+        for block, stride, spacing, size in sources:
+            if block is None or (spacing == 1 and block.dtype == np.float64):
+                rows = None if block is None else block[start * stride :]
+            elif stride:
+                steps = (stride * block.itemsize, spacing * block.itemsize)
+                view = as_strided(block[start * stride :], (end - start, size), steps)
+                rows, stride = np.ascontiguousarray(view, np.float64).reshape(-1), size
+            else:
+                rows = block.astype(np.float64)
+            blocks.append(rows)
+            strides.append(stride)
+        return States(blocks, strides, np.empty((end - start, self.out.shape[1])))
 
 
 @dataclass(frozen=True)
@@ -75,6 +115,7 @@ class Lanes:
         address: The function in it.
         driver: ``cardan_batch`` of the same width.
         libraries: What keeps them loaded.
+        memory: Where it works.
     """
 
     width: int
@@ -82,6 +123,7 @@ class Lanes:
     address: int
     driver: Any = field(repr=False)
     libraries: tuple[ctypes.CDLL, ...] = field(repr=False)
+    memory: ThreadMemory = field(default_factory=lambda: ThreadMemory(), repr=False)
 
     def discard(self) -> None:
         """Nobody finds its object in the cache."""
@@ -101,37 +143,40 @@ class Lanes:
             sizes: Entries of every block that is read.
             work_size: Numbers of work memory it needs.
         """
-        size = states.out.shape[1]
-        padded = [-(-n // self.width) * self.width for n in (*sizes, size)]
-        numbers = (sum(padded) + work_size + 1) * self.width
-        strides, lengths = Sizes(*states.strides), Sizes(*sizes)
-        # where the blocks that are read begin, and how far one state is from the next [bytes]
-        read = (b if n else None for b, n in zip(states.blocks, sizes, strict=True))
-        starts = [None if block is None else block.ctypes.data for block in read]
-        steps = [8 * stride for stride in states.strides]
-        out = states.out.ctypes.data
-        # every thread has memory of its own
-        thread_memory = threading.local()
+        out, unit = states.out, states.out.itemsize
+        size, strides_out = out.shape[1], out.strides
+        shape, room = _shape(
+            (*states.strides, strides_out[0] // unit),
+            (*states.spacings, strides_out[1] // unit),
+            (*sizes, size),
+            work_size,
+            self.width,
+            unit,
+        )
+        # where the blocks that are read begin, and how far their states are apart [bytes]
+        starts = [
+            (slot, _address(block), unit * stride)
+            for slot, (block, stride, n) in enumerate(
+                zip(states.blocks, states.strides, sizes, strict=True)
+            )
+            if n and block is not None
+        ]
+        result, step = _address(out if out.flags.c_contiguous else out.T), strides_out[0]
 
         def run(start: int, end: int) -> Answer:
-            try:
-                begin: int = thread_memory.begin
-            except AttributeError:
-                thread_memory.memory = np.empty(numbers)
-                begin = thread_memory.memory.ctypes.data
-                # vectors begin at multiples of their length
-                thread_memory.begin = begin = begin + -begin % (8 * self.width)
-            here = [s and s + start * d for s, d in zip(starts, steps, strict=True)]
+            begin = self.memory.of(room, unit * self.width)
+            here = Pointers()
+            for slot, first, distance in starts:
+                here[slot] = first + start * distance
             failed, finite = ctypes.c_ssize_t(-1), ctypes.c_int(0)
             status = self.driver(
                 self.address,
                 single,
-                Pointers(*here),
-                strides,
-                lengths,
+                here,
+                *shape,
                 end - start,
-                out + 8 * size * start,
-                size,
+                result + step * start,
+                work_size,
                 begin,
                 failed,
                 finite,
@@ -139,6 +184,48 @@ class Lanes:
             return status, failed.value + start if failed.value >= 0 else -1, bool(finite.value)
 
         return run
+
+
+class ThreadMemory(threading.local):
+    """Memory of each thread, which grows to what was asked of it."""
+
+    def __init__(self) -> None:
+        self.numbers = np.empty(0, np.uint8)
+        self.begin = 0
+
+    def of(self, size: int, vector: int) -> int:
+        """Address of so many bytes, at a multiple of the length of a vector."""
+        if len(self.numbers) < size + vector:
+            self.numbers = np.empty(size + vector, np.uint8)
+            self.begin = self.numbers.ctypes.data + -self.numbers.ctypes.data % vector
+        return self.begin
+
+
+def _address(array: Array) -> int:
+    """Address of an array that is contiguous."""
+    try:
+        return ctypes.addressof(_BYTE(cast(bytearray, array)))
+    except (TypeError, ValueError):
+        # slower, for what is empty or must not be written to
+        return int(array.ctypes.data)
+
+
+@lru_cache(maxsize=1024)
+def _shape(
+    strides: tuple[int, ...],
+    spacings: tuple[int, ...],
+    sizes: tuple[int, ...],
+    work_size: int,
+    lanes: int,
+    unit: int,
+) -> tuple[tuple[ctypes.Array[ctypes.c_size_t], ...], int]:
+    """What ``cardan_batch`` is told of blocks and result, which nobody changes, and the bytes of
+    memory that it works in.
+    """
+    *blocks, result = (-(-n // lanes) * lanes for n in sizes)
+    vectors = GROUP * sum(blocks) + result + work_size
+    room = unit * lanes * vectors + BYTES * (sum(sizes) + work_size)
+    return (Sizes(*strides), Sizes(*spacings), Sizes(*sizes)), room
 
 
 @dataclass(frozen=True)
@@ -152,6 +239,7 @@ class Recipe:
         reproducible: Equal bits from every compiler.
         by: What compiled it for single states: lanes get the same bits.
         check: Raises where the text or a header was changed.
+        single: Its numbers are float.
     """
 
     symbol: str
@@ -160,6 +248,7 @@ class Recipe:
     reproducible: bool
     by: Compiler
     check: Callable[[], None]
+    single: bool = False
 
     @cached_property
     def seconds(self) -> float:
@@ -171,12 +260,22 @@ class Recipe:
 
     def there(self, lanes: int, lane_parameters: bool) -> Lanes | None:
         """The build if it is in the cache; none where a text was removed, which names it there."""
-        extra = prebuilt.macros(lanes, lane_parameters)
+        variant = prebuilt.Variant(self.reproducible, lanes, lane_parameters, self.single)
         try:
-            built = cache.cached([self.text], [self.directory], self.reproducible, self.by, extra)
+            with self.sources() as sources:
+                built = cache.cached(*sources, self.reproducible, self.by, variant.macros)
         except BuildError:
             return None
-        return None if built is None else self.loaded(built, lanes, lane_parameters)
+        return None if built is None else self.loaded(built, variant)
+
+    @contextmanager
+    def sources(self) -> Iterator[tuple[list[Path], list[Path]]]:
+        """The C file and the folder of its headers, in single precision where it is asked for."""
+        if self.single:
+            with single_sources.written([self.text], [self.directory]) as sources:
+                yield sources
+        else:
+            yield [self.text], [self.directory]
 
     def built_now(self, lanes: int, lane_parameters: bool) -> Lanes:
         """The build, compiled where it is not there; not yet published.
@@ -189,20 +288,23 @@ class Recipe:
             BuildError: the compiler failed, or a text was changed.
         """
         self.check()
-        extra = prebuilt.macros(lanes, lane_parameters)
-        with stage(f"compiling {self.text.stem} for {lanes} states side by side"):
-            built = cache.compiled([self.text], [self.directory], self.reproducible, self.by, extra)
+        variant = prebuilt.Variant(self.reproducible, lanes, lane_parameters, self.single)
+        with (
+            stage(f"compiling {self.text.stem} for {lanes} states side by side"),
+            self.sources() as sources,
+        ):
+            built = cache.compiled(*sources, self.reproducible, self.by, variant.macros)
         try:
-            return self.loaded(built, lanes, lane_parameters)
+            return self.loaded(built, variant)
         except BaseException:
             built.discard()
             raise
 
-    def loaded(self, built: Object, lanes: int, lane_parameters: bool) -> Lanes:
+    def loaded(self, built: Object, variant: prebuilt.Variant) -> Lanes:
         library = built.load()
-        driver = _driver(self.reproducible, lanes, lane_parameters)
+        driver = _driver(variant)
         address = ctypes.cast(library[self.symbol], ctypes.c_void_p).value or 0
-        return Lanes(lanes, built, address, driver.cardan_batch, (library, driver))
+        return Lanes(variant.lanes, built, address, driver.cardan_batch, (library, driver))
 
 
 def packed(rows: Array, lanes: int) -> Array:
@@ -222,11 +324,11 @@ def unpacked(blocks: Array, lanes: int) -> Array:
 
 
 @lru_cache(maxsize=16)
-def _driver(reproducible: bool, lanes: int, lane_parameters: bool) -> ctypes.CDLL:
-    library = kernels.library(reproducible, lanes, lane_parameters)
+def _driver(variant: prebuilt.Variant) -> ctypes.CDLL:
+    library = kernels.variant(variant)
     at, count = ctypes.c_void_p, ctypes.c_size_t
     library.cardan_batch.argtypes = [
-        *(at, at, Pointers, Sizes, Sizes, count, at, count, at),
+        *(at, at, Pointers, Sizes, Sizes, Sizes, count, at, count, at),
         *(ctypes.POINTER(ctypes.c_ssize_t), ctypes.POINTER(ctypes.c_int)),
     ]
     return library

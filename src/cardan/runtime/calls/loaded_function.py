@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import field, replace
 from functools import partial
 from math import prod
 from typing import Any
@@ -17,7 +17,7 @@ from ...schema.blocks import ORDER, SLOT
 from ...schema.c_functions import FunctionRow, ResultRow
 from . import abi, abi_ctypes
 from .batch import Batch
-from .calling import Argument, Caller
+from .calling import Argument, Caller, sizes
 from .code import Code
 from .lanes import packed
 
@@ -122,37 +122,42 @@ def calls(code: Code, block_values: Mapping[str, Array], n: int) -> tuple[Callab
     return partial(run, code.address, blocks, strides, len(out), out, work * code.lanes), out
 
 
-def batch(code: Code, arguments: list[Argument], threads: int | None) -> Batch:
-    """Runner of a function over many states.
+def batches(
+    code: Code, arguments: list[Argument], threads: int | None, dtype: str = "float64"
+) -> dict[str, Batch]:
+    """Runners of a function over many states, by the type of their numbers.
 
     Args:
         code: Its C.
         arguments: What it takes.
         threads: As asked for.
+        dtype: ``"float32"``: there is one of floats too.
     """
     entry = code.entry
-    sizes = [0] * len(ORDER)
-    for slot, size in _sized(arguments):
-        sizes[slot] = size if ORDER[slot] in entry.inputs else 0
-    sizes[SLOT["w"]] = entry.prepared_size
-    work = entry.work_size
+    read = [
+        size if ORDER[slot] in entry.inputs else 0 for slot, size in enumerate(sizes(arguments))
+    ]
+    read[SLOT["w"]] = entry.prepared_size
     recipe = code.recipe if max(entry.lanes) > 1 else None
     address = code.address if code.interpreted is None else 0
-    return Batch(code.symbol, recipe, address, sizes, work, threads)
-
-
-def _sized(arguments: list[Argument]) -> Iterator[tuple[int, int]]:
-    """Slot and size of every block of arguments."""
-    for argument in arguments:
-        ends = [first for _, first in argument.blocks[1:]] + [argument.size]
-        for (slot, first), end in zip(argument.blocks, ends, strict=True):
-            yield slot, end - first
+    recipes = {"float64": recipe}
+    if dtype == "float32":
+        recipes[dtype] = recipe and replace(recipe, single=True)
+    return {
+        name: Batch(code.symbol, one, address, read, entry.work_size, threads)
+        for name, one in recipes.items()
+    }
 
 
 def assemble(
-    name: str, of: str | None, code: Code, arguments: list[Argument], p: Array, batch: Batch
+    name: str,
+    of: str | None,
+    code: Code,
+    arguments: list[Argument],
+    p: Array,
+    ways: Mapping[str, Batch],
 ) -> LoadedFunction:
-    """A loaded function out of its C, what it takes, parameter values and the way of batches.
+    """A loaded function out of its C, what it takes, parameter values and the ways of batches.
 
     Raises:
         BuildError: the C reads a block that is not an argument.
@@ -161,7 +166,7 @@ def assemble(
     unknown = [block for block in code.entry.inputs if block not in provided]
     if unknown:
         raise BuildError(f"{code.symbol} reads {', '.join(unknown)}, which {name} does not take")
-    code.take({ORDER[slot]: size for slot, size in _sized(arguments)})
+    code.take({ORDER[slot]: size for a in arguments for slot, size in a.block_sizes})
     outputs = code.entry.outputs
     # one result keeps its shape; several are handed on as one flat row
     shape = tuple(outputs[0].shape) if len(outputs) == 1 else (code.entry.output_size,)
@@ -176,7 +181,8 @@ def assemble(
         w,
         code.entry.total_operations,
         code.interpreted,
-        batch,
+        ways["float64"],
+        ways.get("float32"),
     )
     interpreted = code.interpreted is not None
     fast = caller if interpreted else abi.fast(caller)

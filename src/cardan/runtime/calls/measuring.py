@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -33,6 +34,8 @@ class Row:
         lanes: States done at once in the batch.
         error: Largest |error| / |largest entry| against 40 digits at three random states; None
             where it could not be judged.
+        float_ns: As ``state_ns`` with arrays of float32; NaN where the model has no such batches.
+        float_error: Largest difference of that batch from the one in doubles, by its largest entry.
     """
 
     function: str
@@ -42,6 +45,8 @@ class Row:
     state_ns: float
     lanes: int
     error: float | None
+    float_ns: float = math.nan
+    float_error: float = math.nan
 
 
 def timed(run: Callable[[], Any], states: int) -> float:

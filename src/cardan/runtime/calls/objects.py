@@ -43,7 +43,8 @@ class Objects:
         manifest: As read; grows when functions are provided.
         lock: Held while functions are loaded and checked.
         threads: Of large batches; None for the default.
-        batches: What goes through many states, by C name.
+        dtype: Of what batches may be: ``"float64"``, or ``"float32"`` too.
+        batches: What goes through many states, by C name and type of numbers.
         lanes: Functions that are compiled for several states side by side alone, by C name.
         available: Names of the functions that it may have; None: all that the manifest lists.
     """
@@ -56,11 +57,13 @@ class Objects:
         threads: int | None = None,
         available: Sequence[str] | None = None,
         translate: webassembly.Translate | None = None,
+        dtype: str = "float64",
     ) -> None:
         self.directory = Path(directory)
         self.reproducible = reproducible
         self.threads = threads
-        self.batches: dict[str, Batch] = {}
+        self.dtype = dtype
+        self.batches: dict[str, dict[str, Batch]] = {}
         self.lanes: dict[str, int] = {}
         self.tables: Any = None  # of elements: what no parameter changes
         self.joint_sources: object = (

@@ -11,7 +11,7 @@ from ...arrays import Array
 from ...errors import ModelError, named, near
 from ...schema.entries import LimitRow
 from ...schema.manifest import Manifest
-from .calling import common, numbers
+from .argument_values import common, numbers
 
 
 class Parameters(Mapping[str, float]):

@@ -38,7 +38,11 @@ def values(
 
 
 def states(
-    function: LoadedFunction, values: dict[str, Array], count: int, lane_parameters: bool = False
+    function: LoadedFunction,
+    values: dict[str, Array],
+    count: int,
+    lane_parameters: bool = False,
+    dtype: str = "float64",
 ) -> States:
     """The arguments as blocks, with room for the results of each of ``count`` states.
 
@@ -47,29 +51,32 @@ def states(
         values: Arguments (count, ...) by name; a function of parameters alone has none.
         count: States.
         lane_parameters: Every state has parameters of its own; they are equal.
+        dtype: Of all numbers.
     """
     blocks: list[Array | None] = [None] * len(ORDER)
     strides = [0] * len(ORDER)
     for argument in function.caller.arguments:
         array = values[argument.name]
         for slot, first in argument.blocks:
-            blocks[slot] = np.ascontiguousarray(array).reshape(-1)[first:]
+            blocks[slot] = np.ascontiguousarray(array, dtype).reshape(-1)[first:]
             strides[slot] = argument.size
     w = function.w
     if lane_parameters:
         w, strides[SLOT["w"]] = np.tile(w, count), len(w)
-    blocks[SLOT["w"]] = w
-    return States(blocks, strides, np.empty((count, prod(function.caller.shape))))
+    blocks[SLOT["w"]] = w.astype(dtype, copy=False)
+    return States(blocks, strides, np.empty((count, prod(function.caller.shape)), dtype))
 
 
 def build(model: LoadedModel, function: LoadedFunction, lane_parameters: bool = False) -> int:
-    """Make the lane build of a function now; returns its width, 1 where there is none.
+    """Make the lane builds of a function now; returns the width in doubles, 1 where there is none.
 
     Args:
         lane_parameters: For states with parameters of their own.
     """
     arrays = values(model, function, np.random.default_rng(SEED), STATES)
     caller = function.caller
-    return caller.batch.build(
-        lane_parameters, caller.call, states(function, arrays, STATES, lane_parameters)
-    )
+    if caller.single is not None:
+        floats = states(function, arrays, STATES, lane_parameters, "float32")
+        caller.single.build(lane_parameters, caller.call, floats)
+    doubles = states(function, arrays, STATES, lane_parameters)
+    return caller.batch.build(lane_parameters, caller.call, doubles)

@@ -16,7 +16,8 @@ from ...arrays import Array
 from ...errors import ArgumentError, brief
 from ...records import dataclass
 from ...schema.functions import FUNCTIONS
-from ..calls.calling import ANY, Arrangement, common, numbers
+from ..calls.argument_values import common, numbers
+from ..calls.calling import ANY, Arrangement
 from ..calls.evaluation import Values, into
 from ..calls.methods import ByName
 from .derivatives import Derivative, Derivatives, has_columns

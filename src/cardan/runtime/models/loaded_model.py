@@ -13,10 +13,10 @@ from numpy.typing import ArrayLike
 
 from ...arguments import Seed, checked, kinds_of, read
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, brief, counted
+from ...errors import ArgumentError, ModelError, brief, counted, near
 from ...schema.functions import FUNCTIONS, STANDARD
 from ..build import kernels
-from ..calls.calling import by_name, numbers
+from ..calls.argument_values import by_name, numbers
 from ..calls.evaluation import Values
 from ..calls.generated import Generated, Source
 from ..calls.layout import Layout
@@ -29,6 +29,9 @@ from .random_states import random_state
 
 if TYPE_CHECKING:
     from .finite_elements.elements import Elements
+
+# of numbers in batches
+DTYPES = ("float64", "float32")
 
 
 class _Calls(dict[Key, Any]):
@@ -60,6 +63,7 @@ class LoadedModel(Description):
         reproducible: bool = False,
         threads: int | None = None,
         available: Sequence[str] | None = None,
+        dtype: str = "float64",
     ) -> None:
         """Open a model directory.
 
@@ -71,13 +75,22 @@ class LoadedModel(Description):
                 this process may use.
             available: Names of the functions that ``provide`` writes; by default those that the
                 manifest lists.
+            dtype: ``"float32"``: batches of arrays of float32 are computed so, in twice as many
+                lanes; all else stays in doubles.
 
         Raises:
-            ModelError: no readable manifest.
+            ModelError: no readable manifest, no such type, or elements in single precision.
         """
+        if dtype not in DTYPES:
+            raise ModelError(f"dtype '{dtype}' does not exist.{near(dtype, DTYPES)}")
         self._objects = Objects(
-            Path(directory), provide, reproducible, threads, available, type(self)._translate
+            Path(directory), provide, reproducible, threads, available, type(self)._translate, dtype
         )
+        if dtype != "float64" and self.manifest.absolute:
+            raise ModelError(
+                f"model '{self.name}', dtype='{dtype}': equations in absolute coordinates need "
+                "doubles. coordinates='relative' has batches in single precision"
+            )
         self._set(Parameters(self._objects.manifest))
 
     def _set(self, parameters: Parameters, layout: Layout | None = None) -> None:
@@ -179,9 +192,11 @@ class LoadedModel(Description):
         """States that batches of a function do side by side; 1 until that pays, or without vectors.
 
         Args:
-            function, of: Such as ``"rhs"``, or ``"pose", "hand"``.
+            function, of: Such as ``"rhs"``, or ``"pose", "hand"``; of a model with
+                ``dtype="float32"`` the lanes of floats.
         """
-        return self._function(function, of).caller.batch.lanes
+        caller = self._function(function, of).caller
+        return (caller.single or caller.batch).lanes
 
     def _written(self) -> list[Key]:
         """Keys of the functions of this model whose C is in the directory."""

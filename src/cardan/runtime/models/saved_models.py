@@ -82,7 +82,7 @@ def digest(files: Mapping[str, str]) -> str:
     return hashlib.sha256(json.dumps(dict(files), sort_keys=True).encode()).hexdigest()
 
 
-def parts(model: LoadedModel) -> tuple[dict[str, str], list[float], bool, str]:
+def parts(model: LoadedModel) -> tuple[object, ...]:
     """Arguments of :func:`restore` besides a class: source and manifest, never a binary.
 
     Functions of a frame or joint travel as far as they were used.
@@ -94,11 +94,18 @@ def parts(model: LoadedModel) -> tuple[dict[str, str], list[float], bool, str]:
     # the model's own functions, where another one of the same folder has others
     files[MANIFEST] = sealed(vars(manifest), ensure_ascii=False, allow_nan=False)
     values = model.parameters.vector.tolist()
-    return files, values, model._objects.reproducible, digest(files)
+    # earlier versions read pickles of models that they know
+    dtype = () if model._objects.dtype == "float64" else (model._objects.dtype,)
+    return files, values, model._objects.reproducible, digest(files), *dtype
 
 
 def restore(
-    kind: type[M], files: dict[str, str], values: list[float], reproducible: bool, stated: str
+    kind: type[M],
+    files: dict[str, str],
+    values: list[float],
+    reproducible: bool,
+    stated: str,
+    dtype: str = "float64",
 ) -> M:
     """The model of a pickle: its texts, checked, then written once into the cache of this machine.
 
@@ -108,6 +115,7 @@ def restore(
         values: The parameters.
         reproducible: As the model was opened.
         stated: :func:`digest` of the files.
+        dtype: As the model was opened.
 
     Raises:
         ModelError: the pickle was damaged or changed, or is of another version.
@@ -124,7 +132,7 @@ def restore(
             place = _written(elsewhere / name, files)
         except OSError as again:
             raise BuildError(f"{elsewhere} cannot be written to ({again.strerror})") from again
-    model = kind(place, reproducible=bool(reproducible))
+    model = kind(place, reproducible=bool(reproducible), dtype=dtype)
     return model._with(Parameters(model.manifest, values))
 
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, named, near
 from ...schema.entries import ForceRow
-from ..calls.calling import numbers
+from ..calls.argument_values import numbers
 
 if TYPE_CHECKING:
     from ..calls.evaluation import Evaluation, State, Values

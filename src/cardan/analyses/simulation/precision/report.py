@@ -58,12 +58,17 @@ class Report:
         title = f"{self.model}: {self.compiler}, called through {self.way}"
         table = Table(title=title, caption=self.note or None)
         table.add_column("function", no_wrap=True, max_width=34)
-        for name in ("ops", "from Python", "in C", "in a batch", "lanes", "error"):
+        single = any(not math.isnan(row.float_ns) for row in self.rows)
+        columns = ("ops", "from Python", "in C", "in a batch", "lanes", "error")
+        for name in (*columns, *(("of float32", "difference") if single else ())):
             table.add_column(name, justify="right", no_wrap=True)
         for row in self.rows:
             times = map(_time_text, (row.python_ns, row.call_ns, row.state_ns))
             error = "-" if row.error is None else f"{row.error:.1e}"
-            table.add_row(row.function, str(row.operations), *times, str(row.lanes), error)
+            cells = [row.function, str(row.operations), *times, str(row.lanes), error]
+            if single:
+                cells += [_time_text(row.float_ns), f"{row.float_error:.1e}"]
+            table.add_row(*cells)
         return table
 
 

@@ -18,7 +18,7 @@ from ....arguments import checked
 from ....arrays import Array
 from ....errors import counted
 from ....records import dataclass
-from ....runtime.calls.calling import numbers
+from ....runtime.calls.argument_values import numbers
 from ....runtime.calls.evaluation import State
 from ....runtime.models.loaded_model import LoadedModel
 
