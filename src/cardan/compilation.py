@@ -74,17 +74,11 @@ def compile(
         DerivationError: an unknown function, or options for equations that are derived already.
         BuildError: no compiler, or a build that failed its check.
     """
-    options: dict[str, object] = {
-        "coordinates": coordinates,
-        "method": method,
-        "speeds": speeds,
-        "rewrites": rewrites,
-        "specialize": specialize,
-        "constraints": constraints,
-        "branches": branches,
-        "independent": independent,
-        "plane": plane,
-    }
+    options = {
+        "coordinates": coordinates, "method": method, "speeds": speeds, "rewrites": rewrites,
+        "specialize": specialize, "constraints": constraints, "branches": branches,
+        "independent": independent, "plane": plane,
+    }  # fmt: skip
 
     def derived(of: SceneRecord | EquationRecord | FiniteElementRecord) -> CompiledModel:
         return _derived(of, functions, directory, options, loops, threads, reproducible)
