@@ -77,17 +77,11 @@ def compile(
         ModelError: no such dtype, or float32 in absolute coordinates.
         BuildError: no compiler, or a build that failed its check.
     """
-    options: dict[str, object] = {
-        "coordinates": coordinates,
-        "method": method,
-        "speeds": speeds,
-        "rewrites": rewrites,
-        "specialize": specialize,
-        "constraints": constraints,
-        "branches": branches,
-        "independent": independent,
-        "plane": plane,
-    }
+    options = {
+        "coordinates": coordinates, "method": method, "speeds": speeds, "rewrites": rewrites,
+        "specialize": specialize, "constraints": constraints, "branches": branches,
+        "independent": independent, "plane": plane,
+    }  # fmt: skip
 
     # how many threads share a batch, and how their C is compiled, is nothing to the equations
     how: dict[str, Any] = {"threads": threads, "reproducible": reproducible, "dtype": dtype}
