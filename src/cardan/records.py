@@ -25,18 +25,7 @@ _METHODS |= {"eq": ("__eq__", "__hash__")}
 _UNCHANGED = {"__module__", "__qualname__", "__doc__", "__dict__", "__weakref__", "__annotations__"}
 _CHANGES = ("__setattr__", "__delattr__")
 _UNCHANGED |= {"__post_init__", *_CHANGES}
-# options of records whose ``__init__`` is written apart
-_USUAL = {"frozen", "eq", "repr"}
 
-
-class _Factory:
-    """In place of a value that a function makes, as signatures show it."""
-
-    def __repr__(self) -> str:
-        return "<factory>"
-
-
-_FACTORY = _Factory()
 
 if TYPE_CHECKING:
     from dataclasses import dataclass
@@ -72,9 +61,6 @@ class _Unwritten:
             self.defined.pop("__hash__", None)
         # ``field(...)`` is no default yet
         self.defaults = {k: x for k, x in members.items() if isinstance(x, dataclasses.Field)}
-        # what an instance needs; that is less than all where ``__init__`` is the usual one
-        usual = options.keys() <= _USUAL and "__init__" not in members
-        self.first = {_FIELDS, "__init__", *self.defaults} if usual else set[str]()
         waiting = [_FIELDS, _PARAMETERS, *self.defaults]
         for option, names in _METHODS.items():
             waiting += [k for k in names if options.get(option, True) and k not in self.defined]
@@ -83,85 +69,30 @@ class _Unwritten:
         if options.get("frozen"):
             _freeze(cls)
 
-    def write(self, name: str) -> None:
-        """Put in place what stands under a name, and what is written along with it."""
+    def write(self) -> None:
+        """Put in place what the standard library writes for a class of the same fields."""
         with _LOCK:
-            if not isinstance(vars(self.cls).get(name), _Waiting):
-                return
-            first = name in self.first
-            written = self._first() if first else self._all()
             waiting = [k for k, x in vars(self.cls).items() if isinstance(x, _Waiting)]
-            for key in (k for k in waiting if first == (k in self.first)):
-                if key in written:
-                    setattr(self.cls, key, written[key])
+            if not waiting:
+                return
+            written = vars(dataclasses.dataclass(**self.options)(self._stand_in()))
+            for name in waiting:
+                if name in written:
+                    setattr(self.cls, name, written[name])
                 else:  # a field without a default
-                    delattr(self.cls, key)
+                    delattr(self.cls, name)
             # what further options and later Pythons write
-            further = set[str]() if first else written.keys() - vars(self.cls).keys() - _UNCHANGED
-            for key in further - self.first:
-                setattr(self.cls, key, written[key])
+            for name in written.keys() - vars(self.cls).keys() - _UNCHANGED:
+                setattr(self.cls, name, written[name])
 
-    def _first(self) -> dict[str, object]:
-        """Fields, their defaults and ``__init__``: the only text that is compiled."""
-        nothing = dict.fromkeys(("init", "repr", "eq", "match_args"), False)
-        stand_in: type = dataclasses.dataclass(**nothing)(type("Fields", (), self._members()))
-        fields = self._inherited() | getattr(stand_in, _FIELDS)
-        in_order = dataclasses.fields(type("Fields", (), {_FIELDS: fields}))
-        return {**vars(stand_in), _FIELDS: fields, "__init__": self._init(in_order)}
-
-    def _init(self, fields: tuple[dataclasses.Field[object], ...]) -> object:
-        """``__init__`` as the standard library writes it."""
-        names: dict[str, object] = {"__name__": self.cls.__module__}
-        names |= {"_record_set": object.__setattr__, "_record_factory": _FACTORY}
-        first, body = ["self"], list[str]()
-        by_keyword = list[str]()
-        for field in fields:
-            name, value = field.name, field.name
-            parameter, factory, default = name, f"_record_make_{name}", f"_record_default_{name}"
-            if field.default_factory is not dataclasses.MISSING:
-                names[factory], parameter = field.default_factory, f"{name}=_record_factory"
-                otherwise = f" if {name} is _record_factory else {name}" if field.init else ""
-                value = f"{factory}(){otherwise}"
-            elif field.default is not dataclasses.MISSING:
-                names[default], parameter = field.default, f"{name}={default}"
-            if field.init:
-                (by_keyword if field.kw_only else first).append(parameter)
-            if value != name or field.init:
-                as_frozen = f"_record_set(self, {name!r}, {value})"
-                body.append(as_frozen if self.options.get("frozen") else f"self.{name} = {value}")
-        if hasattr(self.cls, "__post_init__"):
-            body.append("self.__post_init__()")
-        head = ", ".join([*first, *(["*", *by_keyword] if by_keyword else ())])
-        exec(f"def __init__({head}):\n " + "\n ".join(body or ["pass"]), names)
-        init = names["__init__"]
-        annotations = {field.name: field.type for field in fields if field.init}
-        for name, x in {
-            "__qualname__": f"{self.cls.__qualname__}.__init__",
-            "__annotations__": {**annotations, "return": None},
-        }.items():
-            setattr(init, name, x)
-        return init
-
-    def _all(self) -> dict[str, object]:
-        """What the standard library writes for a class of the same fields."""
+    def _stand_in(self) -> type:
+        """A class with the same fields, those of its bases too, and nothing else that acts."""
         inherited: dict[str, object] = {}
-        for base in reversed(self.cls.__mro__[1:]):
-            if _FIELDS in vars(base):
-                inherited = {_FIELDS: self._inherited(), _PARAMETERS: getattr(base, _PARAMETERS)}
-        bases = (type("Inherited", (), inherited),) if inherited else ()
-        stand_in = type(self.cls.__name__, bases, self._members())
-        return {**vars(dataclasses.dataclass(**self.options)(stand_in))}
-
-    def _inherited(self) -> dict[str, object]:
-        """The fields of all bases, those of nearer ones in place of others."""
         fields: dict[str, object] = {}
         for base in reversed(self.cls.__mro__[1:]):
             if _FIELDS in vars(base):
                 fields |= getattr(base, _FIELDS)
-        return fields
-
-    def _members(self) -> dict[str, object]:
-        """What a class needs for the fields of this one to be written, and nothing that acts."""
+                inherited = {_FIELDS: fields, _PARAMETERS: getattr(base, _PARAMETERS)}
         annotations = vars(self.cls).get("__annotations__", {})
         members = {k: x for k, x in vars(self.cls).items() if k in annotations}
         members |= self.defaults | self.defined
@@ -170,7 +101,8 @@ class _Unwritten:
         members |= {"__annotations__": annotations, "__doc__": "Methods of a record."}
         if hasattr(self.cls, "__post_init__"):
             members["__post_init__"] = None
-        return members
+        bases = (type("Inherited", (), inherited),) if inherited else ()
+        return type(self.cls.__name__, bases, members)
 
 
 class _Waiting:
@@ -181,7 +113,7 @@ class _Waiting:
         self.name = name
 
     def __get__(self, instance: object, kind: type) -> object:
-        self.owner.write(self.name)
+        self.owner.write()
         cls = self.owner.cls
         if self.name not in vars(cls):
             # a field without a default: what a base has, or the error of Python
