@@ -81,15 +81,12 @@ $(VENV)/.installed-bench: $(VENV)/.installed-test
 	$(INSTALL) --quiet --editable '.[bench]' || for peer in $(PEERS); do $(INSTALL) --quiet $$peer || true; done
 	@touch $@
 
-# writes docs/performance: calls, motions, beams, superelements, long loops, paths, calls from Python; QUICK=1 for a few of both and no page
+# writes docs/performance, a page by each of these programs; QUICK=1 for a few rows and no page
+BENCHMARKS = bench runs flexible_runs superelement_runs large_loops paths gradients python_calls profiles
 bench: $(VENV)/.installed-bench
-	$(BIN)/python tests/benchmarks/bench.py $(if $(QUICK),--quick)
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/runs.py $(if $(QUICK),--quick)
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/flexible_runs.py $(if $(QUICK),--quick)
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/superelement_runs.py $(if $(QUICK),--quick)
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/large_loops.py $(if $(QUICK),--quick)
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/paths.py $(if $(QUICK),--quick)
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/python_calls.py $(if $(QUICK),--quick)
+	@for program in $(BENCHMARKS); do \
+	  OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/$$program.py $(if $(QUICK),--quick) || exit 1; \
+	done
 
 $(VENV)/.installed-browser: $(VENV)/.installed-test
 	$(INSTALL) playwright

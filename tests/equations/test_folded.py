@@ -68,7 +68,7 @@ WHOLE = {
 }
 
 
-@each("name", ["forward_dynamics", "inverse_dynamics"])
+@each("name", ["forward_dynamics", "inverse_dynamics", "energy", "com", "momentum"])
 @each("which", [*FOLDED, *WHOLE])
 def test_recursions_of_folded_trees(which: str, name: str) -> None:
     scene = (FOLDED | WHOLE)[which]()

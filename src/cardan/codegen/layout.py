@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from .. import processes, regular_file
+from ..collector import collector_paused
 from ..errors import CodegenError, ModelError
 from ..ir.function import Function
 from ..ir.recursion import Recursion
@@ -43,6 +44,7 @@ class Damaged(CodegenError):
     """A manifest is not what was written."""
 
 
+@collector_paused()
 def write_model(directory: Path, base: Base) -> None:
     """Prepare a directory for the functions of a model; what is there of the same model stays.
 

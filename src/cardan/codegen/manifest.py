@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import isfinite
 from typing import Any
 
+from ..collector import collector_paused
 from ..elements.internal_states import TICK
 from ..elements.joints.joint import entries
 from ..elements.limits import limit_rows
@@ -20,6 +21,7 @@ from ..equations.kinematics.kinematics import Kinematics
 from ..equations.record import EquationRecord
 from ..errors import lasting
 from ..ir.function import Function
+from ..records import dataclass
 from ..schema import mechanism
 from ..schema.entries import (
     CoordinateRow,
@@ -57,6 +59,7 @@ class Base:
     saved: Callable[[], tuple[Function, ...]] = field(repr=False, compare=False)
 
 
+@collector_paused()
 def base(equations: EquationRecord, functions: Sequence[str] = ()) -> Base:
     """Manifest before any function is written.
 

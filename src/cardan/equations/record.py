@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self
 
 from ..arguments import checked
+from ..collector import collector_paused
 from ..errors import DerivationError, counted
 from ..ir.function import Block, Function
-from ..ir.graph import collector_paused
 from ..ir.recursion import Recursion
 from ..ir.stage import stage
+from ..records import dataclass
 from ..schema.blocks import ABI_ORDER
 from ..schema.functions import FUNCTIONS
 from ..schema.request import Request
@@ -29,7 +30,7 @@ from .functions.dynamics import Dynamics
 from .functions.recipes import RECIPES, about, blocks_of, c_name, check, is_rewritable, missing
 from .kinematics.kinematics import Kinematics
 from .reading.counts import Counts, overview
-from .recursion.looped import FOLDED, LOOPED, by_bodies, repeats
+from .recursion.looped import LOOPED, by_bodies, repeats
 from .rewrites import Rewritten, candidates
 
 if TYPE_CHECKING:
@@ -227,9 +228,7 @@ class EquationRecord:
                 f"Those that are: {', '.join(n for n in FUNCTIONS if self.loops(n)) or 'none'}"
             )
         with collector_paused():
-            return by_bodies(
-                self.system, lambda k: self._derive(name, name, None, k), name in FOLDED
-            )
+            return by_bodies(self.system, lambda k: self._derive(name, name, None, k), name)
 
     def form(
         self, name: str, of: str | None = None, loops: bool | None = None

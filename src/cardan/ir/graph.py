@@ -6,7 +6,6 @@ smaller indices, so the list order is a valid order of evaluation and every pass
 
 from __future__ import annotations
 
-import gc
 import math
 import re
 from collections.abc import Callable, Iterator
@@ -355,19 +354,3 @@ _CONSTRUCTORS: dict[str, Callable[..., int]] = {
     "div": Graph.div,
     "neg": Graph.neg,
 }
-
-
-@contextmanager
-def collector_paused() -> Iterator[None]:
-    """No cyclic garbage collection in this block.
-
-    Expressions are tuples without cycles, made by the ten thousand: the collector would scan them
-    again and again. Pausing it saves 6 to 12 % of a derivation.
-    """
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_enabled:
-            gc.enable()

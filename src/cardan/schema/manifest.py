@@ -185,7 +185,7 @@ class Manifest(Record):
 
     def slots(self, letter: str) -> dict[str, slice]:
         """Entries of q, u or z by name: each by its own, joints for all that are theirs."""
-        joints = ((joint.name, getattr(joint, letter, None)) for joint in self.joints)
+        joints = zip(column(self.joints, "name"), column(self.joints, letter), strict=True)
         slots = {name: slice(slot[0], sum(slot)) for name, slot in joints if slot and slot[1]}
         for k, name in enumerate(column(self.block(letter), "name")):
             slots.setdefault(name, slice(k, k + 1))

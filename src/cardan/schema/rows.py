@@ -7,7 +7,7 @@ differ by a number only; they are kept as a :class:`Run` and read like any other
 from __future__ import annotations
 
 import base64
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from typing import Any, Generic, TypeVar, final, overload
 
 import numpy as np
@@ -259,6 +259,18 @@ def having(rows: Sequence[R], key: str) -> Iterator[R]:
     for part in parts:
         if not isinstance(part, Run) or any(row.get(key) for row in part.pattern):
             yield from (row for row in part if getattr(row, key, None))
+
+
+def among(rows: Sequence[R], key: str, values: Container[object]) -> Iterator[R]:
+    """Rows in which a key has one of some values; runs in which it has others are passed over."""
+    parts: list[Iterable[R]] = [rows]
+    if isinstance(rows, Rows):
+        parts = [rows.listed, *rows.runs]
+    for part in parts:
+        if not isinstance(part, Run) or any(
+            _varies(entry := row.get(key)) or entry in values for row in part.pattern
+        ):
+            yield from (row for row in part if getattr(row, key, None) in values)
 
 
 def ends(rows: Sequence[R]) -> Sequence[R]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
+from ..collector import collector_paused
 from ..elements.forces.force import ForceElement
 from ..elements.forces.gravity.gravitation import Gravitation
 from ..elements.forces.line_load import LineLoad
@@ -40,6 +41,7 @@ from .tree import rooted_tree
 MOVING = (("var", "q"), ("var", "u"))
 
 
+@collector_paused()
 def build(
     model: SceneRecord,
     specialize: bool | Sequence[str] | Mapping[str, float] = False,

@@ -134,12 +134,17 @@ def driver(joints: Sequence[Joint], i: int) -> int:
 
 def driving_outputs(system: System) -> dict[int, tuple[str, str]]:
     """Names and units of the forces that move joints as prescribed, by the joints."""
-    driven = [i for i, j in enumerate(system.joints) if j.motion and j.motion.leader < 0]
-    units = {i: system.joints[i].element.speeds[0].unit for i in driven}
     return {
-        i: (f"{system.joints[i].name}.driving_force", "N" if units[i] == "m/s" else "N*m")
-        for i in driven
+        i: driving_output(joint)
+        for i, joint in enumerate(system.joints)
+        if joint.motion and joint.motion.leader < 0
     }
+
+
+def driving_output(joint: Joint) -> tuple[str, str]:
+    """Name and unit of the force that moves a joint as prescribed."""
+    unit = "N" if joint.element.speeds[0].unit == "m/s" else "N*m"
+    return f"{joint.name}.driving_force", unit
 
 
 def prescribe(convert: Converter, joint: UserJoint, inputs: Sequence[Input]) -> Prescribed:

@@ -72,7 +72,7 @@ def read(
         model: Whose.
         named: Joint or speed -> value.
     """
-    places = model.manifest.slots("u") if named else {}
+    places = model._layout.slots["u"] if named else {}
     chosen, values = list[int](), list[float]()
     for name, value in named.items():
         where, place = f"{what}={{'{name}': ...}}", places.get(name)

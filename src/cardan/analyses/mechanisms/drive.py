@@ -47,7 +47,7 @@ class Drive:
 
     def speeds(self, rates: Sequence[float]) -> dict[str, float]:
         """Speeds of all that is driven or held, by name, where they are derivatives of q."""
-        rows = self.m.model.manifest.slots("u")
+        rows = self.m.model._layout.slots["u"]
         rates_by_name = dict(zip(self.names, rates, strict=True))
         rates_by_name |= {target.name: 0.0 for target in self.locked if target.kind == "coordinate"}
         speeds: dict[str, float] = {}

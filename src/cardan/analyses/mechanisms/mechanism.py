@@ -334,7 +334,7 @@ class Mechanism:
     @cached_property
     def _bounds(self) -> tuple[NDArray[np.intp], Array, Array]:
         """Entries of q that have limits, and these."""
-        places, rows = self.model.manifest.slots("q"), list[tuple[int, float, float]]()
+        places, rows = self.model._layout.slots["q"], list[tuple[int, float, float]]()
         for name, limits in self.model.limits.items():
             low, high = (limits.get(side) for side in ("lower", "upper"))
             place = places.get(name, slice(0, 0))

@@ -64,26 +64,31 @@ class NodalMechanism(Mechanism):
         super().__init__(model, t, r)
         # where searches begin that are drawn: what is kept stays in these too
         self._start = model._layout.start("q").copy()
-        if q is not None:
-            stays = np.isin(model.coordinates, list(fixed))
+        if q is not None and fixed:
+            stays = [k for k, name in enumerate(model.coordinates) if name in set(fixed)]
             self._start[stays] = q[stays]
         self._every: tuple[MultiplierRow, ...] = tuple(model.manifest.multipliers)
         self.lead = np.flatnonzero(leading(model))
         self.columns = self.columns[self.lead]
-        moved = {int(k) for k in self.lead}
-        of_joints = set[str]()
-        for row in model.manifest.joints:
-            (start, count), (first, _) = row.slot("q"), row.slot("u")
-            if first in moved:
-                of_joints |= set(model.coordinates[start : start + count])
-        of_joints |= {model.speeds[k] for k in self.lead} | set(fixed)
-        names = (*model.coordinates, *model.speeds)
-        self.carrier = Carrier(model, [n for n in names if n not in of_joints], self.t, self.r)
+        self.carrier = Carrier(model, self._stays(set(fixed)), self.t, self.r)
         if self.carrier.tables.beams:
             # every search carries all beams along
             self.searches = 2
         self._z = model._layout.start("z")
         self._last: tuple[tuple[bytes, bytes], Array] | None = None
+
+    def _stays(self, fixed: set[str]) -> NDArray[np.bool_]:
+        """Mask of the coordinates and speeds (nq + nu,) of joints, and of those named."""
+        layout, nq = self.model._layout, self.model.nq
+        stays = np.zeros(nq + self.model.nu, dtype=bool)
+        stays[nq + self.lead] = True
+        slots, first = layout.joint_slots["q"], layout.joint_slots["u"][:, 0]
+        for start, count in slots[np.isin(first, self.lead)].tolist():
+            stays[start : start + count] = True
+        if fixed:
+            names = (*self.model.coordinates, *self.model.speeds)
+            stays |= np.array([name in fixed for name in names], dtype=bool)
+        return stays
 
     # what closes
 

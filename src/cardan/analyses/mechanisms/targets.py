@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from numbers import Real
 from typing import Any
 
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, listed, miscounted, near
+from ...records import dataclass
 from ...runtime.models.finite_elements.frames import rotation_vectors
 from ...runtime.models.initial import missing
 from ...runtime.models.named_rotations import check_units, refuse_components
@@ -124,7 +125,7 @@ def read(
             hold that are none.
         ArgumentError: a value of a wrong shape. SolveError: one that is not finite.
     """
-    places, frames = m.model.manifest.slots("q"), m.model.part_of
+    places, frames = m.model._layout.slots["q"] if named else {}, m.model.part_of
     targets = [_target(m, name, value, places, frames) for name, value in named.items()]
     _check_rotations(m, targets)
     names_of_targets = [target.name for target in targets]
@@ -177,7 +178,7 @@ def locked_values(m: Mechanism, locked: object) -> dict[str, Any]:
     """
     if isinstance(locked, Mapping | None):
         return dict(locked or {})
-    names = [*m.model.manifest.slots("q"), *m.model.frames]
+    names = [*m.model._layout.slots["q"], *m.model.frames]
     suggestion = near(locked, names) if isinstance(locked, str) and locked not in names else ""
     raise ModelError(
         f"locked={brief(locked)}: give coordinates or frames with the values they keep, such as "

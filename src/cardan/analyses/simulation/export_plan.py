@@ -84,10 +84,10 @@ def _start(folder: Path, model: LoadedModel, q: Values | None, u: Values | None)
     """Initial state of a run (nx,); joints of a tree need no search."""
     if q or u:
         return initial(type(model)(folder, reproducible=True), q, u)
-    start, free = start_of(model, {}, {}, {})
+    start, _ = start_of(model, {}, {}, {})
     tree = {row.name for row in model.manifest.joints}
     closed = any(row.joint not in tree for row in model.manifest.multipliers)
-    if closed or Carrier(model, free).links:
+    if closed or Carrier(model, np.zeros(model.nq + model.nu, dtype=bool)).links:
         # equal bits on every machine; a start that cannot be assembled is told when it is asked for
         with suppress(ModelError):
             start = initial(type(model)(folder, reproducible=True))

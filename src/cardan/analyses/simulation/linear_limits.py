@@ -11,6 +11,7 @@ from ...errors import SolveWarning, warn
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ...schema.mechanism import SuperelementRow
+from ...schema.rows import among
 
 ANGLE = 0.1  # of an interface in the frame [rad]
 # spin over the first frequency. The true first frequency of a blade is w1 sqrt(1 + 1.19 (w/w1)^2);
@@ -48,9 +49,7 @@ def rotated(model: LoadedModel, motion: TrajectoryRecord) -> str:
     "" if none turns by more than :data:`ANGLE` radians.
     """
     worst, name = 0.0, ""
-    for joint in model.manifest.joints:
-        if joint.kind != "elastic":
-            continue
+    for joint in among(model.manifest.joints, "kind", ("elastic",)):
         first, count = joint.slot("q")
         entries = range(first, first + count)
         turns = [k for k in entries if model.manifest.coordinates[k].unit == "rad"]

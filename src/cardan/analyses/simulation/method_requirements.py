@@ -8,7 +8,6 @@ from dataclasses import replace
 from ...errors import ModelError
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.integrators import Integrator
-from ...schema.rows import column
 from .alpha_methods import Alpha
 from .energy_momentum import conservative
 
@@ -50,7 +49,7 @@ def _assembled(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]
 
 def _joint_speeds(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """Nobody chose other speeds than those of the joints."""
-    if None in column(model.manifest.speeds, "joint"):
+    if not model._layout.of_joints:
         raise ModelError(
             f"method '{method.name}' moves along the speeds of the joints, and those of model "
             f"'{model.name}' were chosen: derive without speeds="

@@ -128,11 +128,12 @@ class Recorder:
         runner, run, how = self.runner, self.runner.record, self.runner.settings
         counts: dict[str, Any] = {name: getattr(run, name) for name in COUNTED}
         inputs = table[0, 1 + runner.n :].tolist()
+        initial = begin.named(runner.model)
+        initial.update(zip(runner.model.inputs, inputs, strict=False))
         return SolverInfo(
             method=how.method.name,
             settings=how.description,
-            initial=begin.named(runner.model)
-            | dict(zip(runner.model.inputs, inputs, strict=False)),
+            initial=initial,
             defaulted=(*begin.defaulted, *runner.signals.defaulted),
             status=outcome[0],
             message=outcome[1],

@@ -25,6 +25,7 @@ from . import run_record as abi
 from .discontinuities import FEW, jumps, stops_of
 from .events import NOTHING, EventTable
 from .input_functions import CEntry, InputFunctions
+from .run_memory import memory_of
 from .run_record import INPUTS, WATCH, Numbers
 from .run_state import Saved
 from .settings import Settings
@@ -85,9 +86,8 @@ class Runner:
         self.passes = np.zeros((MOST_PASSES if self.closing.rates else 0, 3))
         self.method = abi.method(self.library, settings.method.kernel)
         self.dense_room = self.spreads = np.empty((0, self.method.dense_rows, self.n))
-        self._modes = model._layout.start("s")
+        self._modes, self._rows_at, self._spreads_at = model._layout.start("s"), 0, 0
         self.rows = np.empty((0, 0))
-        self._rows_at = self._spreads_at = 0
         self.record = Run()
         self._size()
         self._allocate()
@@ -128,9 +128,10 @@ class Runner:
         run = self.record
         parts = sum(len(body.parts) for body in self.model.manifest.bodies)
         rooms = max(self.model.nu, 6 * parts), max(function.work_size for function in self.called)
-        self.memory = np.zeros(self.library.cardan_run_length(run, *rooms))
+        self.memory = memory_of(self.model, self.library.cardan_run_length(run, *rooms))
         first = self.memory.ctypes.data
-        self.library.cardan_run_lay(run, first, *rooms)
+        # the system gives pages of zeros when they are touched: a method need not touch all
+        self.library.cardan_run_place(run, first, *rooms)
         run.times = None
         starts = [
             (getattr(run, name) - first) // self.memory.itemsize for name in abi.MEMORY_BLOCKS

@@ -91,7 +91,7 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     rooms = [ctypes.c_size_t, ctypes.c_size_t]
     library.cardan_run_length.argtypes = [record, *rooms]
     library.cardan_run_length.restype = ctypes.c_size_t
-    library.cardan_run_lay.argtypes, library.cardan_run_lay.restype = (
+    library.cardan_run_place.argtypes, library.cardan_run_place.restype = (
         [record, POINTER, *rooms],
         None,
     )

@@ -7,6 +7,7 @@ import ctypes
 from ...runtime.models.loaded_model import LoadedModel
 from .events import EventTable
 from .run import Runner
+from .run_memory import leave_memory
 from .settings import Settings
 from .signals import Signals
 
@@ -56,5 +57,7 @@ def put_aside(runner: Runner) -> None:
         runner.spreads = runner.dense_room[:0]
         runner.model._derived[Runner, runner.settings.method.name] = runner
     else:
+        if run.mesh:
+            leave_memory(runner.model, runner.memory)
         # which refers to the runner: both would stay until cycles are looked for
         runner.sweep = None

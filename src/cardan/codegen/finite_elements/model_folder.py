@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...collector import collector_paused
 from ...equations.finite_elements.derivatives import derivative_of, rates_derivative_of
 from ...equations.finite_elements.expressions import expression_of
 from ...equations.finite_elements.record import BlockKind, FiniteElementRecord, Group, Kind
@@ -148,6 +149,7 @@ def numbers(absolute: FiniteElementRecord) -> bytes:
     return room.getvalue()
 
 
+@collector_paused()
 def write(folder: Path, absolute: FiniteElementRecord, available: Sequence[str]) -> None:
     """Write a model: manifest, tables, and the C of every kind of element.
 

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 import numpy as np
 
 from ...arrays import Integers
+from ...collector import collector_paused
 from ...elements.flexible import FLEXIBLE
 from ...errors import DerivationError
 from ...ir.function import Function, Output
@@ -30,6 +31,7 @@ from .states import states
 from .superelements import refuse_plane, superelements
 
 
+@collector_paused()
 def lowered(
     system: System, plane: str | None = None, nodes: Collection[int] | None = None
 ) -> FiniteElementRecord:
@@ -94,6 +96,8 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
         for e, part in enumerate(members)
     ]
     forces = {name: at for part, at in numbered for name in part.forces}
+    units = dict(driving_outputs(system).values())
+    units |= {entry.name: entry.unit for entry in system.outputs}
     if normal is not None:
         check(scene, (*groups, *beams.groups), space | beams.space, normal)
     return FiniteElementRecord(
@@ -105,7 +109,7 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
         joints={part.name: at for part, at in numbered if part.joint},
         forces={one.name: forces[one.name] for one in named_forces(system) if one.name in forces},
         states=states(scene, bodies, beams.tree_ends),
-        results=tuple((name, _unit(system, name)) for name in results),
+        results=tuple((name, units[name]) for name in results),
         powers=tuple(powers),
         reference=beams.reference,
         lines=beams.lines,
@@ -257,11 +261,3 @@ def _frames(
     }
     on_trees = {k: bodies[f.body] for k, f in enumerate(frames) if f.body in bodies}
     return Frames(np.array(place, dtype=np.intp), poses, on_trees)
-
-
-def _unit(system: System, name: str) -> str:
-    """Unit of an output, or of the driving force of a joint."""
-    for entry in system.outputs:
-        if entry.name == name:
-            return entry.unit
-    return dict(driving_outputs(system).values())[name]

@@ -11,7 +11,7 @@ from ...elements.joints.joint import Joint as JointElement
 from ...elements.joints.joint import Reversed
 from ...ir.function import live
 from ...topology.conversion import IDENTITY, ORIGIN
-from ...topology.system import GROUND, Cut, System
+from ...topology.system import GROUND, Cut, Force, System
 from ..constraints.reaction_friction import friction_forces
 
 NODE, JOINT = "node", "joint"
@@ -66,15 +66,18 @@ class Scene:
             and i not in self._in_relations
             and i not in self.joints_of_cuts
             and not joint.element.slips
-            and i not in self._with_friction
+            and i not in self.frictions
             and not (joint.element == Free() and bodies[i].parent == GROUND)
         )
 
     @cached_property
-    def _with_friction(self) -> frozenset[int]:
-        """Joints with friction that follows from their reactions: multipliers tell these."""
-        frictions = friction_forces(self.system)
-        return frozenset(i for force in frictions for i in force.joints.values())
+    def frictions(self) -> dict[int, list[Force]]:
+        """Joint -> friction that follows from its reactions: multipliers tell these."""
+        frictions: dict[int, list[Force]] = {}
+        for force in friction_forces(self.system):
+            for i in dict.fromkeys(force.joints.values()):
+                frictions.setdefault(i, []).append(force)
+        return frictions
 
     @cached_property
     def _in_relations(self) -> frozenset[int]:

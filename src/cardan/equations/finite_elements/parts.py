@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import groupby
 from typing import TypedDict
 
 from ...elements.joints.fixed import Fixed
 from ...elements.joints.joint import Joint as JointElement
 from ...ir.graph import ZERO
+from ...records import dataclass
 from ...topology.loops.circuits import circuit
-from ...topology.prescribed_motion import driver, driving_outputs
+from ...topology.prescribed_motion import driver, driving_output
 from ...topology.system import Cut, Force, Named, System
 from ..constraints.constraints import rows
 from ..constraints.driven_rows import working
-from ..constraints.reaction_friction import friction_forces
 from ..functions.element_forces import named_forces
 from .element_systems import MOVING_JOINT, Cutting, Mass
 from .nodal_scene import Scene
@@ -150,10 +149,9 @@ def _driven(cutting: Cutting, driven: dict[int, int], *powers: str) -> Driving:
     tree_joints = {i: n for i, n in cutting.moved.items() if system.joints[i].motion is not None}
     every = driven | tree_joints
     drivers = [driver(system.joints, i) for i in every]
-    outputs = driving_outputs(system)
     return {
         "driven": tuple(every.values()),
-        "results": tuple(outputs[i][0] for i in drivers),
+        "results": tuple(driving_output(system.joints[i])[0] for i in drivers),
         "powers": (*powers, *(f"{system.joints[i].name}.motion" for i in drivers)),
     }
 
@@ -169,7 +167,7 @@ def _body(scene: Scene, i: int) -> Part:
 def _joint(scene: Scene, i: int) -> Part:
     """A joint that moves a body without mass, which is held on the child by its reaction."""
     cutting, joint = Cutting(scene), scene.system.joints[i]
-    frictions = [f for f in friction_forces(scene.system) if i in f.joints.values()]
+    frictions = scene.frictions.get(i, [])
     for friction in frictions:
         # states that are its own come first
         _states(cutting, friction)

@@ -49,7 +49,8 @@ def states(
             continue
         with k.graph.made_by(system.bodies[i].name, "state"):
             pose, speeds = _in_space(k, i)
-            q, u = [*q, *pose], [*u, *speeds]
+            q += pose
+            u += speeds
     listed = blocks(system)
     results = [Output("q", (len(q),), tuple(q)), Output("u", (len(u),), tuple(u))]
     if tree_ends:

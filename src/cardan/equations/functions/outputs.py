@@ -15,11 +15,12 @@ from ...topology.prescribed_motion import driver
 from ...topology.system import Part
 from ..constraints.loop_loads import Closing, closing_wrenches, with_closing
 from ..kinematics.accelerations import Accelerations, accelerations, second_moment_force
-from ..kinematics.energies import ground_moment, kinetic, weight
+from ..kinematics.energies import ground_moment, kinetic, total, weight, weights
 from ..kinematics.inertia import of_body
 from ..kinematics.joint_forces import JointForces, along_joint, driving_force, joint_forces
 from ..kinematics.kinematics import Kinematics
 from ..kinematics.loads import applied, merged
+from ..recursion.recursion_boundary import summed
 from .dynamics import Dynamics
 
 
@@ -72,7 +73,11 @@ def acceleration(d: Dynamics, acc: Accelerations, frame: int) -> Matrix:
 
 def energy(d: Dynamics) -> tuple[Scalar, Scalar]:
     """Kinetic and potential energy; gravity's is zero at the ground origin."""
-    return kinetic(d.k, d.loads.rotors), d.loads.potential + weight(d.k, d.gravity)
+    if d.k.cuts is None:
+        return kinetic(d.k, d.loads.rotors), d.loads.potential + weight(d.k, d.gravity)
+    # as a recursion every body adds its weight and what is stored at its joint
+    parts = weights(d.k, d.gravity)
+    return kinetic(d.k, d.loads.rotors), total(d.k, "potential_energy", parts, d.loads.energies)
 
 
 def center_of_mass(k: Kinematics) -> Matrix:
@@ -82,16 +87,17 @@ def center_of_mass(k: Kinematics) -> Matrix:
         DerivationError: nothing that moves has a mass.
     """
     k.graph.describe(center_of_mass)
-    total, moment = Scalar(k.graph, ZERO), Matrix.zeros(k.graph, 3)
+    masses, moments = [], []
     for i in range(len(k.system.bodies)):
         with k.graph.made_by(k.owner(i), "com"):
             inertia = of_body(k, i)
-            total, moment = total + inertia.mass, moment + ground_moment(k, i, inertia)
-    if total.node == ZERO:
+            masses.append(Matrix(k.graph, 1, 1, [inertia.mass.node]))
+            moments.append(ground_moment(k, i, inertia))
+    if all(mass[0].node == ZERO for mass in masses):
         raise DerivationError(
             "com: nothing that moves has a mass, and so no center of it; give a body a mass"
         )
-    return moment / total
+    return summed(k, "moment", moments) / summed(k, "mass", masses)[0]
 
 
 def momentum(k: Kinematics) -> Matrix:
@@ -99,15 +105,15 @@ def momentum(k: Kinematics) -> Matrix:
 
     Of the bodies: a rotor that only adds its inertia to a joint has no momentum of its own here.
     """
-    total = Matrix.zeros(k.graph, 6)
+    parts = []
     for i in range(len(k.system.bodies)):
         with k.graph.made_by(k.owner(i), "momentum"):
             body_momentum = of_body(k, i).momentum(Matrix.vstack(k.omega[i], k.v[i]))
             linear = k.ground_rotation[i] @ body_momentum.block(slice(3, 6))
             angular = k.ground_rotation[i] @ body_momentum.block(slice(0, 3))
             angular = angular + k.ground_position[i].cross(linear)
-            total = total + Matrix.vstack(angular, linear)
-    return total
+            parts.append(Matrix.vstack(angular, linear))
+    return summed(k, "momentum", parts) if parts else Matrix.zeros(k.graph, 6)
 
 
 # forces of joints

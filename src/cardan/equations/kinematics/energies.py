@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from ...ir.arithmetic import Scalar
 from ...ir.derivative import gradient, jacobian
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
 from ...spatial.moments import Inertia
+from ..recursion.recursion_boundary import summed
 from .inertia import of_body
 from .kinematics import Kinematics
 
@@ -19,14 +20,13 @@ def kinetic(k: Kinematics, rotors: Mapping[int, Matrix]) -> Scalar:
     ``energy = sum (1/2 [omega; v] . inertia [omega; v] - m g . c)``, with the work of gravity.
     """
     k.graph.describe(kinetic)
-    total = Scalar(k.graph, ZERO)
+    parts = []
     for i in range(len(k.system.bodies)):
         with k.graph.made_by(k.owner(i), "energy"):
             inertia, twist = of_body(k, i), Matrix.vstack(k.omega[i], k.v[i])
-            total = total + twist.dot(inertia.momentum(twist)) * 0.5
-    for i, rotor in rotors.items():
-        total = total + k.u(i).dot(rotor @ k.u(i)) * 0.5
-    return total
+            parts.append(twist.dot(inertia.momentum(twist)) * 0.5)
+    spins = [(i, k.u(i).dot(rotor @ k.u(i)) * 0.5) for i, rotor in rotors.items()]
+    return total(k, "kinetic_energy", parts, spins)
 
 
 def momenta(k: Kinematics, rotors: Mapping[int, Matrix]) -> Matrix:
@@ -48,11 +48,35 @@ def _speeds(k: Kinematics) -> list[int]:
 
 def weight(k: Kinematics, gravity: Matrix) -> Scalar:
     """Potential energy in a field of gravity (3, 1), zero at the ground origin."""
-    total = Scalar(k.graph, ZERO)
+    return total(k, "potential_energy", weights(k, gravity))
+
+
+def weights(k: Kinematics, gravity: Matrix) -> list[Scalar]:
+    """Potential energy of every body in a field of gravity (3, 1)."""
+    parts = []
     for i in range(len(k.system.bodies)):
         with k.graph.made_by(k.owner(i), "energy"):
-            total = total - gravity.dot(ground_moment(k, i, of_body(k, i)))
-    return total
+            parts.append(-gravity.dot(ground_moment(k, i, of_body(k, i))))
+    return parts
+
+
+def total(
+    k: Kinematics, quantity: str, parts: Sequence[Scalar], more: Sequence[tuple[int, Scalar]] = ()
+) -> Scalar:
+    """The sum of a number of every body and of more at some; as a recursion body by body.
+
+    Args:
+        k: Motion of the tree.
+        quantity: Name of the sum.
+        parts: Of every body.
+        more: (body, number).
+    """
+    here = list(parts)
+    if k.cuts is None or not here:
+        return sum((number for _, number in more), start=sum(here, Scalar(k.graph, ZERO)))
+    for body, number in more:
+        here[body] = here[body] + number
+    return summed(k, quantity, [Matrix(k.graph, 1, 1, [part.node]) for part in here])[0]
 
 
 def ground_moment(k: Kinematics, i: int, inertia: Inertia) -> Matrix:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TypeAlias
 
 from ...elements.forces.force import Action, JointLoad, Load, Places
@@ -11,6 +11,7 @@ from ...errors import StructuralZero
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...topology.system import Force
 from .kinematics import Kinematics
 from .paths import into_body
@@ -31,6 +32,8 @@ class Loads:
         power: (element name, power) of every action without a potential.
         rotors: joint -> inertia added to its speeds (nu, nu of the joint).
         outside: Of the wrenches what no element makes.
+        energies: (body, energy) of the potential, one by one: of the joint of an element, or of
+            the body of its first frame that moves.
     """
 
     wrenches: Wrenches
@@ -39,6 +42,7 @@ class Loads:
     power: tuple[tuple[str, Scalar], ...]
     rotors: dict[int, Matrix]
     outside: Wrenches = field(default_factory=dict)
+    energies: tuple[tuple[int, Scalar], ...] = ()
 
     def with_outside(self, more: Wrenches) -> Loads:
         """The same with wrenches that no element makes."""
@@ -117,6 +121,7 @@ def summed(
     joints: dict[int, Matrix] = {}
     potential = Scalar(k.graph, ZERO)
     power: dict[str, Scalar] = {}
+    energies: list[tuple[int, Scalar]] = []
     for force in forces:
         kind = force.element.kind
         k.graph.describe(type(force.element), kind)
@@ -134,11 +139,20 @@ def summed(
                     _add_joint(joints, joint_load)
                 if action.stored is not None:
                     potential = potential + action.stored
+                    energies.append((_home(k, force), action.stored))
                 else:
                     before = power.get(force.name, Scalar(k.graph, ZERO))
                     power[force.name] = before + _power(k, action)
     rotors = _rotors(k, forces, overrides)
-    return Loads(wrenches, joints, potential, tuple(power.items()), rotors)
+    return Loads(
+        wrenches, joints, potential, tuple(power.items()), rotors, energies=tuple(energies)
+    )
+
+
+def _home(k: Kinematics, force: Force) -> int:
+    """The body at which a recursion computes the energy of an element."""
+    bodies = [*force.joints.values(), *(k.system.frames[f].body for f in force.frames.values())]
+    return next((body for body in bodies if body >= 0), 0)
 
 
 def _data(k: Kinematics, force: Force) -> dict[str, Matrix]:

@@ -26,6 +26,8 @@ FOLDED = (
     "applied_forces",
     "qdot",
 )
+# those whose results are sums over all bodies, which are complete at the first
+SUMMED = ("energy", "com", "momentum")
 
 
 def repeats(recursion: Recursion) -> bool:
@@ -34,13 +36,16 @@ def repeats(recursion: Recursion) -> bool:
     return visits >= REPEATED * len(recursion.steps)
 
 
-def homes(system: System, function: Function, fold: Fold | None = None) -> list[int]:
+def homes(
+    system: System, function: Function, fold: Fold | None = None, other: int = LATER
+) -> list[int]:
     """Body at whose visit every entry of the results is computed.
 
     Args:
         system: The tree.
         function: The results.
         fold: How the tree was shortened: entries of bodies left out have none.
+        other: Body of entries that belong to no joint.
     """
     missing = LATER if fold is None else LEFT_OUT
     q, u = [missing] * system.nq, [missing] * system.nu
@@ -54,26 +59,25 @@ def homes(system: System, function: Function, fold: Fold | None = None) -> list[
     homes: list[int] = []
     for o in function.outputs:
         like = next((x for x in (q, u) if o.shape == (len(x),)), None)
-        homes += [LATER] * o.size if like is None else like
+        homes += [other] * o.size if like is None else like
     return homes
 
 
-def by_bodies(
-    system: System, derive: Callable[[Kinematics], Function], folds: bool = True
-) -> Recursion:
+def by_bodies(system: System, derive: Callable[[Kinematics], Function], name: str) -> Recursion:
     """A function as a recursion over the bodies; of bodies that repeat only a few are derived.
 
     Args:
         system: The tree.
         derive: Makes the function from the kinematics of a tree.
-        folds: Whether its results belong to single joints.
+        name: Of the function.
     """
-    short = fold(system) if folds else None
+    short = fold(system) if name in FOLDED or name in SUMMED else None
+    other = 0 if name in SUMMED and system.bodies else LATER
     for folded in (short, None) if short is not None else (None,):
         k = Kinematics(folded.system if folded else system, cut=True)
         function = derive(k)
         assert k.cuts is not None
-        home_bodies = homes(system, function, folded)
+        home_bodies = homes(system, function, folded, other)
         looped = recursion(Sweeps(k.cuts, function, home_bodies, k.system, folded))
         if looped is not None:
             return looped

@@ -8,13 +8,14 @@ value, so that the expressions of one body end at those of its neighbors.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, TypeAlias
 
 from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix
 from ...ir.ops import LEAVES
 from ...ir.recursion import STORE
+from ...records import dataclass
 
 if TYPE_CHECKING:
     from ..kinematics.kinematics import Kinematics
@@ -128,6 +129,22 @@ class Cuts:
                 read = entry[4:] if op == "solve" else entry[1:]
                 fixed.append(all(fixed[k] for k in read))
         return bool(fixed[node])
+
+
+def summed(k: Kinematics, quantity: str, parts: Sequence[Matrix]) -> Matrix:
+    """The sum of a part of every body; as a recursion each adds its own to a value of the first.
+
+    Args:
+        k: Motion of the tree.
+        quantity: Name of the sum.
+        parts: Of every body, all of one shape.
+    """
+    first, *more = parts
+    if k.cuts is None:
+        return sum(more, start=first)
+    added = [(by, part.nodes) for by, part in enumerate(more, 1)]
+    nodes = k.cuts.total(0, quantity, first.nodes, added)
+    return Matrix(k.graph, first.rows, first.columns, nodes)
 
 
 class Sums:

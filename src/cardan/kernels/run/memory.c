@@ -68,15 +68,22 @@ size_t cardan_run_length(const cardan_run *run, size_t tail, size_t work)
     return lay(&measured, NULL, tail, work);
 }
 
-/* Point every array of the run into the block, fill it with zeros, and want no rows. */
+/* Point every array of the run into a block of zeros, and want no rows. */
+void cardan_run_place(cardan_run *run, real *memory, size_t tail, size_t work)
+{
+    (void)lay(run, memory, tail, work);
+    run->times = run->stops;
+    run->time_count = 0;
+}
+
+/* The same for a block of any numbers: it is filled with zeros first. */
 void cardan_run_lay(cardan_run *run, real *memory, size_t tail, size_t work)
 {
-    const size_t length = lay(run, memory, tail, work);
+    const size_t length = cardan_run_length(run, tail, work);
 
     for (size_t i = 0; i < length; i++)
         memory[i] = 0;
-    run->times = run->stops;
-    run->time_count = 0;
+    cardan_run_place(run, memory, tail, work);
 }
 
 /* The length of the memory of methods that have none. */

@@ -27,6 +27,13 @@ typedef struct cardan_call {
     const wreal *w;
 } cardan_call;
 
+/* Many products at one state of elements: what is solved and factored there stays in a room. */
+typedef struct cardan_repeated {
+    int (*enter)(const cardan_in *in, real *room);  /* `in` as the product reads it but for v */
+    int (*pull)(real *room, const real *v, real *out);
+    int (*push)(real *room, const real *v, real *out);
+} cardan_repeated;
+
 /* what an integrator says: not negative: the run may go on or is over; negative: it broke down */
 enum {
     CARDAN_DONE = 0,
@@ -263,6 +270,16 @@ static inline real cardan_dot(const real *a, const real *b, ptrdiff_t n)
     return sum;
 }
 
+/* Take from a change (4) of a quaternion q, or a gradient by it, its part along q; returns it in q. */
+static inline real cardan_take_along(const real *q, real *change)
+{
+    const real along = cardan_dot(q, change, 4) / cardan_dot(q, q, 4);
+
+    for (int i = 0; i < 4; i++)
+        change[i] -= along * q[i];
+    return along;
+}
+
 static inline ptrdiff_t cardan_larger_of(ptrdiff_t a, ptrdiff_t b)
 {
     return a > b ? a : b;
@@ -280,6 +297,7 @@ void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_o
 
 /* memory.c */
 size_t cardan_run_length(const cardan_run *run, size_t tail, size_t work);
+void cardan_run_place(cardan_run *run, real *memory, size_t tail, size_t work);
 void cardan_run_lay(cardan_run *run, real *memory, size_t tail, size_t work);
 
 /* what the methods build on: derivative.c, close.c and control.c */

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from math import prod
 from typing import NamedTuple
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, near, warn
+from ...records import dataclass
 from ...schema.blocks import ORDER, SLOT
 from . import abi
 from .batch import Batch

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...schema.blocks import ARGUMENTS, SLOT
@@ -59,6 +60,7 @@ class Layout:
 
     def __init__(self, manifest: Manifest) -> None:
         self.manifest = manifest
+        self._defaults: dict[str, Array] = {}
         self.coordinates: tuple[str, ...] = tuple(column(manifest.coordinates, "name"))
         self.speeds: tuple[str, ...] = tuple(column(manifest.speeds, "name"))
         self.inputs = tuple(row.name for row in manifest.inputs)
@@ -105,8 +107,35 @@ class Layout:
         """Entries of a block that are not named: defaults of q, r, z and s, else zeros."""
         if block not in ("q", "q0", "r", "z", "s"):
             return np.zeros(len(self.names(block)))
-        defaults = column(self.manifest.block(block), "default")
-        return np.array([x or 0.0 for x in defaults], dtype=np.float64)
+        return self._default_values(block.removesuffix("0"))
+
+    def _default_values(self, letter: str) -> Array:
+        """Defaults of the entries of a block; read once, as there may be very many."""
+        if letter not in self._defaults:
+            defaults = column(self.manifest.block(letter), "default")
+            self._defaults[letter] = np.array([x or 0.0 for x in defaults], dtype=np.float64)
+        return self._defaults[letter].copy()
+
+    @cached_property
+    def joint_slots(self) -> Mapping[str, NDArray[np.intp]]:
+        """``"q"``, ``"u"`` -> first entry and number of entries of every joint (n, 2)."""
+        slots = ((letter, column(self.manifest.joints, letter)) for letter in "qu")
+        return {
+            letter: np.array([slot or (0, 0) for slot in of], dtype=np.intp).reshape(-1, 2)
+            for letter, of in slots
+        }
+
+    @cached_property
+    def lengths(self) -> NDArray[np.bool_]:
+        """Mask of the speeds (nu,) that are lengths per time; the others are angles."""
+        return np.array(
+            [unit == "m/s" for unit in column(self.manifest.speeds, "unit")], dtype=bool
+        )
+
+    @cached_property
+    def of_joints(self) -> bool:
+        """True when all speeds are those of joints: nobody chose others."""
+        return None not in column(self.manifest.speeds, "joint")
 
     @cached_property
     def slots(self) -> Mapping[str, Mapping[str, slice]]:
@@ -120,8 +149,7 @@ class Layout:
         """
         starts = {}
         for letter in "quz":
-            defaults = column(self.manifest.block(letter), "default")
-            starts[letter] = np.array([x or 0.0 for x in defaults], dtype=np.float64)
+            starts[letter] = self._default_values(letter)
         for letter in "qu":
             for joint in having(self.manifest.joints, f"{letter}0"):
                 first, size = joint.slot(letter)

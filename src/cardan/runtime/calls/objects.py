@@ -63,6 +63,9 @@ class Objects:
         self.batches: dict[str, Batch] = {}
         self.lanes: dict[str, int] = {}
         self.tables: Any = None  # of elements: what no parameter changes
+        self.joint_sources: object = (
+            None  # of elements: where the saved states of nodes find joints
+        )
         self.mesh: Any = None  # parameters (np,) and the elements that were loaded for them first
         self.entries_read: dict[tuple[str, str], frozenset[int]] = {}  # by function and block
         self.sizes: dict[bytes, float] = {}  # of the mechanism, by parameters

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from contextlib import nullcontext
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -12,9 +12,9 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError
+from ...records import dataclass
 from ...schema.entries import MultiplierRow
 from ...schema.records import Run, check
-from ...schema.rows import column
 from ..calls.interpreted import called_back
 from ..trajectory.closure_errors import Ledger
 from .finite_elements.frames import node_frames
@@ -131,8 +131,7 @@ def _measured(model: LoadedModel) -> float:
 
 def columns_of(model: LoadedModel, size: float) -> Array:
     """Units of the speeds (nu,): sizes of the mechanism, or radians."""
-    units = column(model.manifest.speeds, "unit")
-    return np.array([size if name == "m/s" else 1.0 for name in units])
+    return np.where(model._layout.lengths, size, 1.0)
 
 
 def project(model: LoadedModel, t: Array, x: Array, r: Array, s: Array, ledger: Ledger) -> Array:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from abc import ABC
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
 from math import prod
@@ -15,6 +14,7 @@ import numpy as np
 from ...arguments import checked
 from ...arrays import Array
 from ...errors import ArgumentError, brief
+from ...records import dataclass
 from ...schema.functions import FUNCTIONS
 from ..calls.calling import ANY, Arrangement, common, numbers
 from ..calls.evaluation import Values, into

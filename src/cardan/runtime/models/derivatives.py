@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from itertools import accumulate
 from math import prod
@@ -15,6 +15,7 @@ import numpy as np
 from ...arguments import checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief, near
+from ...records import dataclass
 from ...schema.blocks import COORDINATES, DIRECTIONS, Blocks
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
 from ...schema.request import Request, reads

@@ -77,7 +77,7 @@ def _followed(model: LoadedModel, begin: Start, q: Any, u: Any, t: float, r: Arr
     if q is None or isinstance(q, Mapping):
         at = place(m, at, q or {}, begin.followers.get("q", {}))
     if begin.followers.get("u"):
-        places = model.manifest.slots("u")
+        places = model._layout.slots["u"]
         locked = [k for name in u or {} for k in range(*places[name].indices(model.nu))]
         speed = followed(m, at, speed, locked, begin.followers["u"])
     return replace(begin, x=np.concatenate([at, speed, internal]))
@@ -111,7 +111,7 @@ def named_of(letter: str, model: LoadedModel, values: object) -> Mapping[str, An
     if values is not None and not isinstance(values, Mapping):
         return None
     rows = model.coordinates if letter == "q" else model.speeds
-    places = model.manifest.slots(letter) if values else {}
+    places = model._layout.slots[letter] if values else {}
     named_entries = {k for name in values or {} for k in range(*places[name].indices(len(rows)))}
     return None if len(named_entries) == len(rows) else values or {}
 

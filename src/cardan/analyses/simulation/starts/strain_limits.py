@@ -18,8 +18,8 @@ FOLDED = np.radians(150.0)
 MAX_STATES = 64  # of a run that are looked at
 
 
-def warn_of_strain(model: LoadedModel, x: Array) -> None:
-    """Warn of the beam that a start strains most, if that is too much.
+def warn_of_strain(model: LoadedModel, x: Array) -> bool:
+    """Warn of the beam that a start strains most, if that is too much; true where it is.
 
     Args:
         model: In absolute coordinates.
@@ -31,8 +31,9 @@ def warn_of_strain(model: LoadedModel, x: Array) -> None:
     """
     tables = table_loading.tables_of(model)
     if not tables.beams:
-        return
-    reference, q = Carrier(model, ()).reference, model.split(x)[0]
+        return False
+    nothing_moves = np.ones(model.nq + model.nu, dtype=bool)
+    reference, q = Carrier(model, nothing_moves).reference, model.split(x)[0]
     strains = [_strain(model, k, reference, q) for k in range(len(model.manifest.beams))]
     worst = int(np.argmax(strains))
     if strains[worst] > LARGE:
@@ -43,6 +44,7 @@ def warn_of_strain(model: LoadedModel, x: Array) -> None:
             "beam would have them. Name other coordinates, or the joints at its ends too",
             SolveWarning,
         )
+    return bool(strains[worst] > LARGE)
 
 
 def folded(model: LoadedModel, states: Array) -> str:
@@ -94,10 +96,12 @@ def _poses(model: LoadedModel, number: int, q: Array) -> tuple[Array, Array]:
     tables, row = table_loading.tables_of(model), model.manifest.beams[number]
     inner = tables.poses(q, tables.beams[number][1:-1])
     ends = [model.pose(end, q) for end in (row.start, row.end)]
-    turns = Rotation.from_quat(np.roll(inner[:, :4], -1, axis=1)).as_matrix() if len(inner) else ()
-    rotations = [ends[0][:3, :3], *turns, ends[1][:3, :3]]
-    positions = [ends[0][:3, 3], *inner[:, 4:], ends[1][:3, 3]]
-    return np.array(rotations), np.array(positions)
+    turns = np.zeros((len(inner), 3, 3))
+    if len(inner):
+        turns[:] = Rotation.from_quat(np.roll(inner[:, :4], -1, axis=1)).as_matrix()
+    rotations = np.concatenate([ends[0][None, :3, :3], turns, ends[1][None, :3, :3]])
+    positions = np.concatenate([ends[0][None, :3, 3], inner[:, 4:], ends[1][None, :3, 3]])
+    return rotations, positions
 
 
 def _relative(rotations: Array, positions: Array) -> tuple[Array, Array]:

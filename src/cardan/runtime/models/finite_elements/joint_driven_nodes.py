@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
 from itertools import islice
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ....arrays import Array
 from ....schema.finite_elements import GROUND, ON_TREE
+from ....schema.rows import column
 from . import table_loading
 from .dependent_nodes import STILL, Motion, displacement, joined, motion_of, trailed
 from .node_pose import pose, speeds
@@ -20,7 +21,8 @@ from .tables import Integers, Tables
 if TYPE_CHECKING:
     from ..loaded_model import LoadedModel
 
-SAVED = "states"
+Mask = NDArray[np.bool_]
+SAVED, REFERENCE = "states", "states of nodes with all joints at their defaults"
 ENDS = "ends_q", "ends_u"
 ASSEMBLY_SIGNS = "assembly_signs "  # before the joint whose axes the numbers are about
 ROUNDING = 1e-14
@@ -45,7 +47,31 @@ def follow_joints(
         changeable: Names of the entries that may change; all others were given.
         t, r: Time [s] and inputs (nr,), where something is prescribed; 0 and their defaults.
     """
-    return Carrier(model, changeable, t, r).at(x)
+    names, changes = (*model.coordinates, *model.speeds), set(changeable)
+    # by default everything may change: names need not be compared then
+    fixed = np.zeros(len(names), dtype=bool)
+    if not changes.issuperset(names):
+        fixed[:] = [name not in changes for name in names]
+    return Carrier(model, fixed, t, r).at(x)
+
+
+class JointSources(NamedTuple):
+    """What is the same for all parameters and starts of a model.
+
+    Attributes:
+        function: The saved function, read anew where its file has changed.
+        blocks: Names of the entries of the blocks that the saved function of the tree reads.
+        sources: Of every coordinate and of every speed of the tree its entry in those of the model.
+        planes: Places told in a plane, with the entries of their pose and speeds in those of the
+            tree.
+        leads: Mask of the speeds of joints (nu,).
+    """
+
+    function: object
+    blocks: Mapping[str, Sequence[str]]
+    sources: tuple[Integers, Integers]
+    planes: list[tuple[int, Integers, Integers]]
+    leads: Mask
 
 
 class Carrier:
@@ -53,25 +79,18 @@ class Carrier:
 
     Args:
         model: In absolute coordinates.
-        free: Names of the entries that may change; all others stay what they are.
+        fixed: Mask (nq + nu,) of the coordinates and speeds that stay what they are: what was
+            given, nodes between others too.
         t, r: Time [s] and inputs (nr,), where something is prescribed; 0 and their defaults.
     """
 
     def __init__(
-        self, model: LoadedModel, free: Collection[str], t: float = 0.0, r: Array | None = None
+        self, model: LoadedModel, fixed: Mask, t: float = 0.0, r: Array | None = None
     ) -> None:
-        self.model, self.t = model, t
+        self.model, self.t, self.fixed = model, t, fixed
         self.r = model._layout.start("r") if r is None else r
         self.tables = table_loading.tables_of(model)
-        # coordinates of the tree have the same names here
-        blocks = {block.name: block.entries for block in model._objects.function(SAVED).inputs}
-        self._blocks = blocks
-        names, some = (*model.coordinates, *model.speeds), set(free)
-        # what was given stays as it is, nodes between others too
-        self.fixed = np.array([name not in some for name in names], dtype=bool)
-        self._sources = [_positions(names_of_block, blocks[b]) for b, names_of_block in
-                         (("q", model.coordinates), ("u", model.speeds))]  # fmt: skip
-        self._planes = _planes(model, self.tables, blocks)
+        _, self._blocks, self._sources, self._planes, _ = _joint_sources(model, self.tables)
         # nodes that only beams hold go along, unless somebody says where they are
         self.free_nodes = {
             k
@@ -183,9 +202,14 @@ class Carrier:
 
     @cached_property
     def _home(self) -> Mapping[str, Array]:
-        """States of nodes with all joints at their own defaults."""
-        joint_coordinates = np.array(self.model.manifest.elements.reference, dtype=np.float64)
-        return self._evaluated(joint_coordinates, np.zeros(len(self._blocks["u"])))
+        """States of nodes with all joints at their own defaults; those of one time stay there."""
+        key, stored = (self.t, self.r.tobytes()), self.model._derived
+        if stored.get(REFERENCE, ((),))[0] != key:
+            joint_coordinates = np.array(self.model.manifest.elements.reference, dtype=np.float64)
+            home = self._evaluated(joint_coordinates, np.zeros(len(self._blocks["u"])))
+            stored[REFERENCE] = key, home
+        home_states: Mapping[str, Array] = stored[REFERENCE][1]
+        return home_states
 
     @cached_property
     def _homes(self) -> Array:
@@ -251,6 +275,22 @@ class Carrier:
         return evaluated
 
 
+def _joint_sources(model: LoadedModel, tables: Tables) -> JointSources:
+    """Where the saved function finds the joints: looked up by name once for all parameters."""
+    function, stored = model._objects.function(SAVED), model._objects.joint_sources
+    if not isinstance(stored, JointSources) or stored.function is not function:
+        # coordinates of the tree have the same names here
+        blocks = {block.name: block.entries for block in function.inputs}
+        q, u = (_positions(names, blocks[letter]) for letter, names in
+                (("q", model.coordinates), ("u", model.speeds)))  # fmt: skip
+        planes = _planes(model, tables, blocks)
+        stored = JointSources(
+            function, blocks, (q, u), planes, _leading(model, tables, blocks["u"])
+        )
+        model._objects.joint_sources = stored
+    return stored
+
+
 def _positions(names: Collection[str], names_sought: Collection[str]) -> Integers:
     """Places of names; 0 for those of nodes that are told in a plane."""
     at = {name: k for k, name in enumerate(names)}
@@ -281,14 +321,24 @@ def _planes(
     return planes
 
 
-def leading(model: LoadedModel) -> NDArray[np.bool_]:
+def leading(model: LoadedModel) -> Mask:
     """Mask of the speeds of joints (nu,): nodes of bodies and beams follow those."""
-    function = model._objects.function(SAVED)
-    speeds_read = next(set(block.entries) for block in function.inputs if block.name == "u")
-    tables = table_loading.tables_of(model)
+    return _joint_sources(model, table_loading.tables_of(model)).leads.copy()
+
+
+def _leading(model: LoadedModel, tables: Tables, names: Sequence[str]) -> Mask:
+    """Same as :func:`leading`, from the names of the speeds of the tree."""
+    speeds_read = set(names)
     beam_nodes, leads = set(model.manifest.elements.beam_nodes), np.zeros(model.nu, dtype=bool)
-    for place, row in enumerate(model.manifest.joints):
-        start, count = row.slot("u")
-        free = f"{row.name}.u.px" in speeds_read and place not in beam_nodes
-        leads[start : start + count] = free or not tables.kinds[tables.kind[place]].node
+    on_node = np.array([kind.node for kind in tables.kinds], dtype=bool)
+    rows = zip(
+        column(model.manifest.joints, "name"),
+        model._layout.joint_slots["u"].tolist(),
+        on_node[tables.kind[: len(model.manifest.joints)]].tolist(),
+        strict=True,
+    )
+    for place, (name, (start, count), node) in enumerate(rows):
+        free = f"{name}.u.px" in speeds_read and place not in beam_nodes
+        if count and (free or not node):
+            leads[start : start + count] = True
     return leads
