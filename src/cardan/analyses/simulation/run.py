@@ -86,9 +86,8 @@ class Runner:
         self.passes = np.zeros((MOST_PASSES if self.closing.rates else 0, 3))
         self.method = abi.method(self.library, settings.method.kernel)
         self.dense_room = self.spreads = np.empty((0, self.method.dense_rows, self.n))
-        self._modes = model._layout.start("s")
+        self._modes, self._rows_at, self._spreads_at = model._layout.start("s"), 0, 0
         self.rows = np.empty((0, 0))
-        self._rows_at = self._spreads_at = 0
         self.record = Run()
         self._size()
         self._allocate()
