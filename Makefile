@@ -22,7 +22,7 @@ BIN := $(VENV)/bin
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --no-compile
 # of what pip says: the packages, and the kernels while they are compiled
 STEPS := ^ *(Collecting [[:alnum:]_.-]+|Installing collected packages|kernels: .*)
-SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/calls/*.pyx) $(wildcard src/cardan/kernels/*.[ch] src/cardan/kernels/*/*.[ch] src/cardan/kernels/*/*/*.[ch])
+SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/calls/*.pyx src/cardan/runtime/calls/*.pxi) $(wildcard src/cardan/kernels/*.[ch] src/cardan/kernels/*/*.[ch] src/cardan/kernels/*/*/*.[ch])
 
 .PHONY: help demo test tests slow bench hard lint types external fuzz wheel browser picture site clean
 
@@ -81,7 +81,7 @@ $(VENV)/.installed-bench: $(VENV)/.installed-test
 	$(INSTALL) --quiet --editable '.[bench]' || for peer in $(PEERS); do $(INSTALL) --quiet $$peer || true; done
 	@touch $@
 
-# writes docs/performance: calls, motions, beams, superelements, long loops, paths; QUICK=1 for a few of both and no page
+# writes docs/performance: calls, motions, beams, superelements, long loops, paths, profiles; QUICK=1 for a few of both and no page
 bench: $(VENV)/.installed-bench
 	$(BIN)/python tests/benchmarks/bench.py $(if $(QUICK),--quick)
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/runs.py $(if $(QUICK),--quick)
@@ -89,6 +89,7 @@ bench: $(VENV)/.installed-bench
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/superelement_runs.py $(if $(QUICK),--quick)
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/large_loops.py $(if $(QUICK),--quick)
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/paths.py $(if $(QUICK),--quick)
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/profiles.py $(if $(QUICK),--quick)
 
 $(VENV)/.installed-browser: $(VENV)/.installed-test
 	$(INSTALL) playwright

@@ -246,8 +246,7 @@ _PATHS = Kind(_paths, "one folder or a list of folders")
 _RANGE = Kind(_pair, "two finite numbers, such as (0, 1)")
 # by the text of an annotation
 KINDS: dict[str, Kind] = {
-    "None": Kind(_none, "None"),
-    "bool": Kind(_flag, "True or False"),
+    "None": Kind(_none, "None"), "bool": Kind(_flag, "True or False"),
     "str": Kind(_text, "text, such as a name"),
     "int": Kind(_integer(-FARTHEST, FARTHEST), "a whole number"),
     "Count": Kind(_integer(1, LARGEST), "a whole number of at least 1"),
@@ -286,6 +285,7 @@ _UNCHECKED |= {"AnyMaterial", "Direction", "Rows", "Value"}
 # class that functions take -> the one of it that users have
 OF_USERS = {
     "LoadedModel": "CompiledModel",
+    "Cost": 'Cost, such as cd.cost(final="FORMULA")',
     "EquationRecord": "Equations",
     "Explained": "Equations",
     "FiniteElementRecord": "FiniteElementEquations",
@@ -344,7 +344,7 @@ def read(function: str, argument: str, value: object, kinds: tuple[Kind, ...]) -
         return converted
     texts = [kind.description for kind in kinds if kind.read is not _none]
     texts = [one for one in texts if not any(other.startswith(f"{one} or ") for other in texts)]
-    expected = " or ".join(texts) or "None"
+    expected = (" or ".join(texts) or "None").replace("FORMULA", brief(value).strip("'"))
     raise ArgumentError(f"{function}: {argument}={brief(value)}: give {expected}")
 
 

@@ -4,12 +4,20 @@ from __future__ import annotations
 
 # from the ground up: a room imports the rooms before it, in whatever way
 ORDER = (
-    *("version", "errors", "literature", "arrays", "processes", "regular_file", "atomic_file"),
+    *(
+        "version",
+        "errors",
+        "records",
+        "literature",
+        "arrays",
+        "processes",
+        "regular_file",
+        "atomic_file",
+    ),
     *(
         "number_file",
         "build_progress",
         "arguments",
-        "collector",
         "notebooks",
         "kernels",
         "ir",
@@ -39,20 +47,20 @@ RUNNING_MAY_IMPORT = RUNNING | {
     "arrays",
     "version",
     "errors",
+    "records",
     "processes",
     "regular_file",
     "atomic_file",
     "number_file",
     "build_progress",
     "arguments",
-    "collector",
     "notebooks",
     "schema",
     "ir",
 }
 
 # adapters of other programs see what users see, and the parts that api/comparison.py names
-PEERS_MAY_IMPORT = frozenset({"api", "pipeline", "peers", "arrays", "errors"})
+PEERS_MAY_IMPORT = frozenset({"api", "pipeline", "peers", "arrays", "errors", "records"})
 
 # the only files that load SymPy when they are imported; every one is itself imported on demand
 SYMPY_AT_IMPORT: frozenset[str] = frozenset(

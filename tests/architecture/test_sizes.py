@@ -19,7 +19,7 @@ TEXT = sorted(
     path
     for folder in ("src", "tests", "examples", "docs")
     for path in (ROOT / folder).rglob("*")
-    if path.suffix in {".py", ".pyx", ".c", ".h", ".md", ".yaml", ".html", ".js"}
+    if path.suffix in {".py", ".pyx", ".pxi", ".c", ".h", ".md", ".yaml", ".html", ".js"}
     and path.name != "_abi.c"
     and path.parent != VENDORED
 )
@@ -51,7 +51,7 @@ def found(pattern: re.Pattern[str], paths: list[Path]) -> list[str]:
 
 
 def test_files_are_short() -> None:
-    sources = [path for path in TEXT if path.suffix in {".py", ".pyx", ".c", ".h"}]
+    sources = [path for path in TEXT if path.suffix in {".py", ".pyx", ".pxi", ".c", ".h"}]
     lines = {relative(path): len(content(path).splitlines()) for path in sources}
     assert not {name: n for name, n in lines.items() if n > FILE_LINES}
 

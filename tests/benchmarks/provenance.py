@@ -15,7 +15,7 @@ SOURCE = ROOT / "src" / "cardan"
 DOCS = ROOT / "docs"
 # what the figures do not depend on
 APART = ("cli", "view", "explain")
-KINDS = (".py", ".pyx", ".pxd", ".c", ".h")
+KINDS = (".py", ".pyx", ".pxi", ".pxd", ".c", ".h")
 MEASURED = re.compile(r"\nMeasured with the source of fingerprint `([0-9a-f]{12})`\.\n")
 OLDER = (
     "**Measured with an earlier version of the code: steps, errors and times may differ now. "

@@ -175,3 +175,22 @@ def test_ctrl_c_says_what_is_kept_and_how_to_go_on(tmp_path: Path) -> None:
     assert re.search(r"cardan ensemble: interrupted when \d+ of 2000000 runs were done", err)
     assert re.search(r"\d+ runs are kept in .*runs.part, and the same call goes on", err)
     assert "Warning" not in err
+
+
+def test_sensitivities(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Those of ``model.ensemble``; names between commas, or the option again."""
+    words = ["ensemble", ARM, "--time", "0.1", "--vary", "waist=0,0.5", "--points", "3"]
+    words += ["--sensitivity", "q0.elbow,u0", "--sensitivity", "gravity.z"]
+    assert status(*words, "-o", str(tmp_path / "runs.nc"), "--json") == 0
+    results = json.loads(capsys.readouterr().out)["results"]
+    names = ("q0.elbow", "u0", "gravity.z")
+    assert set(results) == {f"sensitivity to {name}" for name in names}
+    runs = cd.load_ensemble(tmp_path / "runs.nc")
+    direct = cd.compile(cd.load(ARM)).ensemble(
+        np.linspace(0, 0.1, 3), vary={"waist": [0.0, 0.5]}, sensitivity=names
+    )
+    for name in names:
+        np.testing.assert_array_equal(runs.sensitivity[name], direct.sensitivity[name])
+    assert status(*words[:-1], "elbo") == 1
+    assert "Did you mean 'u0.elbow'" in capsys.readouterr().err
+    assert status(*words[:-1], "a,,b") == 2

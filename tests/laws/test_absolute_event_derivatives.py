@@ -5,11 +5,26 @@ from __future__ import annotations
 import functools
 import itertools
 from collections.abc import Callable, Iterator
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, ClassVar
 
 import numpy as np
 
 import cardan as cd
+from cardan.elements.forces.force import Action, ForceElement, Places, one_coordinate
+from cardan.elements.internal_states import (
+    IMPACT,
+    MODE,
+    Change,
+    EventSpec,
+    Impulse,
+    Jumped,
+    Mode,
+    Solved,
+)
+from cardan.elements.quantity import JointName
+from cardan.ir.arithmetic import Scalar, select
+from cardan.ir.matrix import Matrix
 from cardan.runtime.verification.differences import BOUND, missing, slope
 from cardan.schema.functions import FUNCTIONS
 from faults.test_verify import braked
@@ -40,6 +55,66 @@ def buffered() -> cd.Scene:
     return scene
 
 
+@dataclass(frozen=True)
+class Gauge(ForceElement):
+    """Strikes two joints, and keeps how they answer, a speed behind an event, and more.
+
+    Of the catalog nothing but decisions follows from responses, which have no derivatives, and
+    impulses act along speeds, which no coordinates turn.
+    """
+
+    kind: ClassVar[str] = "gauge"
+    joint: JointName
+    other: JointName
+
+    def act(self, at: Places) -> tuple[Action, ...]:
+        return ()
+
+    def modes(self) -> tuple[Mode, ...]:
+        return (Mode("kept", 0.5),)
+
+    def events(self) -> tuple[EventSpec, ...]:
+        return (EventSpec("taken", MODE, "it is read"), EventSpec("struck", IMPACT, "it strikes"))
+
+    def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
+        x, v = self._of_joint(at)
+        return (v * v - x * solved.derivative(v), x * x * v - 2)
+
+    def impulses(self, at: Places, jumped: Jumped) -> tuple[Impulse, ...]:
+        (x, v), (y, w) = self._of_joint(at), self._of_joint(at, "other")
+        velocity = v * (x * x + 2) + w * y
+        return (Impulse(velocity, velocity * velocity * x, jumped.fired(1)),)
+
+    def change(self, at: Places, jumped: Jumped) -> Change:
+        x, v = self._of_joint(at)
+        behind, rate = jumped.after(v), jumped.before.derivative(v)
+        response = jumped.response(v + self._of_joint(at, "other")[1] * x)
+        kept = at.s[0] * (response * behind * behind + rate * rate * x)
+        taken = select(jumped.fired(0), kept, at.s[0])
+        return Change(s=Matrix.vector(at.motion.graph, [taken]))
+
+    def _of_joint(self, at: Places, role: str = "joint") -> tuple[Scalar, Scalar]:
+        return one_coordinate(at.motion, at.joints[role], "gauge")
+
+
+def gauged() -> tuple[cd.Scene, Start]:
+    """An arm of three rods in space with stops at shoulder and elbow, and with gauges."""
+    scene = cd.Scene("gauged", gravity=(0.5, 0, -9.81))
+    mass, bounce = scene.parameter("mass", 1.2), scene.parameter("bounce", 0.6)
+    torque, end = scene.input("torque", unit="N*m"), scene.ground
+    for joint, axis in (("shoulder", "y"), ("elbow", "x"), ("wrist", (0, 1, 1))):
+        inertia = (0.03, 0.02, 0.01)
+        rod = scene.body(f"{joint} rod", mass=mass, com=(0.02, 0.05, -0.2), inertia=inertia)
+        scene.joint(joint, cd.Revolute(axis), end, rod)
+        end = rod.at(0.1, 0, -0.4)
+    scene.force("motor", cd.JointForce("elbow", torque * (1 + cd.t)))
+    scene.force("buffer", cd.Stop("shoulder", upper=0.9, restitution=bounce))
+    scene.force("end", cd.Stop("elbow", upper=1.0, restitution=bounce**2))
+    for joint, other in (("elbow", "wrist"), ("wrist", "shoulder")):
+        scene.force(f"gauge of {joint}", Gauge(joint, other))
+    return scene, {"shoulder": 0.5, "elbow": 0.7, "wrist": 0.3}
+
+
 # scenes with events, with friction by reactions, with beams and superelements, and their starts
 SCENES: dict[str, Callable[[], tuple[cd.Scene, Start]]] = {
     **EVENTS,
@@ -50,6 +125,7 @@ SCENES: dict[str, Callable[[], tuple[cd.Scene, Start]]] = {
     "friction beside a beam": lambda: (flexible_slider_crank(0.1), {}),
     "beam on a stop": lambda: (beam_on_a_stop(True), {}),
     "superelement on a stop": lambda: (buffered(), {}),
+    "gauged": gauged,
 }
 # loops in which no row is redundant there: of others differences would leave what rows agree on
 PLANAR = (

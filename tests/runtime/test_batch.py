@@ -16,12 +16,18 @@ import pytest
 import cardan as cd
 from cardan.errors import BuildError, BuildWarning, SolveError, SolveWarning
 from cardan.runtime.build import cache, cpu_levels
-from cardan.runtime.calls import batch, lanes
+from cardan.runtime.calls import batch, calling, lanes
 
 pytestmark = [pytest.mark.optimized, pytest.mark.usefixtures("cache_directory")]
 
 WIDTHS = (1, 2, 4, 8)
 FUNCTIONS = ("forward_dynamics", "rhs", "pose", "energy")
+
+
+@pytest.fixture(autouse=True)
+def many(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No batch is so small that its states are simply done one by one."""
+    monkeypatch.setattr(calling, "LITTLE", 0)
 
 
 @pytest.fixture(scope="module")

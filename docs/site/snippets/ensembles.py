@@ -27,6 +27,7 @@ print(runs.varied["m"][:3])
 # Ensemble.sensitivity, RunSensitivities
 few = model.ensemble(0.5, vary={"m": [1.0, 1.2]}, sensitivity="m")
 print(few.sensitivity["m"].shape)  # (runs, times, states)
+print(few.sensitivity.of("energy")["m"].shape)  # (runs, times)
 
 # Ensemble.statistics
 print(runs.statistics.keys())

@@ -86,7 +86,7 @@ class CompiledModel(LoadedModel):
         z: Values | ArrayLike | None = None,
         events: Mapping[str, object] | None = None,
         method: str | GeneralizedAlpha | Alpha = "auto",
-        rtol: float = 1e-06,
+        rtol: float | None = None,
         atol: float | None = None,
         step: float | None = None,
         max_step: float | None = None,
@@ -118,7 +118,8 @@ class CompiledModel(LoadedModel):
                 takes what the scene and the first steps ask for, and says why.
             rtol, atol: Tolerances of a step: ``rtol |x| + atol``, root mean square over the state; of
                 generalized-alpha and Radau on nodes (rtol + atol) times the extent, of angles 1, and of
-                speeds in Radau that over the step. Unless given atol is 1e-3 rtol, at most 1e-9.
+                speeds in Radau that over the step. Unless given rtol is 1e-6, with sensitivity= 1e-9 as
+                for gradients and fits, and atol is 1e-3 rtol, at most 1e-9.
             step: Step of fixed methods and of generalized-alpha, first one of others [s].
             max_step: Largest step of an adaptive method [s]; with input functions 1/1000 of the span.
             inputs: Name -> constant, ``(times, values)`` (straight lines between, a time twice is a
@@ -232,7 +233,7 @@ class CompiledModel(LoadedModel):
         reduce: str | Sequence[str] | Mapping[str, object] | None = None,
         sensitivity: str | Sequence[str] = (),
         method: str = "auto",
-        rtol: float = 1e-06,
+        rtol: float | None = None,
         atol: float | None = None,
         step: float | None = None,
         max_step: float | None = None,
@@ -835,12 +836,12 @@ class CompiledModel(LoadedModel):
             bounds: Parameter -> (least, most).
             loss: ``"linear"`` for least squares, ``"huber"`` where some samples are wrong.
             segments: Number of runs that the motion is divided into; ``"auto"``: as many as errors
-                grow by e^2, and as leave what was measured, at most one for every eight samples and 60;
-                1 in absolute coordinates, where nodes follow joints, and starts are joints by name.
+                grow by e^2, and as leave what was measured, at most one for every eight samples and 60.
             seeds: ``"identify"``: unknown masses, inertias and coefficients of forces begin with what
                 :meth:`identify` says of the measured coordinates and the inputs, however far off their
                 values are; or an identification, such as ``model.identify(data, cutoff=10)``.
-            q, u, z: Start at the first sample, where the search begins; what is not unknown stays.
+            q, u, z: Start at the first sample, where the search begins; what is not unknown stays. In
+                absolute coordinates by names of joints, which nodes follow.
             inputs: As :meth:`simulate` takes them; else columns of data with their names.
             parameters, rtol, progress: As :meth:`simulate` takes them.
             method: As of :meth:`gradient`: ``"auto"`` takes DOP853, of elements Radau.

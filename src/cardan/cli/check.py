@@ -23,11 +23,12 @@ import json
 import sys
 import warnings
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import CardanError, DerivationError, ImpossibleWarning, ModelWarning, SolveWarning
+from ..records import dataclass
 from .options import scene as scene_options
 from .options.spelling import spelled
 

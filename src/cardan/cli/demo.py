@@ -21,10 +21,10 @@ import tempfile
 import webbrowser
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import BuildError
+from ..records import dataclass
 
 
 @dataclass(frozen=True)

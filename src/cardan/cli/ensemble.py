@@ -11,6 +11,8 @@ examples:
   cardan ensemble arm.yaml --vary 'elbow=uniform(-1, 1)' --runs 1024 --plan sobol \
         --reduce 'max of elbow' --reduce 'mean of elbow' -o runs.nc
         a number of every run, a mean over runs at every output time
+  cardan ensemble arm.yaml --vary 'elbow=linspace(0, 1, 11)' --sensitivity m,q0.elbow -o runs.nc
+        what the states of every run change by, per unit of a parameter and of a start
   cardan ensemble arm.yaml --vary 'm=uniform(1, 2)' --runs 1000000 --checkpoint runs.part
         the same command goes on where it was stopped
   cardan ensemble arm.yaml --vary 'm=uniform(1, 2)' --runs 1000000 --part 3/8 \
@@ -39,6 +41,7 @@ from . import INTERRUPTED
 from .options import run as run_options
 from .options import scene as scene_options
 from .options import sweep as sweep_options
+from .options.names import names
 
 if TYPE_CHECKING:
     from ..api.results import Ensemble
@@ -76,8 +79,11 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     results = parser.add_argument_group("results")
     results.add_argument("--reduce", metavar="WORDS", action="append", default=[],
                          help="such as 'max of elbow'; give it again for another")  # fmt: skip
+    results.add_argument("--sensitivity", metavar="NAMES", type=names, action="extend", default=[],
+                         help="by what states are differentiated: parameters, inputs, and starts "
+                              "such as x0, q0.elbow, u0.elbow")  # fmt: skip
     results.add_argument("--points", metavar="N", type=run_options.count,
-                         help="output times of reductions (default 201)")  # fmt: skip
+                         help="output times of what is kept (default 201)")  # fmt: skip
     results.add_argument("-o", "--output", metavar="RUNS.nc", type=run_options.saved,
                          help="the runs: .nc, .npz, .csv or .mat")  # fmt: skip
     results.add_argument("--json", action="store_true", help="print JSON for another program")
@@ -126,6 +132,7 @@ def _computed(options: argparse.Namespace) -> Ensemble:
             **settings(scene, options),
             vary=plan,
             reduce=options.reduce,
+            sensitivity=options.sensitivity,
             threads=options.threads,
             part=options.part,
             checkpoint=options.checkpoint,

@@ -11,6 +11,9 @@ examples:
         these two and no package; a frame or joint stands behind the colon
   cardan export pendulum.yaml -o pendulum_c --integrators dop853
         with an integrator: pendulum_c/example.c simulates one second
+  cardan export pendulum.yaml -o pendulum_c --integrators dop853 --gradient 'pivot^2'
+        with the gradient of a cost of the motion by its start, parameters and inputs: a formula in
+        names of the scene at the end, --running 'tau^2' along the way
   cardan export arm.urdf -o arm_casadi --language casadi --functions forward_dynamics
         a module for CasADi, or for JAX, with exact first derivatives
   cardan export arm.urdf -o arm_wasm --language wasm
@@ -37,6 +40,7 @@ from .options import scene as scene_options
 
 if TYPE_CHECKING:
     from ..api.scene import Scene
+    from ..schema.cost import Cost
 
 SUFFIX = ".fmu"
 
@@ -57,6 +61,11 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     what.add_argument("--integrators", metavar="METHOD", nargs="+", default=[],
                       help="such as dop853, radau or alpha: C that simulates; of an FMU the method "
                            "of co-simulation")  # fmt: skip
+    what.add_argument("--gradient", metavar="FORMULA",
+                      help="cost at the end of a motion, whose gradient is written too: C, cython "
+                           "or jax, with --integrators")  # fmt: skip
+    what.add_argument("--running", metavar="FORMULA",
+                      help="cost that is integrated along the motion")  # fmt: skip
     scene_options.method(what)
     what.add_argument("--reproducible", action="store_true",
                       help="flags under which every compiler gives equal bits")  # fmt: skip
@@ -93,6 +102,15 @@ def _start(
     return values or None
 
 
+def _cost(options: argparse.Namespace) -> Cost | None:
+    """The cost whose gradient is written."""
+    from ..schema.cost import cost
+
+    if options.gradient is None and options.running is None:
+        return None
+    return cost(final=options.gradient, running=options.running)
+
+
 def run(options: argparse.Namespace) -> int:
     """Load, derive, write."""
     from ..pipeline import derive
@@ -109,6 +127,7 @@ def run(options: argparse.Namespace) -> int:
             prefix=options.prefix,
             precision=options.precision,
             language=options.language,
+            gradient=_cost(options),
             fmi=options.fmi,
             kinds=options.kind,
             platforms=options.platform,

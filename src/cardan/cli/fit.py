@@ -20,8 +20,9 @@ examples:
   cardan fit arm.yaml run.csv --unknown m --bounds m=0.1,5 --robust --json > fit.json
         within bounds, some samples are wrong, for another program
 
-A table has a first line of names, with units behind them or not: t [s],hinge [rad]; nan where
-nothing was measured. Columns called as inputs of the scene are these inputs.
+A table has a first line of names, with units behind them or not: t [s],hinge [rad]; the
+times are called t. Cells are blank, or nan, where nothing was measured. Columns called as inputs
+of the scene are these inputs.
 
 exit status 1: the search has not converged; what it has found is printed
 """
@@ -38,6 +39,7 @@ from . import INTERRUPTED
 from .options import run as run_options
 from .options import scene as scene_options
 from .options.equilibrium import finite
+from .options.names import names
 
 if TYPE_CHECKING:
     from ..api.results import Fit
@@ -206,14 +208,6 @@ def _entries(fit: Fit) -> tuple[str, ...]:
 
 
 # types of options
-
-
-def names(text: str) -> list[str]:
-    """The type of ``m,l,q0``."""
-    listed = [name.strip() for name in text.split(",")]
-    if not all(listed):
-        raise argparse.ArgumentTypeError(f"'{text}' does not read NAME,NAME")
-    return listed
 
 
 def pair(text: str) -> tuple[str, str]:

@@ -10,12 +10,12 @@ import shutil
 import sys
 import tempfile
 import time
-from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from ..errors import BuildError, CompilerMissing
 from ..peers import processor
+from ..records import dataclass
 from ..runtime.build import cache, cache_folder, limited_subprocess, prebuilt, prune, toolchain
 from ..runtime.build.object_file import Object
 from ..runtime.calls import abi, batch, lanes, webassembly

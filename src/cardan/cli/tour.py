@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING
@@ -19,6 +18,7 @@ from ..peers.contest import contest, relative
 from ..peers.ours import Ours
 from ..peers.urdf import agreement
 from ..pipeline import compile, derive
+from ..records import dataclass
 from ..scene.summary import notes_of
 
 if TYPE_CHECKING:

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import isfinite
 from typing import Any
 
-from ..collector import collector_paused
 from ..elements.internal_states import TICK
 from ..elements.joints.joint import entries
 from ..elements.limits import limit_rows
@@ -21,6 +20,8 @@ from ..equations.kinematics.kinematics import Kinematics
 from ..equations.record import EquationRecord
 from ..errors import lasting
 from ..ir.function import Function
+from ..processes import collector_paused
+from ..records import dataclass
 from ..schema import mechanism
 from ..schema.entries import (
     CoordinateRow,

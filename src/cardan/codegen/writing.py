@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from .. import passes
-from ..collector import collector_paused
 from ..ir.function import Function, Output
 from ..ir.graph import ZERO
 from ..ir.recursion import Recursion
 from ..ir.routine import Routine
+from ..processes import collector_paused
+from ..records import dataclass
 from ..schema.blocks import ORDER
 from ..schema.c_functions import FunctionRow, ResultRow
 from .languages import LANGUAGES

@@ -7,7 +7,7 @@ terms are forces along them. Everything behind the system graph needs to know no
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, ClassVar
 
 from ..ir.derivative import forward
@@ -15,6 +15,7 @@ from ..ir.graph import ONE
 from ..ir.matrix import Matrix
 from ..ir.rewrite import rebuild
 from ..ir.solve import solve
+from ..records import dataclass
 from ..schema.functions import FUNCTIONS
 from .forces.force import Action, ForceElement, JointLoad, Places
 from .joints.joint import Component, Joint

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Protocol
 
 from ..ir.arithmetic import Scalar
 from ..ir.matrix import Matrix
+from ..records import dataclass
 
 # kinds of events: what happens when one does
 MODE, IMPACT, TICK, END, MARK, HALT = "mode", "impact", "tick", "end", "mark", "halt"

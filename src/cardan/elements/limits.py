@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from ..errors import ModelError
 from ..ir.function import live
 from ..ir.graph import Graph
+from ..records import dataclass
 from ..schema.entries import LimitRow
 
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ..errors import ModelError
+from ..records import dataclass
 from .limits import Limit, judge, not_negative, positive
 from .quantity import Quantity, Value
 from .validation import number

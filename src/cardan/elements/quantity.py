@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import field, fields
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from ..errors import ModelError, brief
 from ..ir.graph import Graph
+from ..records import dataclass
 from .validation import axis, number, vector
 
 if TYPE_CHECKING:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ..ir.matrix import Matrix
+from ..records import dataclass
 from ..spatial.exponential import exp, tangent
 from .joints.joint import Component, Joint
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ..ir.matrix import Matrix
+from ..records import dataclass
 from .forces.force import Action, ForceElement, JointLoad, Load, Places
 from .formulas import Lines
 from .quantity import Place, Units, Value

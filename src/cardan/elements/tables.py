@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cache
 from hashlib import sha256
 from itertools import pairwise
@@ -13,6 +13,7 @@ from typing import Any
 from ..errors import ModelError, brief, near
 from ..ir.numbers import FLOATS
 from ..ir.table import Table
+from ..records import dataclass
 
 
 def table(x: Sequence[float], y: Sequence[float], kind: str = "akima") -> Interpolation:

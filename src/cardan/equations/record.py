@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self
 
 from ..arguments import checked
-from ..collector import collector_paused
 from ..errors import DerivationError, counted
 from ..ir.function import Block, Function
 from ..ir.recursion import Recursion
 from ..ir.stage import stage
+from ..processes import collector_paused
+from ..records import dataclass
 from ..schema.blocks import ABI_ORDER
 from ..schema.functions import FUNCTIONS
 from ..schema.request import Request

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from ..equations.reading.book_symbols import DEFAULT, BookNotation
 from ..equations.reading.typesetting import typeset, unbroken
+from ..records import dataclass
 from . import content as d
 
 

@@ -7,11 +7,12 @@ whatever the width of the page, no piece but a single name is wider than the roo
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy
 
 from ..equations.reading.notation import Notation
+from ..records import dataclass
 
 # digits of numbers that formulas contain
 DIGITS = 10

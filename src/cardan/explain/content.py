@@ -6,10 +6,11 @@ Strings are whatever users called their things; every writer escapes what it wri
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, TypeAlias
 
 from ..equations.reading.notation import Notation
+from ..records import dataclass
 
 if TYPE_CHECKING:
     import sympy

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ..equations.reading.book_symbols import CARDAN, BookNotation
@@ -14,6 +13,7 @@ from ..equations.reading.notation import GREEK, Notation, notation
 from ..equations.reading.typesetting import typeset
 from ..errors import DerivationError
 from ..ir.function import length
+from ..records import dataclass
 from ..schema.blocks import of_rate
 from . import content as d
 from . import kane

@@ -6,13 +6,13 @@ Source: T. R. Kane and D. A. Levinson, Dynamics: Theory and Applications (1985),
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ..equations.reading.book_symbols import BookNotation
 from ..equations.reading.contributions import VELOCITIES, WEIGHT, Contribution
 from ..equations.reading.vectors import vectors
 from ..errors import DerivationError
+from ..records import dataclass
 from ..schema.blocks import of_rate
 from . import content as d
 

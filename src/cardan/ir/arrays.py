@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
 import numpy as np
 
 from ..errors import SolveError
+from ..records import dataclass
 from . import numbers
 from .numbers import Numbers, Operators
 from .table import Table

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from math import prod
 
+from ..records import dataclass
 from .graph import Graph, Node
 from .ops import LEAVES, OPERATORS
 

@@ -14,7 +14,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+
+from ..records import dataclass
 
 LEAVES = frozenset({"const", "var", "atom"})
 COMMUTATIVE = frozenset({"add", "mul", "min", "max", "eq", "and", "or"})

@@ -10,9 +10,10 @@ generator prints them as loops over tables.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import NamedTuple
 
+from ..records import dataclass
 from .function import Block, Function, Output
 from .graph import ZERO, Graph
 from .rewrite import rebuild

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import prod
 
+from ..records import dataclass
 from .function import Function, Output
 from .graph import ZERO, Graph
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_right
-from dataclasses import dataclass
 from functools import reduce
 from itertools import pairwise
+
+from ..records import dataclass
 
 
 @dataclass(frozen=True)

@@ -123,8 +123,8 @@ const size_t cardan_tick_layout[6] = {
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
 };
 
-extern const size_t cardan_steps_layout[22];
-const size_t cardan_steps_layout[22] = {
+extern const size_t cardan_steps_layout[25];
+const size_t cardan_steps_layout[25] = {
     sizeof(cardan_steps), offsetof(cardan_steps, run), offsetof(cardan_steps, stages),
     offsetof(cardan_steps, kind), offsetof(cardan_steps, coupled), offsetof(cardan_steps,
     jacobian.function), offsetof(cardan_steps, jacobian.w), offsetof(cardan_steps, nodes),
@@ -132,7 +132,8 @@ const size_t cardan_steps_layout[22] = {
     offsetof(cardan_steps, count), offsetof(cardan_steps, failed), offsetof(cardan_steps, states),
     offsetof(cardan_steps, slopes), offsetof(cardan_steps, open), offsetof(cardan_steps, end),
     offsetof(cardan_steps, place), offsetof(cardan_steps, lengths), offsetof(cardan_steps, system),
-    offsetof(cardan_steps, jacobians), offsetof(cardan_steps, work)
+    offsetof(cardan_steps, jacobians), offsetof(cardan_steps, repeated), offsetof(cardan_steps,
+    factored), offsetof(cardan_steps, factored_length), offsetof(cardan_steps, work)
 };
 
 extern const size_t cardan_adjoint_layout[23];

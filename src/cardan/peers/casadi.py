@@ -9,7 +9,7 @@ import ctypes
 import importlib.metadata
 import tempfile
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +17,7 @@ import numpy as np
 
 from ..api.comparison import SIZES, Convention, Coordinates, Scene, build
 from ..arrays import Array
+from ..records import dataclass
 from .coordinates import after_each_other, coordinates, refusal
 from .loop import HERE, Loop, peer_loop
 from .peer import Contender, Peer, States, installed

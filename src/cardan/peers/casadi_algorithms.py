@@ -7,12 +7,11 @@ Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, tables 5.1, 6.2, 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import casadi as ca
 import numpy as np
 
 from ..api.comparison import SIZES, Scene
+from ..records import dataclass
 from .tree import directions
 
 

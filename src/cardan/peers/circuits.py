@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
@@ -30,6 +30,7 @@ from ..api.comparison import (
     times,
 )
 from ..arrays import Array
+from ..records import dataclass
 from .peer import States
 
 # what can hang on a joint of a split body: coordinates and speeds

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from ..api.comparison import CompiledModel, scene_of
 from ..arrays import Array
 from ..errors import CardanError
+from ..records import dataclass
 from . import PEERS, peer
 from .circuits import Circuits, circuits
 from .contest import ROUNDS, Run, Time, contest, few, relative

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from time import perf_counter
 
 import numpy as np
 
 from ..arrays import Array
+from ..records import dataclass
 from .peer import States
 
 # seconds of one run; short against what disturbs a machine, long against its clock

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +12,7 @@ from numpy.typing import NDArray
 
 from ..api.comparison import Coordinates
 from ..arrays import Array
+from ..records import dataclass
 from .peer import States
 
 HERE = Path(__file__).parent

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable
-from dataclasses import dataclass
 from time import perf_counter
 from typing import Any
 
@@ -25,6 +24,7 @@ from ..api.comparison import (
 )
 from ..api.comparison import States as Many
 from ..arrays import Array
+from ..records import dataclass
 from .loop import HERE, NUMBER, address, output_size, peer_loop
 from .peer import FUNCTIONS, States
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 from ..api.comparison import Scene
 from ..arrays import Array
+from ..records import dataclass
 
 # what is compared; derivatives are those of forward dynamics by q and u
 FUNCTIONS = ("forward_dynamics", "inverse_dynamics", "mass_matrix", "derivatives")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from ..elements.centerlines import Centerline
@@ -22,6 +22,7 @@ from ..elements.quantity import Value
 from ..elements.sections import Section
 from ..elements.validation import is_expression
 from ..errors import ModelError
+from ..records import dataclass
 from . import checks
 from .body import Body
 from .frame import Place

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from ..elements.quantity import Value
 from ..errors import ModelError, brief
+from ..records import dataclass
 from .checks import triple
 from .frame import Located, rows_of
 from .shape import Shape

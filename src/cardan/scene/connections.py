@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import TypeVar
 
 from ..arguments import kinds_of, read
@@ -13,6 +12,7 @@ from ..elements.joints.joint import Joint as JointElement
 from ..elements.joints.joint import Reversed
 from ..elements.quantity import Value
 from ..errors import ModelError, ModelWarning, brief, near, outside, warn
+from ..records import dataclass
 from . import checks
 from .beam import Beam
 from .body import Body

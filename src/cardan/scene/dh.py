@@ -11,7 +11,7 @@ Matrices, J. Appl. Mech. 22 (1955); J. J. Craig, Introduction to Robotics, chapt
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import isfinite
 from typing import Any
 
@@ -24,6 +24,7 @@ from ..elements.joints.revolute import Revolute
 from ..elements.quantity import Value
 from ..elements.validation import is_expression
 from ..errors import ModelError, brief, near
+from ..records import dataclass
 from ..spatial.numbers import cosine_sine
 from .checks import is_number
 from .files.angles import snap as quarter

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Union
 
 from ..arguments import checked
 from ..elements.quantity import Rows, Value
+from ..records import dataclass
 from .checks import triple
 
 if TYPE_CHECKING:

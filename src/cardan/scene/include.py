@@ -5,13 +5,14 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping
 from copy import copy as shallow
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Any
 
 from ..elements.forces.force import ForceElement
 from ..elements.forces.line_load import LineLoad
 from ..elements.joints.fixed import Fixed
 from ..errors import ModelError
+from ..records import dataclass
 from . import checks
 from .beam import UNITS, Beam, Cable, End
 from .beam_arguments import add_cable_nodes, add_interfaces, add_nodes

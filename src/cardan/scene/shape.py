@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from ..arguments import checked
 from ..elements.quantity import Value
 from ..errors import ModelError
+from ..records import dataclass
 from .checks import triple
 
 

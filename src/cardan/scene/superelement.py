@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 
 from ..arrays import Array
 from ..elements.quantity import Value
 from ..elements.superelement_joints import ROTATIONS, TRANSLATIONS
+from ..records import dataclass
 from ..superelements.inertia import ProjectedInertia, of_interfaces
 from ..superelements.record import SuperelementRecord
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from ..arguments import checked
 from ..elements.quantity import Value
 from ..elements.superelement_joints import ROTATIONS
 from ..errors import ModelError, brief, near
+from ..records import dataclass
 from ..superelements.additions import GRAVITY
 from ..superelements.record import SuperelementRecord
 from . import checks

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
 from functools import lru_cache
 
 from ..errors import ModelError, brief, near
+from ..records import dataclass
 
 # exponents of kg, m, s, A, K
 Dimension = tuple[float, float, float, float, float]

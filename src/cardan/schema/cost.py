@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ..errors import ArgumentError, brief
+from ..records import dataclass
 
 
 @dataclass(frozen=True)

@@ -31,10 +31,8 @@ GRADIENTS = {
     "bodies_gradient": ("bodies",),
     # of M udot - Gᵀ lam and G udot - H lam, which impulses obey, and whose slopes M and G are
     "impulse_gradient": ("balance_tangent",),
-}
-# of events, which have no Hessians: values of events, impulses that these ask for, states behind
-# them, and friction by reactions
-EVENT_GRADIENTS = {
+    # of events: their values, impulses that these ask for, states behind them, and friction by
+    # reactions
     "signs_gradient": ("signs",),
     "jumps_gradient": ("jumps",),
     "states_gradient": ("change",),
@@ -42,14 +40,15 @@ EVENT_GRADIENTS = {
 }
 # changes of these gradients along a direction, at fixed weights
 CURVATURES = {name.replace("gradient", "curvature"): sums for name, sums in GRADIENTS.items()}
-GRADIENTS |= EVENT_GRADIENTS
 # changes of these results along a direction
 CHANGES = {name.replace("gradient", "change"): sums for name, sums in GRADIENTS.items()}
 DERIVATIVES = GRADIENTS | CHANGES | CURVATURES
 # derivatives that are also by what events read besides: speeds behind them, how certain friction is
 # that follows from reactions, and responses
 EVENT_DERIVATIVES = tuple(
-    f"{name}_{mode}" for name in ("signs", "jumps", "states") for mode in ("gradient", "change")
+    f"{name}_{mode}"
+    for name in ("signs", "jumps", "states")
+    for mode in ("gradient", "change", "curvature")
 )
 IMPULSE_DERIVATIVES = ("impulse_gradient", "impulse_change", "impulse_curvature")
 # those of the rates of coordinates of a place, by q and u

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+
+from ..records import dataclass
 
 # fields of a record of C: numbers, and arrays for the pointers to them
 Fields: TypeAlias = Mapping[str, int | NDArray[Any] | None]

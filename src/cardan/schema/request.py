@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import dataclass
 from functools import lru_cache
 
+from ..records import dataclass
 from .functions import FUNCTIONS
 
 _NAME = r'"(?:[^"\\]|\\.)*"|[\w.]+'

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +16,7 @@ import numpy as np
 from .. import regular_file
 from ..arrays import Integers
 from ..errors import ModelError
+from ..records import dataclass
 from .cells import CELLS, FACES, SOLIDS
 from .checks import checked_cells, checked_points
 from .contents import Contents

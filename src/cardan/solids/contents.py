@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, ModelWarning, counted, warn
+from ..records import dataclass
 
 
 @dataclass

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arrays import Array
 from ..elements.material import Material
 from ..errors import ModelError, ModelWarning, brief, warn
+from ..records import dataclass
 
 # order of stresses and strains: xx, yy, zz, yz, zx, xy
 LOCKING = 0.495  # Poisson's ratio beyond which cells of displacements are far too stiff

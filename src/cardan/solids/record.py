@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeAlias, TypeVar
 
 import numpy as np
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, brief, counted, near
+from ..records import dataclass
 from ..superelements.values import checked_name
 from .cells import FACES
 from .checks import checked_cells, checked_points, checked_shapes

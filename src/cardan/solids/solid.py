@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -14,6 +14,7 @@ from ..arguments import checked
 from ..arrays import Array, Integers
 from ..elements.material import Material
 from ..errors import ModelError, brief, near
+from ..records import dataclass
 from ..runtime.build import kernels
 from ..schema.records import SolidRecord
 from ..superelements.values import numbers

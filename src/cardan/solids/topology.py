@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
 from ..arrays import Integers
+from ..records import dataclass
 from .cells import FACES, SOLIDS
 
 FACE_KINDS = {len(cell.nodes): cell for cell in FACES.values()}

@@ -5,11 +5,10 @@ They know no center of mass: nothing is divided by a mass, which may be zero her
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ..ir.arithmetic import Scalar
 from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
+from ..records import dataclass
 
 
 @dataclass(frozen=True)

@@ -8,12 +8,12 @@ for "z". The angle turns about the normal; at angle 0 the axes of a node are tho
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from ..arrays import Array
+from ..records import dataclass
 
 NORMALS = ("x", "y", "z")
 

@@ -12,10 +12,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from ..ir.arithmetic import Scalar
 from ..ir.matrix import Matrix
+from ..records import dataclass
 
 # atan(s)/s in powers of s², for s up to 1
 ARCTANGENT = (

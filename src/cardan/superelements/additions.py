@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, brief, near
+from ..records import dataclass
 from .matrices import symmetric, symmetric_part, well_formed
 from .node_dofs import NodeDofs
 from .response import modal_damping, reduced_modes

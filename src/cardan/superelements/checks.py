@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..arrays import Array
 from ..errors import ModelError
+from ..records import dataclass
 from .node_dofs import COMPONENTS, NodeDofs
 
 if TYPE_CHECKING:

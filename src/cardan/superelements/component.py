@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -10,6 +9,7 @@ import numpy as np
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, counted
+from ..records import dataclass
 from .eigenproblem import DENSE, dense_modes, sparse_modes
 from .factor import Factor
 from .interfaces import Connection

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..errors import SolveError, counted
+from ..records import dataclass
 
 if TYPE_CHECKING:
     from .record import SuperelementRecord

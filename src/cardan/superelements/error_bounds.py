@@ -10,11 +10,10 @@ Source: B. N. Parlett, The Symmetric Eigenvalue Problem, 4.5 and 10.1; T. Kato (
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ..arrays import Array, Integers
+from ..records import dataclass
 from .component import Component
 from .methods.method import ReducedBasis
 

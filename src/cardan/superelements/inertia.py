@@ -12,12 +12,12 @@ modal reduction, Acta Mechanica 232 (2021).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..arrays import Array, Integers
+from ..records import dataclass
 from .node_dofs import NodeDofs
 
 if TYPE_CHECKING:

@@ -10,13 +10,13 @@ Source: MSC Nastran, Quick Reference Guide, RBE2 and RBE3.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, brief, near
+from ..records import dataclass
 from .node_dofs import COMPONENTS, NodeDofs, component_names, rigid_rows
 from .values import checked_name, numbers
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from ..arrays import Array
 from ..errors import ArgumentError, ModelError, brief, counted, near
+from ..records import dataclass
 from .record import SuperelementRecord
 
 FIXED, FREE, STATIC = "fixed", "free", "static"

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from functools import lru_cache
 
 import numpy as np
 
 from ..arrays import Array, Integers
+from ..records import dataclass
 from .coarsening import coarsened
 from .record import SuperelementRecord
 from .section_forces import COMPONENTS

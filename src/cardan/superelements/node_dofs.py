@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, brief, counted
+from ..records import dataclass
 from .values import numbers as numbers_of
 
 # displacements along the axes of the component, then small rotations about them

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from functools import cached_property
 from pathlib import Path
 
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from ..arguments import checked
 from ..arrays import Array, Complex, Integers
 from ..errors import ArgumentError, ModelError, SolveError, brief, counted, near
+from ..records import dataclass
 from .checks import MassProperties, RigidCheck, rigid_text
 from .cost import ReductionCost, cost
 from .error_bounds import Residuals, relative_bounds

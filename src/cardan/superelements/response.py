@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arrays import Array, Complex, Integers
 from ..errors import ArgumentError, SolveError, counted
+from ..records import dataclass
 from .eigenproblem import dense_modes
 
 MASSLESS = 1e-12  # of the largest mass: what rounding leaves of none

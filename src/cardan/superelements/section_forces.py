@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
 from ..arrays import Array, Integers
 from ..errors import ModelError, counted, near
+from ..records import dataclass
 
 COMPONENTS = ("N", "Qy", "Qz", "Mx", "My", "Mz")
 

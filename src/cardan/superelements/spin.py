@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
 
 import numpy as np
 
 from ..arrays import Array
 from ..errors import SolveError
+from ..records import dataclass
 from .record import SuperelementRecord
 
 EQUAL = 1 + 1e-6  # frequencies up to this ratio are the same, of symmetric components

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 
 from ..ir.arithmetic import Scalar
 from ..ir.graph import Graph
 from ..ir.matrix import Matrix
+from ..records import dataclass
 from ..spatial.moments import Inertia, moved, turn_symmetric
 from .system import Body, Frame, Joint, System
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ..ir.graph import ZERO, Graph
 from ..ir.matrix import Matrix
+from ..records import dataclass
 from .conversion import IDENTITY, ORIGIN, compose
 from .system import Nodes
 

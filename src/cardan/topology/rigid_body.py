@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ..ir.graph import ZERO, Graph
+from ..records import dataclass
 from .conversion import ORIGIN
 from .system import Body, Part
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 from ..elements.forces.force import RotorBody
 from ..elements.joints.revolute import Revolute
 from ..elements.validation import is_expression
 from ..errors import ModelError
+from ..records import dataclass
 from ..scene.body import Body
 from ..scene.connections import Couple, Force, Joint
 from ..scene.frame import Place

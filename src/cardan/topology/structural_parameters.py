@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import isfinite
 
 from ..errors import ModelError, brief, near
+from ..records import dataclass
 from ..scene.checks import is_number
 from .system import Parameter
 

@@ -9,13 +9,14 @@ there, whatever frame the user described the body in; ``frames`` keep the user's
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ..elements.forces.force import ForceElement
 from ..elements.internal_states import EventSpec
 from ..elements.joints.joint import Joint as JointElement
 from ..elements.limits import NumberLimits
 from ..ir.graph import ONE, ZERO, Graph
+from ..records import dataclass
 from .beams.segment_tables import Segment
 from .superelements.part_of_system import PartOfSystem
 

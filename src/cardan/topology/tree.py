@@ -7,10 +7,10 @@ the tree of fewest freedoms.
 from __future__ import annotations
 
 from collections.abc import Collection, Container, Mapping, Sequence
-from dataclasses import dataclass
 from heapq import heappop, heappush
 
 from ..errors import TopologyError
+from ..records import dataclass
 from ..scene.body import Body
 from ..scene.connections import Joint
 from ..scene.scene import SceneRecord

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 
 from ..arrays import Array
+from ..records import dataclass
 from ..runtime.trajectory.histories import units_of
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +9,7 @@ from numpy.typing import NDArray
 
 from .. import regular_file
 from ..errors import ModelError
+from ..records import dataclass
 from .mesh_files import collada, obj, stl
 from .mesh_files.part import MOST_TRIANGLES, Part
 from .mesh_reduction import reduced

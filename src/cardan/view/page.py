@@ -9,7 +9,7 @@ import sys
 import tempfile
 import webbrowser
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cache
 from pathlib import Path
 from typing import TypeAlias, final
@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from ..arguments import checked
 from ..atomic_file import folder, written
 from ..errors import ArgumentError, CardanError, ModelError, near
+from ..records import dataclass
 from ..runtime.trajectory import frame_history
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from . import curves, plain_page, scene_page
@@ -56,11 +57,9 @@ class Page:
     def saved(self) -> Path:
         """Its file; a temporary one where it has none yet."""
         if self.path is None:
-            with tempfile.NamedTemporaryFile(
-                "w", suffix=".html", delete=False, encoding="utf-8"
-            ) as file:
-                file.write(self.html)
-            object.__setattr__(self, "path", Path(file.name))
+            with tempfile.NamedTemporaryFile("w", -1, "utf-8", suffix=".html", delete=False) as to:
+                to.write(self.html)
+            object.__setattr__(self, "path", Path(to.name))
         assert self.path is not None
         return self.path
 

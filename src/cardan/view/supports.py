@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from ..arrays import Array
+from ..records import dataclass
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from .beams import DrawnBeam
 from .solids import RAIL, REVOLUTE, UNLINKED, DrawnBody, link_radius

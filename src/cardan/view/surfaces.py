@@ -5,12 +5,12 @@ Those of superelements in motion also go with their frame.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from ..arrays import Array, Integers
+from ..records import dataclass
 from ..runtime.models.finite_elements.superelements import (
     DeformedSuperelementRecord,
     superelement_of_run,

@@ -157,7 +157,7 @@ def test_a_run_without_derivative_is_named() -> None:
     assert np.isnan(runs.sensitivity["drop"][1]).all()
     assert np.isfinite(runs.sensitivity["drop"][[0, 2]]).all()
     # where it ends is right all the same
-    plain = model.ensemble(0.6, vary={"drop": heights}, reduce=reduced)
+    plain = model.ensemble(0.6, vary={"drop": heights}, reduce=reduced, rtol=1e-9)
     np.testing.assert_array_equal(runs.final, plain.final)
     assert runs.finished.all()
     for name, result in plain.results.items():
@@ -196,3 +196,30 @@ def test_what_is_refused(double: cd.CompiledModel) -> None:
     ):
         with pytest.raises(cd.ModelError, match=match):
             double.ensemble(0.1, **RUNS | more)
+
+
+def test_outputs_of_many_runs(tmp_path: Path) -> None:
+    """Those of every run alone; NaN behind the end of one, and of those without any."""
+    model = bounces()
+    runs = model.ensemble(
+        np.linspace(0.0, 0.6, 7), vary={"height": [0.5, 1.0, 3.0]}, sensitivity=("e", "height"),
+        events={"low": ("slide", -0.9)},
+    )  # fmt: skip
+    changes = runs.sensitivity.of("energy")
+    assert changes["e"].shape == (3, 7)
+    for k, height in enumerate(runs.varied["height"]):
+        alone = model.simulate(
+            0.6, parameters={"height": height}, sensitivity=("e", "height"),
+            events={"low": ("slide", -0.9)},
+        )  # fmt: skip
+        inside = runs.t[runs.t <= alone.t[-1]]
+        for name, values in alone.sensitivity.of("energy", inside).items():
+            np.testing.assert_array_equal(changes[name][k, : len(inside)], values)
+            assert np.isnan(changes[name][k, len(inside) :]).all()
+    assert np.isnan(changes["e"][2, -1])
+    assert np.abs(changes["e"][0, -1]) > 1.0
+    stored = cd.load_ensemble(runs.save(tmp_path / "runs.nc"))
+    with pytest.raises(cd.ModelError, match="ensemble of a file has no model"):
+        stored.sensitivity.of("energy")
+    with pytest.raises(cd.ModelError, match="with sensitivity="):
+        model.ensemble(0.1, vary={"e": [0.5, 0.6]}, reduce="states").sensitivity.of("energy")

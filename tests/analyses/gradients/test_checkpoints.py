@@ -239,3 +239,15 @@ def test_several_runs_say_each() -> None:
     )
     assert found.motion == (None, None)
     assert len(found.note.splitlines()) == 2
+
+
+def test_growth_within_a_motion_is_no_matter_of_memory() -> None:
+    """Speeds that fall by 1e14 and rise again: their gradient is 1, however long blocks are."""
+    scene = cd.Scene("brake")
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
+    scene.force("law", cd.JointForce("x", -100 * sp.cos(sp.pi * cd.t) * scene.u("x")))
+    model, cost = cd.compile(scene), cd.cost(final="x.u")
+    for memory in (1e9, 1.2e4):
+        slope = model.gradient(1.0, cost, wrt="u0.x", u={"x": 1.0}, memory=memory, atol=1e-25).slope
+        # the integral of the drag over a half turn is 0
+        assert slope["u0.x"] == pytest.approx(1.0, rel=1e-4)

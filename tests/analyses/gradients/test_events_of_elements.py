@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import ModelError, SolveError
+from cardan.errors import SolveError
 from laws.event_scenes import SCENES
 from laws.test_happening import inclined
 from laws.test_reaction_friction import slider_crank
@@ -251,13 +251,6 @@ def test_touches_and_events_at_one_time_are_refused() -> None:
         feet.gradient(1.0, cd.cost(final="left"), wrt="q0.left", q=q)
     with pytest.raises(SolveError, match=r"floor of left.*floor of right.*at the same time"):
         feet.simulate(1.0, q=q, sensitivity="q0.left")
-
-
-def test_events_have_no_hessians() -> None:
-    model = absolute(ball())
-    q, u = model.split(model.initial(q={"z": 0.5}))
-    with pytest.raises(ModelError, match="events have no second derivatives"):
-        model.hessian("events", wrt="q")(q, u, np.ones(len(model.event_names)))
 
 
 def test_a_bar_that_comes_to_rest_at_a_stop() -> None:

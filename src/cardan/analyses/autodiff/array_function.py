@@ -7,7 +7,6 @@ its entries, at quaternions of length 1.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import accumulate
 from math import prod
@@ -16,6 +15,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, near
+from ...records import dataclass
 from ...runtime.models.derivatives import has_columns
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.blocks import COORDINATES, DIRECTIONS, STATE, Blocks

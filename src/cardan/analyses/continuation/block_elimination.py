@@ -9,7 +9,6 @@ Source: W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cached_property
 from typing import final
 
@@ -17,6 +16,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from ..systems.saddle_point import Matrix
 from ..systems.sparse_saddle_point import Near, SparseSaddle
 

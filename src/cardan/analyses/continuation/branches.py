@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import partial
 from time import perf_counter
 
 import numpy as np
 
+from ...records import dataclass
 from ..simulation.progress import Show
 from .curve import Curve
 from .deflation import new_solutions

@@ -11,7 +11,7 @@ Source: W. C. Rheinboldt, Numer. Math. 53 (1988), 165-181 (frames moved along a 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import final
 
@@ -19,6 +19,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError, SolveError
+from ...records import dataclass
 from ..mechanisms.branches import lost_conditions
 from ..mechanisms.mechanism import Mechanism
 from ..mechanisms.position_solver import PositionSolver

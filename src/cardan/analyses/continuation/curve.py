@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 
+from ...records import dataclass
 from .family import Family
 from .follow import Place, Reach, Step
 from .special_points import Special, Test

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any, final
 
 import numpy as np
@@ -11,6 +11,7 @@ from scipy.sparse import csr_array, diags_array, issparse
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from ..statics.load_path import Loading
 from ..statics.static_problem import Load, Point, Problem, scaled
 from ..systems.saddle_point import FULL, RANK, SKEW, Lowest, Matrix, Sparse

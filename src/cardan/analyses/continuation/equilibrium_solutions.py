@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import final
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError, SolveError
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ..statics.equilibrium import WAYS, EquilibriumRecord, missed, read
 from ..statics.equilibrium import record as equilibrium_record

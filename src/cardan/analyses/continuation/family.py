@@ -15,7 +15,6 @@ Source: W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, Protocol, TypeAlias, final
 
 import numpy as np
@@ -23,6 +22,7 @@ from scipy.linalg.lapack import dgetrf, dgetrs
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 
 Point: TypeAlias = Any  # a place of a family: coordinates, forces, parameter
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from scipy.linalg import eigvals
@@ -20,6 +20,7 @@ from scipy.optimize import brentq
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from .family import Bordered, DenseJacobian, Family, Jacobian, Point, length, row
 
 NEWTON = 8

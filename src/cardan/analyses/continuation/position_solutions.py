@@ -6,13 +6,13 @@ A fold is a dead point of what drives; branches meet where conditions lose rank.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import final
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, near
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ..mechanisms.assemble import assemble_by_constraints
 from ..mechanisms.assembly import AssemblyRecord

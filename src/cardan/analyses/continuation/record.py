@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import overload
 
@@ -12,6 +12,7 @@ import numpy as np
 from ...arguments import checked
 from ...arrays import Array, Integers
 from ...errors import ModelError, counted, near
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from .curve import Curve
 from .postbuckling import Postbuckling, postbuckling

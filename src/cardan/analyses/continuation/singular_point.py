@@ -14,7 +14,7 @@ Bifurcation Theory 1 (1985), chapter 7 (Liapunov-Schmidt reduction).
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from itertools import pairwise
 
@@ -23,6 +23,7 @@ from scipy.optimize import brentq
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from .family import Bordered, Family, Point, length
 
 NEWTON, TIGHT, NOISE = 14, 1e-11, 1e-5

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
 from numpy.typing import ArrayLike
 
 from ...arguments import LockedValues
 from ...arrays import Array
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from .family import Family, Point
 from .follow import Place, Step

@@ -12,13 +12,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 from scipy.optimize import brentq
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from .family import Family, length
 from .follow import EXACT, Place, Step
 from .hidden_points import SMALL, UNDAMPED, oscillation_inside, turn_inside

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import final
 
 import numpy as np
 
 from ...errors import SolveError
+from ...records import dataclass
 from ..linear.first_order import eigenvalues
 from ..statics.stability_at_equilibrium import MANY, Stability, stand
 from ..statics.static_problem import Problem

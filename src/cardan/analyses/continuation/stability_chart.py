@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 from ...arguments import Count, LockedValues, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, counted
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ..simulation.progress import showing
 from .continuation import POINTS, continuation

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from scipy.optimize import brentq
 
 from ...errors import SolveError
+from ...records import dataclass
 from .curve import Curve
 from .family import length
 from .follow import EXACT, End, Place, Reach, Step, steps

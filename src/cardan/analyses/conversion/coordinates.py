@@ -9,12 +9,12 @@ without limits as cosine and sine, and give followers of other joints coordinate
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from ...arrays import Array
+from ...records import dataclass
 from ...runtime.verification.rotations import PARAMETERS
 
 SIZES = {

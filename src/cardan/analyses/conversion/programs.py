@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
+from ...records import dataclass
 from .coordinates import SIZES, Convention
 
 # sizes of the joints of MuJoCo by their type: free, ball, slide, hinge

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import final
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError, SolveError
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.family import DenseJacobian, Jacobian
 from ..continuation.solutions import PathRequest

@@ -12,7 +12,7 @@ monodromy matrix).
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import TypeAlias
 
@@ -21,6 +21,7 @@ from scipy.linalg import block_diag, null_space
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..simulation.events import event_table_of

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import final
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.integrators import INTEGRATORS
 from ..continuation.follow import Place, Step

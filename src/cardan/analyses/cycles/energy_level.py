@@ -11,11 +11,12 @@ Source: F. J. Munoz-Almaraz, E. Freire, J. Galan, E. Doedel, A. Vanderbauwhede, 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 
 from ...arrays import Array
+from ...records import dataclass
 from ..systems.dynamic_system import DynamicSystem, Moment
 from .flow import Flow
 

@@ -12,13 +12,14 @@ equations); P. C. Müller, Chaos, Solitons & Fractals 5 (1995), 1671-1681 (event
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeAlias
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from ..gradients.jumps import EventInstant, event_instants
 from ..gradients.steps import TABLES
 from ..gradients.tangent import Directions, Tangents, directions_of

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief, near
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ..systems.dynamic_system import DynamicSystem
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief, near
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ..simulation.events import DIRECTIONS, EventTable, event_table_of
 from .flow import Flow, Passage

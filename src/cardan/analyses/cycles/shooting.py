@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import CardanError, SolveError
+from ...records import dataclass
 from ..systems.central_differences import by_differences
 from .cycle_problem import CycleProblem, CycleState
 from .lap_derivative import WIDE, LapDerivative, Sweep, lap_derivative, refusal

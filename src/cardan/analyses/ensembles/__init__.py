@@ -26,7 +26,7 @@ from ..simulation.events import event_table_of
 from ..simulation.files.append_log import build_key, digest, model_key
 from ..simulation.method_choice import Limited
 from ..simulation.progress import showing
-from ..simulation.settings import settings, watched
+from ..simulation.settings import default_rtol, settings, watched
 from ..simulation.times import Span, span
 from .checkpoint import Checkpoint
 from .collection import UNFINISHED, Gathered, PartResults
@@ -74,7 +74,7 @@ def ensemble(
     reduce: str | Sequence[str] | Mapping[str, object] | None = None,
     sensitivity: str | Sequence[str] = (),
     method: str = "auto",
-    rtol: float = 1e-6,
+    rtol: float | None = None,
     atol: float | None = None,
     step: float | None = None,
     max_step: float | None = None,
@@ -121,6 +121,7 @@ def ensemble(
             that is not finite; no room for the checkpoint; a run that failed, with ``check``.
             BuildError: a client whose machine builds other bits.
     """
+    rtol = default_rtol(rtol, sensitivity)
     over, event_table = span(t, t_eval), event_table_of(model, events)
     event_table.forward(over.start, over.end)
     if method == "auto" and sensitivity:

@@ -6,13 +6,14 @@ import math
 import os
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any
 
 import numpy as np
 
 from ...arrays import Array, Booleans
 from ...errors import ArgumentError, ModelError, counted
+from ...records import dataclass
 from .energy_check import EnergyCheck
 from .job import BlockResult, Job, Sizes
 from .lane_runner import NUMBERS

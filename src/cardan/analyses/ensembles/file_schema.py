@@ -6,7 +6,6 @@ import dataclasses
 import json
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import takewhile
 from typing import Any
 
@@ -14,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
+from ...records import dataclass
 from ...runtime.formats.contents import Contents, Variable
 from ...schema.fields import Record, count, field, is_text, listed, number, one_of, table, text
 from .lane_runner import NUMBERS

@@ -12,7 +12,7 @@ import os
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import count, islice, pairwise
 from pathlib import Path
 from typing import NamedTuple
@@ -23,6 +23,7 @@ from ... import regular_file
 from ...arguments import checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveWarning, brief, counted, warn
+from ...records import dataclass
 from ...version import ENSEMBLE_FILE, VERSION
 from ..simulation.files.append_log import LogReader, unpacked
 from .checkpoint import CURES, DAMAGE, block_in, checks_in

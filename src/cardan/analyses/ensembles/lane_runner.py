@@ -8,12 +8,13 @@ are copies of run records. The GIL is released all the while.
 from __future__ import annotations
 
 import ctypes
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
 
 from ...arrays import Array, Integers
+from ...records import dataclass
 from ...runtime.calls import lanes as widths
 from ...runtime.calls.interpreted import called_back
 from ...runtime.calls.samples import build

@@ -11,13 +11,14 @@ import math
 import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, NoReturn
 
 import numpy as np
 
 from ...arrays import Array, Booleans, Integers
 from ...errors import ArgumentError, FunctionError, ModelError, brief, near
+from ...records import dataclass
 
 Parts = dict[str, Array]
 FREE = -1  # in a shape: any axes from here on

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ...arguments import checked
 from ...arrays import Array, Booleans
 from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, counted, near, warn
+from ...records import dataclass
 from ...runtime.trajectory.solver_info import EVENT, FINISHED
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from .collection import UNFINISHED, Gathered, PartResults
@@ -188,9 +189,13 @@ class EnsembleRecord:
         """Name -> (runs, nt, nx): what states at output times change by, as it was asked for.
 
         (runs, nt, nx, k) of what consists of several numbers, such as ``"x0"``. NaN behind the end
-        of a run, and of runs that broke down.
+        of a run, and of runs that broke down. ``of("tip")`` is what an output changes by.
         """
-        return RunSensitivities(self.results)
+
+        def again(k: int) -> TrajectoryRecord:
+            return self.job.motion(k, None)
+
+        return RunSensitivities(self.results, self.t, len(self), again)
 
     @property
     def t(self) -> Array:

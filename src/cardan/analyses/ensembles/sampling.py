@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
@@ -22,6 +22,7 @@ import numpy as np
 from ...arguments import Count, Seed, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, counted
+from ...records import dataclass
 from ...runtime.calls.calling import numbers
 
 MOST = 1 << 31  # runs of a plan

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import field
 
 import numpy as np
 
-from ...arguments import Inputs
+from ...arguments import Inputs, checked
 from ...arrays import Array
-from ...errors import ModelError, near
+from ...errors import ModelError, SolveError, collected_warnings, near
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..gradients.differentiable import refuse
-from ..gradients.sensitivities import columns_by_name
+from ..gradients.sensitivities import Sensitivities, columns_by_name
 from ..gradients.unknowns import Unknowns, unknowns
 from ..simulation.settings import Settings
 from ..simulation.signals import Signals
@@ -67,9 +69,17 @@ class SensitivityHistories(Reduction):
 
 @dataclass(frozen=True, eq=False)
 class RunSensitivities(Mapping[str, Array]):
-    """Sensitivities of many runs: ``runs.sensitivity["m"]``, (runs, nt, nx) at ``runs.t``."""
+    """Sensitivities of many runs: ``runs.sensitivity["m"]``, (runs, nt, nx) at ``runs.t``.
+
+    Attributes:
+        results: Reductions of the ensemble, these among them.
+    """
 
     results: Mapping[str, object] = field(repr=False)
+    # output times, the number of runs, and what computes one of them again
+    _t: Array = field(repr=False)
+    _count: int = field(repr=False)
+    _run: Callable[[int], TrajectoryRecord] = field(repr=False)
 
     def __getitem__(self, name: str) -> Array:
         try:
@@ -84,6 +94,46 @@ class RunSensitivities(Mapping[str, Array]):
 
     def __len__(self) -> int:
         return sum(1 for _ in self)
+
+    @checked
+    def of(self, what: str | tuple[str, str]) -> dict[str, Array]:
+        """What a history, a formula or a function changes by in every run, at ``runs.t``.
+
+        ``runs.sensitivity.of("tip")["m"]`` is (runs, nt). Every run is computed again for it, one
+        after the other.
+
+        Args:
+            what: As of one motion: a name such as ``"tip"`` or ``"energy"``, a formula, or a
+                function such as ``("pose", "hand")``.
+
+        Returns:
+            By name: (runs, nt, ...), (runs, nt, ..., k) of what consists of k numbers. NaN behind
+            the end of a run, and of runs without sensitivities.
+
+        Raises:
+            ModelError: nothing was asked for, or the ensemble comes from a file. SolveError: no run
+                has sensitivities.
+        """
+        if not len(self):
+            raise ModelError(
+                "sensitivity: nothing was asked for: call model.ensemble with sensitivity="
+            )
+        result: dict[str, Array] = {}
+        with collected_warnings():  # the runs have warned before
+            for k in range(self._count):
+                motion = self._run(k)
+                if not isinstance(motion.sensitivity, Sensitivities):
+                    continue
+                sign = 1.0 if self._t[-1] >= self._t[0] else -1.0
+                inside = self._t[sign * (self._t - motion.t[-1]) <= 0]
+                for name, values in motion.sensitivity.of(what, inside).items():
+                    if name not in result:
+                        shape = self._count, len(self._t), *values.shape[1:]
+                        result[name] = np.full(shape, np.nan)
+                    result[name][k, : len(inside)] = values
+        if not result:
+            raise SolveError("sensitivity: no run has sensitivities; runs.message(0) says why")
+        return result
 
 
 def requested(

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from ...errors import ArgumentError, ModelError, brief, counted
+from ...records import dataclass
 
 Block = tuple[int, int]
 SUCH = "give (k, n), part k of n, such as part=(3, 8); parts are counted from 1 to n"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, named, near
+from ...records import dataclass
 from ...runtime.calls.calling import numbers
 from ...runtime.models.initial import initial_state, missing
 from ...runtime.models.loaded_model import LoadedModel

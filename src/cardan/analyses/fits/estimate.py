@@ -9,17 +9,18 @@ Equations (1983), 95-121.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
-from .shooting import Segment
+from ...records import dataclass
 
 # of the largest singular value, columns in their units: combinations below are not told
 RANK = 1e-9
+# standard deviation of a combination in units of its size, from which on it is as good as unknown
+UNKNOWN = 1.0
+NOISE = 3.0  # standard deviations: what noise gains
+FARTHEST = 1.0  # units that a step goes along a combination
 
 
 @dataclass(frozen=True)
@@ -27,45 +28,19 @@ class Condensed:
     """The linear problem about the present nodes: residuals + slopes @ free unknowns.
 
     Attributes:
-        residuals: (m,).
+        residuals: With the gaps closed (m,).
         slopes: (m, free).
+        residual_norm: Root of the sum of squares of the residuals of the segments as they are,
+            which say more of the noise than those of segments that are made to meet.
         nodes: Increments of every node per unit of the free unknowns (nodes, n, free).
         offsets: Increments of every node without any (nodes, n): what closes the gaps.
     """
 
     residuals: Array
     slopes: Array
+    residual_norm: float
     nodes: Array
     offsets: Array
-
-
-def condensed(segments: Sequence[Segment], gaps: Array, first: Array, count: int) -> Condensed:
-    """The problem of all segments.
-
-    Args:
-        segments: In their order.
-        gaps: What the end of each but for the last misses the next node by (segments - 1, n).
-        first: Increments of the first node per unit of the free unknowns (n, free).
-        count: Number of parameters, the last of the free unknowns.
-    """
-    n, free = first.shape
-    by_parameters = np.hstack([np.zeros((count, free - count)), np.eye(count)])
-    node, offset = first, np.zeros(n)
-    nodes, offsets, rows, values = [node], [offset], list[Array](), list[Array]()
-    for k, segment in enumerate(segments):
-        by_node, by_p = segment.slopes[:, :n], segment.slopes[:, n:]
-        rows.append(by_node @ node + by_p @ by_parameters)
-        values.append(segment.residuals + by_node @ offset)
-        # what the first node and parameters do to the next one
-        if k + 1 < len(segments):
-            moves = segment.transition
-            node = moves[:, :n] @ node + moves[:, n:] @ by_parameters
-            offset = moves[:, :n] @ offset + gaps[k]
-            nodes.append(node)
-            offsets.append(offset)
-    return Condensed(
-        np.concatenate(values), np.concatenate(rows), np.array(nodes), np.array(offsets)
-    )
 
 
 @dataclass(frozen=True)
@@ -77,12 +52,16 @@ class Solved:
         covariance: Of them, for residuals of variance 1 (free, free); infinite where the data do
             not tell.
         untold: Combinations that the data do not tell (k, free), of length 1 in their units.
+        determined: Those that they tell (m, free), likewise.
+        deviations: Standard deviations of these in their units (m,), for residuals of variance 1.
         fixed: True for unknowns that bounds hold (free,): nothing is known of their errors.
     """
 
     step: Array
     covariance: Array
     untold: Array
+    determined: Array
+    deviations: Array
     fixed: NDArray[np.bool_]
 
 
@@ -103,7 +82,13 @@ def solved(problem: Condensed, units: Array, fixed: NDArray[np.bool_], weights: 
     significant = sizes > RANK * max(float(sizes.max(initial=0.0)), np.finfo(float).tiny)
     step = np.zeros(len(units))
     along = -(U.T @ (problem.residuals * root))
-    step[moving] = units[moving] * (V[significant].T @ (along[significant] / sizes[significant]))
+    amounts = along[significant] / sizes[significant]
+    # the problem is one of these directions each by itself: one that would go far stops short and
+    # lets the others go on, one that gains no more than noise does, wherever it goes, stays
+    sigma = problem.residual_norm / np.sqrt(max(1, A.shape[0] - len(V)))
+    idle = (sigma / sizes[significant] > UNKNOWN) & (np.abs(along[significant]) < NOISE * sigma)
+    amounts = np.where(idle, 0.0, np.clip(amounts, -FARTHEST, FARTHEST))
+    step[moving] = units[moving] * (V[significant].T @ amounts)
     covariance = np.zeros((len(units), len(units)))
     inner = (V[significant].T / sizes[significant] ** 2) @ V[significant]
     # what is not told may be anything
@@ -116,5 +101,7 @@ def solved(problem: Condensed, units: Array, fixed: NDArray[np.bool_], weights: 
         directions = np.linalg.svd(missing)[0][:, : round(float(np.trace(missing)))].T
         untold = np.zeros((len(directions), len(units)))
         untold[:, moving] = directions
+    determined = np.zeros((int(significant.sum()), len(units)))
+    determined[:, moving] = V[significant]
     covariance[fixed, fixed] = np.inf
-    return Solved(step, covariance, untold, fixed)
+    return Solved(step, covariance, untold, determined, 1 / sizes[significant], fixed)

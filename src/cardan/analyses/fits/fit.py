@@ -12,14 +12,15 @@ from ...arguments import Inputs, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.models.node_names import nodes_last
 from ...schema.blocks import DIRECTIONS
 from ..gradients.differentiable import exact_method
-from ..gradients.unknowns import refuse_two_meanings, start_blocks, start_places
+from ..gradients.unknowns import listed, refuse_two_meanings, start_blocks, start_places
 from ..identification.base_parameters import circuits
 from ..identification.result import IdentificationRecord
-from ..simulation.settings import Values
+from ..simulation.settings import DERIVATIVE_RTOL, Values
 from .division import divided
-from .joint_start import ONE, JointStart
+from .joint_start import JointStart
 from .nodes import Begin, first_states, locked_names, nodes_of
 from .record import FitRecord
 from .samples import inputs_of, samples_of, table_of
@@ -48,7 +49,7 @@ def fit(
     inputs: Inputs | None = None,
     parameters: Values | None = None,
     method: str = "auto",
-    rtol: float = 1e-9,
+    rtol: float = DERIVATIVE_RTOL,
     most: int = 60,
     progress: bool | Callable[[float], None] | None = None,
 ) -> FitRecord:
@@ -68,12 +69,12 @@ def fit(
         bounds: Parameter -> (least, most).
         loss: ``"linear"`` for least squares, ``"huber"`` where some samples are wrong.
         segments: Number of runs that the motion is divided into; ``"auto"``: as many as errors
-            grow by e^2, and as leave what was measured, at most one for every eight samples and 60;
-            1 in absolute coordinates, where nodes follow joints, and starts are joints by name.
+            grow by e^2, and as leave what was measured, at most one for every eight samples and 60.
         seeds: ``"identify"``: unknown masses, inertias and coefficients of forces begin with what
             :meth:`identify` says of the measured coordinates and the inputs, however far off their
             values are; or an identification, such as ``model.identify(data, cutoff=10)``.
-        q, u, z: Start at the first sample, where the search begins; what is not unknown stays.
+        q, u, z: Start at the first sample, where the search begins; what is not unknown stays. In
+            absolute coordinates by names of joints, which nodes follow.
         inputs: As :meth:`simulate` takes them; else columns of data with their names.
         parameters, rtol, progress: As :meth:`simulate` takes them.
         method: As of :meth:`gradient`: ``"auto"`` takes DOP853, of elements Radau.
@@ -96,51 +97,31 @@ def fit(
     chosen, free, starts = _unknowns(model, unknown)
     limits, begin, absolute = _bounds(chosen, bounds), (q, u, z), model.manifest.absolute
     method = exact_method(model) if method == "auto" else method
-    nodes = nodes_of(samples, _segments(model, segments))
+    nodes = nodes_of(samples, segments)
     locked = None if absolute else locked_names(model, begin, free)
     joints = JointStart.of(model, begin, starts) if absolute else None
-    shooting = Shooting(model, samples, nodes, chosen, inputs, method, rtol, locked, joints)
+    shooting = Shooting(model, samples, nodes, chosen, free, inputs, method, rtol, locked, joints)
     if seeds is not None:
-        shooting = replace(shooting, model=_seeded(shooting, begin, free, seeds))
+        shooting = replace(shooting, model=_seeded(shooting, begin, seeds))
     values = np.clip([shooting.model.parameters[name] for name in chosen], *limits.T)
-    first = first_states(shooting, begin, free)
-    if segments == "auto" and not absolute:
+    first = first_states(shooting, begin)
+    if segments == "auto":
         begins = divided(shooting, first, values)
         shooting = replace(shooting, nodes=(*(nodes[k] for k in begins), nodes[-1]))
         first = first[begins]
-    record = Search(shooting, free, limits, loss, values).run(first, values, most, progress)
-    noted = absolute and segments == "auto"
-    return replace(record, message=f"{record.message}; {ONE}") if noted else record
+    return Search(shooting, limits, loss, values).run(first, values, most, progress)
 
 
-def _segments(model: LoadedModel, segments: str | int) -> str | int:
-    """Segments as they were given; one in absolute coordinates.
-
-    Raises:
-        ModelError: several there.
-    """
-    if not model.manifest.absolute:
-        return segments
-    if segments not in ("auto", 1):
-        raise ModelError(
-            f"fit: segments={brief(segments)}: '{model.name}' is in absolute coordinates: {ONE}. "
-            "Give segments=1, and first values from which that run is near to the measured one"
-        )
-    return 1
-
-
-def _seeded(
-    shooting: Shooting, begin: Begin, free: Places, seeds: str | IdentificationRecord
-) -> LoadedModel:
+def _seeded(shooting: Shooting, begin: Begin, seeds: str | IdentificationRecord) -> LoadedModel:
     """Of the models that filters of the noise give, the one nearest to the measurements."""
 
     def misfit(model: LoadedModel) -> float:
         alone = replace(shooting, model=model, parameters=())
         try:
-            segments = alone.every(first_states(alone, begin, free), np.zeros(0))
+            residuals = alone.every(first_states(alone, begin), np.zeros(0)).residuals
         except SolveError:
             return np.inf
-        return sum(float(one.residuals @ one.residuals) for one in segments)
+        return float(residuals @ residuals)
 
     return min(seed_models(shooting, seeds), key=misfit)
 
@@ -168,7 +149,7 @@ def _unknowns(
             starts |= {*range(places[name].start, places[name].stop)}
             start_names.append(name)
         else:
-            candidates = [*model.parameters, *places]
+            candidates = nodes_last(model.manifest, [*model.parameters, *listed(model, places)])
             raise ModelError(
                 f"fit: unknown: '{name}' is neither a parameter nor a start."
                 f"{near(name, candidates)}"

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import cast
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ..gradients.unknowns import start_blocks, start_places
 from ..simulation.settings import start
 
 LETTERS = {"q0": "q", "u0": "u", "z0": "z"}
-ONE = "the motion is one run: models in absolute coordinates are not divided into segments"
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from ...errors import ArgumentError, SolveError, SolveWarning, brief
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.blocks import of_rate
 from ..identification.base_parameters import circuits
+from ..mechanisms.nodal_mechanism import NodalMechanism
 from ..simulation.settings import Values, start
 from ..simulation.simulate import simulate
 from .samples import Samples
@@ -41,7 +42,7 @@ def nodes_of(samples: Samples, segments: str | int) -> tuple[int, ...]:
     return tuple(int(k) for k in np.round(np.linspace(0, count, number + 1)))
 
 
-def first_states(shooting: Shooting, begin: Begin, free: NDArray[np.intp]) -> Array:
+def first_states(shooting: Shooting, begin: Begin) -> Array:
     """States (segments, nx) that the search begins with.
 
     Measured coordinates and their slopes, the rest along the run from the first state. In that
@@ -50,26 +51,46 @@ def first_states(shooting: Shooting, begin: Begin, free: NDArray[np.intp]) -> Ar
     Args:
         shooting: The samples and the nodes.
         begin: q, u and z of the start as they were named.
-        free: Places of unknown starts along the speeds.
     """
     model, nodes = shooting.model, list(shooting.nodes[:-1])
     direct, slopes = (one[nodes] for one in _measured(model, shooting.samples))
     named = start(model, None, *begin)
     # measurements are better than what was named, slopes of them than what nobody has named
     names = (*model.coordinates, *model.speeds, *model.internals)
-    unknown = np.isin(speed_places(model), free)
+    unknown = np.isin(speed_places(model), shooting.free)
     nobody = np.array([name in named.defaulted for name in names], dtype=np.bool_)
     direct[0, ~unknown] = slopes[0, ~(unknown & nobody)] = np.nan
     measured = np.where(np.isfinite(direct), direct, slopes)
     first = np.where(np.isfinite(measured[0]), measured[0], named.x)
-    trial = Trial(replace(shooting, parameters=()), np.zeros(0))
+    trial = Trial(replace(shooting, parameters=()), np.zeros(0), np.zeros((1, 0)))
     first = trial.begin(0, first).x
     states = np.tile(first, (len(nodes), 1))
     if len(nodes) > 1 and not np.isfinite(measured[1:]).all():
         run = _run(shooting, first, nodes)
         states[: len(run)] = run
-    states[1:] = np.where(np.isfinite(measured), measured, states)[1:]
+    for k in range(1, len(states)):
+        states[k] = _with(trial, k, states[k], measured[k])
     return np.array([trial.begin(k, x).x for k, x in enumerate(states)])
+
+
+def _with(trial: Trial, number: int, x: Array, measured: Array) -> Array:
+    """A state (nx,) with entries as they were measured (nx,), the others where this is NaN.
+
+    In absolute coordinates nodes and beams go along with the joints, as strained as they are.
+    """
+    shooting, present = trial.shooting, np.isfinite(measured)
+    model = shooting.model
+    result = np.where(present, measured, x)
+    if not model.manifest.absolute or not present.any():
+        return result
+    joints = NodalMechanism(model, *trial.time_and_inputs(number))
+    unstrained, there = (
+        np.concatenate([*joints.state(*model.parts_of(one)[:2]), one[model.nq + model.nu :]])
+        for one in (x, result)
+    )
+    strain = shooting.increments(unstrained[None], x[None])
+    strain[:, 2 * model.nu :] = 0.0
+    return np.where(present, measured, shooting.moved(there[None], strain)[0])
 
 
 def locked_names(model: LoadedModel, begin: Begin, free: NDArray[np.intp]) -> Locked | None:

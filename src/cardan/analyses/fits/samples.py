@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +10,7 @@ import numpy as np
 from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import ArgumentError, DerivationError, ModelError, SolveError, brief, near
+from ...records import dataclass
 from ...runtime.calls.calling import numbers
 from ...runtime.calls.loaded_function import LoadedFunction
 from ...runtime.models.derivatives import Derivative
@@ -57,7 +57,9 @@ def samples_of(
     _check_units(model, table, measured)
     t = numbers("fit: data: t", column(table, TIME))
     if t.ndim != 1 or len(t) < 2 or not np.isfinite(t).all() or not (np.diff(t) > 0).all():
-        raise ArgumentError("fit: data: t: give two times or more, ascending and finite")
+        raise ArgumentError(
+            "fit: data: t: give two times or more, ascending and finite; no cell of it is blank"
+        )
     channels: dict[str, object] = {}
     if measured is None:
         names = {*model.coordinates, *model.speeds, *model.internals, *_outputs(model)}
@@ -107,7 +109,12 @@ def column(table: Mapping[str, object], name: str) -> object:
         heads.append(match[1])
     key = next((head for head in heads if head in table), None)
     if key is None:
-        what = ", the times [s]" if name == TIME else f".{near(name, table)}"
+        columns = ", ".join(list(table)[:12]) or "none"
+        what = (
+            f" of times: call it 't' or 't [s]'. Its columns: {columns}"
+            if name == TIME
+            else f".{near(name, table)}"
+        )
         raise ArgumentError(f"fit: data has no column '{name}'{what}")
     return table[key]
 

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, counted, warn
+from ...records import dataclass
 from ..simulation.progress import showing
 from ..simulation.simulate import simulate
-from .estimate import Condensed, Solved, condensed, solved
+from .estimate import UNKNOWN, Condensed, Solved, solved
 from .nodes import speed_places
 from .record import FitRecord
-from .shooting import Segment, Shooting
+from .shooting import Shooting, Shots
 
 CLOSED = 1e-8  # gaps between nodes that are none
 EXACT = 1e-10  # of the units of the unknowns: a step that changes nothing
@@ -23,39 +22,76 @@ FLAT = 1e-12  # of the cost: a step that improves nothing
 HUBER = 1.345  # in standard deviations: beyond, residuals count by their size alone
 TURN, PART = 1.0, 0.5  # largest step of a coordinate [rad], and of a parameter, as a part of it
 HALVINGS = 12
+PRESENT = 1e-4  # of a combination of length 1: parts that belong to it
+STILL = 12  # iterations without a better point
+BETTER, SHRINKS = 1e-6, 0.9  # of the cost, and of the step: what counts as better
+NO_PROGRESS = (
+    "nothing better was found after iteration {}, which is kept. The model may miss something, or "
+    "the first values are far off: compare fit.plot() with the measurements"
+)
 
 
 @dataclass(frozen=True)
 class _Point:
     """Unknowns with what they miss."""
 
-    states: Array
     values: Array
-    segments: list[Segment]
-    gaps: Array
+    shots: Shots
+
+    @property
+    def states(self) -> Array:
+        return self.shots.states
 
     @property
     def residuals(self) -> Array:
-        return np.concatenate([one.residuals for one in self.segments])
+        return self.shots.residuals
 
     @property
     def gap(self) -> float:
-        return float(np.abs(self.gaps).max(initial=0.0))
+        return float(np.abs(self.shots.gaps).max(initial=0.0))
+
+
+@dataclass
+class _Best:
+    """The best point so far, and since when nothing has become better.
+
+    Attributes:
+        point: It.
+        cost: Its sum of squares.
+        iteration: The iteration that led to it.
+        size: The smallest step so far.
+        since: The last iteration with a better point, or a smaller step.
+    """
+
+    point: _Point
+    cost: float = np.inf
+    iteration: int = 0
+    size: float = np.inf
+    since: int = 0
+
+    def look(self, point: _Point, cost: float, iteration: int) -> None:
+        """Take another point, if it is better."""
+        if cost < (1 - BETTER) * self.cost:
+            self.since = iteration
+        if cost < self.cost:
+            self.point, self.cost, self.iteration = point, cost, iteration
+
+    def stands_still(self, iteration: int, size: float) -> bool:
+        """Whether the search has found nothing better for long, and its steps do not shrink."""
+        if size < SHRINKS * self.size:
+            self.size, self.since = size, iteration
+        return iteration - self.since >= STILL
 
 
 class Search:
     """The search for the minimum."""
 
-    def __init__(
-        self, shooting: Shooting, free: NDArray[np.intp], limits: Array, loss: str, values: Array
-    ) -> None:
+    def __init__(self, shooting: Shooting, limits: Array, loss: str, values: Array) -> None:
         self.shooting, self.limits, self.loss = shooting, limits, loss
         # of parameters: what they begin with, so that one which becomes small may grow again
         self.units = np.where(values != 0, np.abs(values), 1.0)
-        model = shooting.model
-        self.n, self.count = 2 * model.nu + model.nz, len(shooting.parameters)
-        self.free = free
-        self.first = np.hstack([np.eye(self.n)[:, self.free], np.zeros((self.n, self.count))])
+        self.free = shooting.free
+        self._text = "first runs"
 
     def run(
         self,
@@ -69,6 +105,43 @@ class Search:
         Raises:
             ArgumentError: no more samples than unknowns.
         """
+        converged, interrupted, iterations = False, False, 0
+        message = f"not converged after {most} iterations"
+        with showing(progress, self.shooting.model.name, self._stage) as show:
+            self.shooting.watch.show = lambda: show(min(0.99, iterations / most))
+            point = self._first(states, values)
+            best = _Best(point)
+            for iterations in range(1, most + 1):
+                try:
+                    problem, step = self._step(point)
+                    best.look(point, self._cost(point, problem), iterations - 1)
+                    self._text = f"iteration {iterations}, cost {best.cost / 2:.4g}"
+                    point, size, change = self._along(point, problem, step)
+                    show(min(0.99, iterations / most))
+                except KeyboardInterrupt:
+                    message = f"interrupted in iteration {iterations}; what was found is kept"
+                    interrupted = True
+                    break
+                if size <= EXACT or (change <= FLAT and point.gap <= CLOSED):
+                    converged, message = True, f"converged after {counted(iterations, 'iteration')}"
+                    break
+                if size == np.inf:
+                    message = f"the motion breaks down along the step of iteration {iterations}"
+                    break
+                if best.stands_still(iterations, size):
+                    message = f"no progress: {NO_PROGRESS.format(best.iteration)}"
+                    break
+            if not (converged or interrupted or size == np.inf):
+                best.look(point, self._cost(point, self._step(point)[0]), iterations)
+        end = point if converged else best.point
+        return self._fit(end, converged, interrupted, message, iterations)
+
+    def _first(self, states: Array, values: Array) -> _Point:
+        """Where the search begins.
+
+        Raises:
+            ArgumentError: no more samples than unknowns.
+        """
         point = self._point(states, values)
         count, unknowns = len(point.residuals), len(self._names())
         if count <= unknowns:
@@ -76,32 +149,18 @@ class Search:
                 f"fit: {count} samples cannot determine {unknowns} unknowns. Name fewer, or give "
                 "more samples"
             )
-        converged, interrupted, iterations = False, False, 0
-        message = f"not converged after {most} iterations"
-        with showing(progress, self.shooting.model.name) as show:
-            for iterations in range(1, most + 1):
-                try:
-                    problem, step = self._step(point)
-                    point, size, change = self._along(point, problem, step)
-                except KeyboardInterrupt:
-                    message = f"interrupted in iteration {iterations}; what was found is kept"
-                    interrupted = True
-                    break
-                show(min(0.99, iterations / most))
-                if size <= EXACT or (change <= FLAT and point.gap <= CLOSED):
-                    converged, message = True, f"converged after {counted(iterations, 'iteration')}"
-                    break
-                if size == np.inf:
-                    message = f"the motion breaks down along the step of iteration {iterations}"
-                    break
-        return self._fit(point, converged, interrupted, message, iterations)
+        return point
+
+    def _cost(self, point: _Point, problem: Condensed) -> float:
+        """Sum of squares of what residuals would be if all segments met, to first order."""
+        return float(np.sum(self._weights(point.residuals) * problem.residuals**2))
+
+    def _stage(self) -> str:
+        """How the search stands, beside its bar."""
+        return self._text
 
     def _point(self, states: Array, values: Array) -> _Point:
-        segments = self.shooting.every(states, values)
-        # where loops are closed
-        states = np.array([one.begin for one in segments])
-        ends = np.array([one.end for one in segments])
-        return _Point(states, values, segments, self.shooting.increments(states[1:], ends[:-1]))
+        return _Point(values, self.shooting.every(states, values))
 
     def _weights(self, residuals: Array) -> Array:
         if self.loss == "linear":
@@ -109,11 +168,11 @@ class Search:
         deviation = np.median(np.abs(residuals)) / 0.6745 or 1.0
         return np.minimum(1.0, HUBER * deviation / np.maximum(np.abs(residuals), 1e-300))
 
-    def _step(self, point: _Point) -> tuple[Condensed, Solved]:
-        problem = condensed(point.segments, point.gaps, self.first, self.count)
-        fixed = np.zeros(len(self.free) + self.count, dtype=bool)
+    def _step(self, point: _Point, units: Array | None = None) -> tuple[Condensed, Solved]:
+        problem = point.shots.problem
+        fixed = np.zeros(self.shooting.unknowns, dtype=bool)
         weights = self._weights(point.residuals)
-        units = np.concatenate([np.ones(len(self.free)), self.units])
+        units = np.concatenate([np.ones(len(self.free)), self.units if units is None else units])
         while True:
             result = solved(problem, units, fixed, weights)
             step = result.step[len(self.free) :]
@@ -160,14 +219,15 @@ class Search:
 
     def _merit(self, point: _Point) -> float:
         weighted = self._weights(point.residuals) * point.residuals**2
-        return float(np.sum(weighted) + np.sum(point.gaps**2))
+        return float(np.sum(weighted) + np.sum(point.shots.gaps**2))
 
     def _fit(
         self, point: _Point, converged: bool, interrupted: bool, message: str, iterations: int
     ) -> FitRecord:
         shooting, samples = self.shooting, self.shooting.samples
         # the last problem once more: its covariance is that at the answer
-        _, last = self._step(point)
+        sizes = np.maximum(self.units, np.abs(point.values))
+        _, last = self._step(point, sizes)
         residuals = point.residuals
         freedom = len(residuals) - len(last.step)
         variance = float(residuals @ residuals) / freedom
@@ -183,7 +243,11 @@ class Search:
         by_channel = self._by_channel(residuals)
         with np.errstate(invalid="ignore"):
             covariance = variance * last.covariance
-        untold = tuple(self._combination(names, one, point.values) for one in last.untold)
+        # what is known to less than its size is as good as unknown
+        hardly = last.determined[last.deviations * np.sqrt(variance) > UNKNOWN]
+        untold = tuple(
+            self._combination(names, one, point.values, sizes) for one in (*last.untold, *hardly)
+        )
         if untold or not converged:
             said = "; ".join(", ".join(one) for one in untold)
             warn(
@@ -208,7 +272,7 @@ class Search:
             durbin_watson={name: _durbin_watson(x) for name, x in by_channel.items()},
             undetermined=untold,
             motion=motion,
-            segments=len(point.segments),
+            segments=len(point.states),
             cost=float(residuals @ residuals) / 2,
             iterations=iterations,
             converged=converged,
@@ -217,14 +281,14 @@ class Search:
         )
 
     def _combination(
-        self, names: tuple[str, ...], direction: Array, values: Array
+        self, names: tuple[str, ...], direction: Array, values: Array, units: Array
     ) -> dict[str, float]:
         """A combination by name: changes of starts, and of parameters as parts of their values."""
         sizes = np.where(values != 0, np.abs(values), 1.0)
         parts = direction.copy()
-        parts[len(self.free) :] *= self.units / sizes
+        parts[len(self.free) :] *= units / sizes
         parts /= np.linalg.norm(parts)
-        return {name: float(x) for name, x in zip(names, parts, strict=True) if abs(x) > 1e-6}
+        return {name: float(x) for name, x in zip(names, parts, strict=True) if abs(x) > PRESENT}
 
     def _values(self, x: Array) -> dict[str, float]:
         """Values of the unknown starts by name; nan along rotations in space, which have none."""

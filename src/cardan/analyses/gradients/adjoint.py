@@ -66,7 +66,9 @@ class Sweep(StepsAgain):
         self._finals: dict[str, list[Callable[..., Array]]] = {}
         # what is added up
         self.totals = (self.lam, self.by_s, self.by_r, self.by_p, coefficients, self._cost)
+        # gradients where growth is counted from and to, with their times
         self._since: tuple[float, Array] | None = None
+        self._until = 0.0, self.lam
         # products backward, so that parameters cost nothing more
         closing = runner.closing
         keys: dict[str, tuple[str, str | None]] = {"rates": ("vjp", self.request("rhs"))}
@@ -102,8 +104,7 @@ class Sweep(StepsAgain):
             return sweep
         for total in last.totals:
             total.fill(0.0)
-        last.jumped()
-        last.largest = 0.0
+        last._since, last.largest = None, 0.0
         return last
 
     def request(self, function: str, of: str | None = None, time: bool = False) -> str:
@@ -151,16 +152,22 @@ class Sweep(StepsAgain):
         """Sweep over the steps between rows (count, width) as the run wrote them.
 
         Raises:
-            SolveError: a function has no value at a stage of a step, or derivatives grow beyond
-                all use.
+            SolveError: a function has no value at a stage of a step.
         """
         # growth counts from the last event on, over how many sweeps it may be
         if self._since is None:
             self._since = float(rows[-1, 0]), self.lam.copy()
         self.swept(rows, self.runner.library.cardan_adjoint_sweep, self.record)
-        begin, before = self._since
-        self.check_growth(before, self.lam, np.array([begin, rows[0, 0]]))
+        self._until = float(rows[0, 0]), self.lam.copy()
 
-    def jumped(self) -> None:
-        """An event has changed the gradients: growth counts anew."""
+    def arrived(self) -> None:
+        """An event or the start of the motion is reached: behind it growth counts anew.
+
+        Raises:
+            SolveError: derivatives have grown beyond all use.
+        """
+        if self._since is None:
+            return
+        (begin, before), (end, after) = self._since, self._until
         self._since = None
+        self.check_growth(before, after, np.array([begin, end]))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from ...arguments import Count, Inputs, Seed, checked
 from ...arrays import Array
 from ...errors import ArgumentError, SolveWarning, warn
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT
 from ...runtime.trajectory.trajectory import TrajectoryRecord
@@ -18,7 +19,7 @@ from ...schema.cost import Cost
 from ..ensembles.sampling import Plan
 from ..simulation.alpha_methods import Alpha, GeneralizedAlpha
 from ..simulation.driving import RunSetup, chosen, driven, reported, run_setup, runner_of
-from ..simulation.settings import Values
+from ..simulation.settings import DERIVATIVE_RTOL, Values
 from ..simulation.spare_runners import put_aside
 from .adjoint import Sweep
 from .checkpoints import MEMORY, Block, StepStore
@@ -65,7 +66,7 @@ def gradient(
     z: Values | ArrayLike | None = None,
     events: Mapping[str, object] | None = None,
     method: str | GeneralizedAlpha | Alpha = "auto",
-    rtol: float = 1e-9,
+    rtol: float = DERIVATIVE_RTOL,
     atol: float | None = None,
     step: float | None = None,
     max_step: float | None = None,
@@ -195,6 +196,7 @@ def _swept(
     halted = motion.solver_info.status == EVENT
     for block in store.backward(motion):
         _sweep_block(block, sweep, jumps, final_rate if halted and block.last else None)
+    sweep.arrived()
     # what was not named at the start followed from what was
     modes = store.start[1 + runner.n + model.nr :][: model.ns]
     begin = named_start(setup, sweep, state, modes, names, names.parameters)

@@ -12,12 +12,11 @@ Source: P. C. Müller, Chaos, Solitons & Fractals 5 (1995) 1671-1681.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from ...schema.cost import Cost
 from ...schema.request import reads
 from ..simulation import run_record as abi
@@ -174,7 +173,7 @@ class Jumps:
             SolveError: two events at one time that are not one, or one that happens by a touch.
         """
         lam, ended = self.sweep.lam, final_rate is not None
-        self.sweep.jumped()
+        self.sweep.arrived()
         root = root_of(at, self.events, self.start)
         inputs, rates = self._inputs(at.t)
         by_time = final_rate or 0.0

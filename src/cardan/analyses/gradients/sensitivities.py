@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 from typing import final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arguments import Inputs, Times, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, near
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT
 from ...runtime.trajectory.trajectory import TrajectoryRecord
@@ -23,6 +25,7 @@ from ..simulation.spare_runners import rewind
 from ..simulation.times import Span
 from .differentiable import check_complete, exact_method, refuse, row_behind, rows_of
 from .jumps import event_instants
+from .output_sensitivities import ChangingStates, changes_of
 from .start import named_start
 from .tangent import Directions, Tangents, columns_of, directions_of
 from .tangent_jumps import TangentJumps
@@ -35,6 +38,7 @@ class Sensitivities(Mapping[str, Array]):
 
     Of what consists of several numbers, such as ``"x0"`` or the values of an input, (nt, nx, k). At
     an event the last entry before it is at its time, the first one behind it: times do not move.
+    Outputs and other histories: :meth:`of`.
 
     Attributes:
         names: What it is differentiated by.
@@ -60,7 +64,7 @@ class Sensitivities(Mapping[str, Array]):
         if name not in self._parts:
             raise ModelError(f"sensitivity: '{name}' was not asked for.{near(name, self.names)}")
         place, single = self._parts[name]
-        part = np.moveaxis(changes[:, place], 1, 2)
+        part = np.moveaxis(changes[:, place], 1, -1)
         return part[..., 0] if single else part
 
     @checked
@@ -73,6 +77,55 @@ class Sensitivities(Mapping[str, Array]):
         changes = self.states_at(np.atleast_1d(np.asarray(t, dtype=np.float64)))[1]
         return {name: self._part(name, changes) for name in self.names}
 
+    @checked
+    def of(self, what: str | tuple[str, str], t: Times | None = None) -> dict[str, Array]:
+        """What a history, a formula or a function changes by: outputs, energies, forces.
+
+        ``motion.sensitivity.of("tip")["m"]`` is what ``motion["tip"]`` changes by per unit of m,
+        through the state and directly.
+
+        Args:
+            what: A name that the motion has, such as ``"tip"``, ``"energy"`` or ``"elbow.force"``;
+                a formula in names of the model, such as ``"(hand.x - 0.4)^2"``; or a function as
+                :meth:`derivative` takes it, such as ``"com"`` or ``("pose", "hand")``.
+            t: Times (m,) inside the motion [s]; by default those of the motion.
+
+        Returns:
+            By name of what the motion is differentiated by: (m, ...) of the shape of the history,
+            (m, ..., k) of what consists of k numbers. In units of the history per unit of that.
+
+        Raises:
+            ModelError, DerivationError: no such name, formula or function. ArgumentError: a
+                function of more than the state. SolveError: a time outside of the motion.
+        """
+        times = None if t is None else np.atleast_1d(np.asarray(t, dtype=np.float64))
+        changes = changes_of(self._tangents.model, what, self._changing(times))
+        return {name: self._part(name, changes) for name in self.names}
+
+    def _changing(self, times: Array | None) -> ChangingStates:
+        """States with their changes at times (m,), or at those of the motion."""
+        tangents, rows, model = self._tangents, self._rows, self._tangents.model
+        first = 1 + tangents.runner.n
+        r, s = np.split(rows[:, first:], [model.nr], axis=1)
+        s, modes = s[:, : model.ns], np.empty((len(rows), *self._modes[0][1].shape))
+        for begin, by_s in self._modes:
+            modes[begin:] = by_s
+        if times is None:
+            times, x, by_x = rows[:, 0], rows[:, 1 : 1 + model.nx], self._changes
+        else:
+            x, by_x = self.states_at(times)
+            places = self._row_before(times)
+            s, modes = s[places], modes[places]
+            r = np.array([tangents.inputs_at(at)[0] for at in times])
+        by_r = np.array([tangents.input_changes(at) for at in times])
+        by_r = by_r.reshape(*by_x.shape[:2], model.nr)
+        parameters, directions = list(model.parameters), tangents.directions
+        moved = directions.moved
+        names = tuple(parameters[k] for k in moved)
+        r = r.reshape(len(times), model.nr)
+        by_p = directions.p[:, moved]
+        return ChangingStates(times, x, r, s, by_x, by_r, modes, names, by_p)
+
     def states_at(self, times: Array) -> tuple[Array, Array]:
         """States (m, nx) at times inside the motion, and their changes (m, k, nx).
 
@@ -84,7 +137,7 @@ class Sensitivities(Mapping[str, Array]):
         outside = (times - first) * sign < 0
         if (outside | ((last - times) * sign < 0)).any():
             raise SolveError(f"sensitivity: the motion goes from {first:g} s to {last:g} s")
-        places = np.searchsorted(sign * rows[:, 0], sign * times, side="right") - 1
+        places = self._row_before(times)
         states, changes = rows[places, 1 : 1 + nx], self._changes[places]
         for k, (time, row) in enumerate(zip(times, places, strict=True)):
             if time != rows[row, 0]:
@@ -99,6 +152,11 @@ class Sensitivities(Mapping[str, Array]):
                 else:
                     states[k], changes[k] = self._within_pass(over, float(time))
         return states, changes
+
+    def _row_before(self, times: Array) -> NDArray[np.intp]:
+        """Numbers of the last rows that are not behind times (m,)."""
+        sign = 1.0 if self._rows[-1, 0] >= self._rows[0, 0] else -1.0
+        return np.searchsorted(sign * self._rows[:, 0], sign * times, side="right") - 1
 
     def _within_pass(self, over: tuple[float, float, int], time: float) -> tuple[Array, Array]:
         """State (nx,) and changes (k, nx) within a step over a place where branches meet."""
@@ -164,11 +222,18 @@ class SensitiveRuns:
         runner: What takes their steps.
     """
 
-    def __init__(self, setup: RunSetup, names: str | Sequence[str], inputs: Inputs | None) -> None:
+    def __init__(
+        self,
+        setup: RunSetup,
+        names: str | Sequence[str],
+        inputs: Inputs | None,
+        directions: Directions | None = None,
+    ) -> None:
         """Args:
         setup: Of the first one.
         names: What they are differentiated by.
         inputs: As ``simulate`` takes them.
+        directions: Of parameters and inputs, where runs have columns; else one for each number.
 
         Raises:
             ModelError, ArgumentError: what has no gradient.
@@ -182,7 +247,9 @@ class SensitiveRuns:
         refuse(setup.model, setup.how, setup.input_signals, listed)
         self.names, self._unknowns = listed.names, listed
         self.runner = runner_of(setup.model, setup.how, setup.input_signals, setup.event_table)
-        directions, self._parts = _directions(setup, listed)
+        self._parts: dict[str, tuple[slice, bool]] = {}
+        if directions is None:
+            directions, self._parts = _directions(setup, listed)
         self._tangents = Tangents(self.runner, directions)
 
     @property
@@ -198,6 +265,7 @@ class SensitiveRuns:
         check: bool = False,
         progress: bool | Callable[[float], None] | None = False,
         dense: bool = True,
+        columns: Array | None = None,
     ) -> TrajectoryRecord:
         """A motion with its sensitivities.
 
@@ -206,6 +274,7 @@ class SensitiveRuns:
             state: x0, q, u and z as they were given.
             check, progress: As ``simulate`` takes them.
             dense: Keep what tells states between steps.
+            columns: Of the start along the speeds (k, 2 nu + nz); by default those of the names.
 
         Raises:
             SolveError: it is not complete, or has no derivative. KeyboardInterrupt: by Ctrl-C.
@@ -213,7 +282,7 @@ class SensitiveRuns:
         motion = self.drive(over, begin, progress, dense)
         if motion.status == "interrupted":
             raise KeyboardInterrupt
-        along = self.along(motion, over, begin, state)
+        along = self.along(motion, over, begin, state, columns)
         return replace(reported(motion, check), sensitivity=along)
 
     def drive(
@@ -228,13 +297,18 @@ class SensitiveRuns:
         return driven(self.runner, over, begin, progress, dense=dense)
 
     def along(
-        self, motion: TrajectoryRecord, over: Span, begin: Start, state: Mapping[str, object]
+        self,
+        motion: TrajectoryRecord,
+        over: Span,
+        begin: Start,
+        state: Mapping[str, object],
+        columns: Array | None = None,
     ) -> Sensitivities:
         """Changes along the motion that was driven last.
 
         Args:
             motion: What :meth:`drive` gave.
-            over, begin, state: As :meth:`run` takes them.
+            over, begin, state, columns: As :meth:`run` takes them.
 
         Raises:
             SolveError: it is not complete, or has no derivative.
@@ -248,9 +322,8 @@ class SensitiveRuns:
         named = named_start(setup, tangents, state, log.s[0], self._unknowns, wide)
         by_r = tangents.input_changes(setup.over.start)
         by_p = directions.p if directions.moved else np.zeros((len(by_r), 0))
-        first = np.array(
-            [named.forward(*one) for one in zip(directions.start, by_r, by_p, strict=True)]
-        ).reshape(len(by_r), model.nx)
+        starts = directions.start if columns is None else columns
+        first = named.forward(starts, by_r, by_p)
         jumps = TangentJumps(tangents, setup.event_table, setup.over.start)
         rows, changes = rows_of(motion, self.runner), list[Array]()
         modes, start = [(0, tangents.by_s.copy())], 0
@@ -279,8 +352,7 @@ def _directions(
     tables = {name: listed.table(name) for name in listed.names if name in model.inputs}
     by_name = columns_by_name(model, listed)
     sizes = [1 if size is None else size for size in by_name.values()]
-    # a unit of every number that is wanted, one after the other
-    columns = columns_of(sizes)
+    columns = columns_of(sizes)  # a unit of every number that is wanted, one after the other
     directions = directions_of(model, sum(len(one.coefficients) for one in tabulated), sum(sizes))
     for name, column in zip(listed.names, columns, strict=True):
         table = tables.get(name)
@@ -294,8 +366,8 @@ def _directions(
             directions.r[column, model.inputs.index(name)] = 1.0
         else:
             directions.coefficients[column] = _coefficients(setup, name, table[0])
-    single = [size is None for size in by_name.values()]
-    return directions, dict(zip(listed.names, zip(columns, single, strict=True), strict=True))
+    parts = zip(columns, (size is None for size in by_name.values()), strict=True)
+    return directions, dict(zip(listed.names, parts, strict=True))
 
 
 def columns_by_name(model: LoadedModel, listed: Unknowns) -> dict[str, int | None]:
@@ -317,11 +389,10 @@ def columns_by_name(model: LoadedModel, listed: Unknowns) -> dict[str, int | Non
 def _coefficients(setup: RunSetup, name: str, times: Array) -> Array:
     """Coefficients (n, segments, 4) of all tabulated inputs per unit of each value of one."""
     tabulated, result = setup.input_signals.tabulated, []
+    span = (float(times[0]), float(times[-1]))
     for unit in np.eye(len(times)):
-        span = (float(times[0]), float(times[-1]))
         rows = signals(setup.model.manifest.inputs, {name: (times, unit)}, None, span).tabulated
         by_input = {one.input: one.coefficients for one in rows}
-        result.append(
-            np.concatenate([by_input.get(x.input, 0 * x.coefficients) for x in tabulated])
-        )
+        every = [by_input.get(x.input, 0 * x.coefficients) for x in tabulated]
+        result.append(np.concatenate(every))
     return np.array(result)

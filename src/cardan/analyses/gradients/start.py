@@ -7,12 +7,12 @@ the shortest change that keeps the loops closed.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import null_space
 
 from ...arrays import Array
+from ...records import dataclass
 from ...runtime.calls.methods import ByName
 from ...runtime.models.constraint_projection import columns_of
 from ...runtime.models.loaded_model import LoadedModel
@@ -142,17 +142,20 @@ class NamedStart:
         return np.concatenate([by_q, by_u, lam[nq + nu :]]), by_r, by_p
 
     def forward(self, start: Array, by_r: Array, by_p: Array) -> Array:
-        """Change of the state (nx,) by one of what was named (2 nu + nz,), inputs, parameters."""
+        """Changes of the state (k, nx) by those of what was named (k, 2 nu + nz).
+
+        by_r (k, nr) and by_p (k, np) are those of inputs and parameters.
+        """
         nu = self.model.nu
-        q, u = start[:nu].copy(), start[nu : 2 * nu].copy()
+        q, u = start[:, :nu].copy(), start[:, nu : 2 * nu].copy()
         for level, change in ((self.positions, q), (self.speeds, u)):
             if level is None:
                 continue
-            missed = level.rows @ change + level.by_r @ by_r + level.by_p @ by_p
+            missed = change @ level.rows.T + by_r @ level.by_r.T + by_p @ level.by_p.T
             if level.by_q is not None:
-                missed = missed + level.by_q @ q
-            change -= level.inverse @ missed
-        return np.concatenate([self.kinematic @ q, u, start[2 * nu :]])
+                missed = missed + q @ level.by_q.T
+            change -= missed @ level.inverse.T
+        return np.hstack([q @ self.kinematic.T, u, start[:, 2 * nu :]])
 
 
 def named_start(

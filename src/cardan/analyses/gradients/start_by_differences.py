@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
@@ -19,6 +19,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError, SolveError
+from ...records import dataclass
 from ...runtime.calls.methods import ByName
 from ...runtime.models.constraint_projection import columns_of, size_of
 from ...runtime.models.finite_elements.joint_driven_nodes import SAVED, leading
@@ -166,15 +167,15 @@ class StartByDifferences:
         return start_gradient, by_r, by_p
 
     def forward(self, start_change: Array, by_r: Array, by_p: Array) -> Array:
-        """Change of the state (nx,) by one of what was named (2 nu + nz,), inputs, parameters."""
+        """Changes of the state (k, nx), see :meth:`NamedStart.forward`."""
         model = self.model
-        change = np.zeros(model.nx)
-        change[model.nq + model.nu :] = start_change[2 * model.nu :]
+        change = np.zeros((len(start_change), model.nx))
+        change[:, model.nq + model.nu :] = start_change[:, 2 * model.nu :]
         if self.state["q"] is None or self.state["u"] is None:
             return self._projected(start_change, by_r, by_p)
         directions = {"x": start_change, "r": by_r, "p": by_p}
         for (block, k), column in self._columns.items():
-            change += directions[block][k] * column
+            change += np.outer(directions[block][:, k], column)
         return change
 
     # starts that were given as a whole
@@ -220,16 +221,16 @@ class StartByDifferences:
         nq, nu = model.nq, model.nu
         q, u, _ = model.parts_of(self.setup.begin.x)
         along = model.jvp("qdot", wrt=Blocks("u"))(
-            q=q, u=u, direction=(start_change[:nu],), t=self.setup.over.start, r=self.r
+            q=q, u=u, direction=(start_change[:, :nu],), t=self.setup.over.start, r=self.r
         )
-        change = np.concatenate([along, start_change[nu:]])
+        change = np.hstack([along, start_change[:, nu:]])
         for name in self.closing:
             blocks, at = self._arguments(name)
-            ways = {COORDINATES: change[:nq], "u": change[nq : nq + nu], "r": by_r, "p": by_p}
+            ways = {COORDINATES: change[:, :nq], "u": change[:, nq : nq + nu], "r": by_r, "p": by_p}
             direction = {block: ways[block] for block in blocks}
             part = slice(nq, nq + nu) if name == "close_velocity" else slice(0, nq)
             step = model.jvp(name, wrt=blocks)(**at, direction=direction)
-            change[part] = step[: part.stop - part.start]
+            change[:, part] = step[:, : part.stop - part.start]
         return change
 
     # starts by names

@@ -84,10 +84,26 @@ class StepsAgain:
         for owner, name, function in listed:
             setattr(owner, name, function.address)
             setattr(owner, f"{name}_w", self.pointer(function.w))
+        self._share_factors(functions)
         # one room serves all of them, one after the other
         called = [self.runner.functions[0], *(function for _, _, function in listed)]
         room = np.zeros(max(function.work_size for function in called) + 1)
         self.steps.work = self.pointer(room)
+
+    def _share_factors(self, functions: dict[str, LoadedFunction]) -> None:
+        """Let products at one state of elements share what is factored there."""
+        library, products = self.runner.library, [*functions.values()]
+        compiled = not any(function.interpreted for function in products)
+        if not (self.model.manifest.absolute and compiled):
+            return
+        room_length = library.cardan_mesh_room_length
+        room_length.restype = ctypes.c_ssize_t
+        # values of a cost are no products
+        closing = [functions[name] for name in ("rates", *CLOSING) if name in functions]
+        length = max(room_length(ctypes.c_void_p(one.w.ctypes.data)) for one in closing)
+        self.steps.repeated = abi.address(library, "cardan_mesh_repeated")
+        self.steps.factored_length = length
+        self.steps.factored = self.pointer(np.zeros(MOST_STAGES * length))
 
     def swept(self, rows: Array, sweep: Callable[..., int], record: ctypes.Structure) -> None:
         """Sweep over the steps between rows (count, width) as the run wrote them.

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import final
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.blocks import DIRECTIONS
 from ...schema.records import Tangent
@@ -17,10 +17,11 @@ from ...schema.request import Request
 from ..simulation.run import Runner
 from .steps import CLOSING, MOST_STAGES, StepsAgain, powers_at, segment_at
 
-# entries of a state per change along a direction, from which on that costs less than a derivative
-FEW = 8
+# over elements: entries of a state per column, from which on columns one by one, at factors that
+# they share, cost less than a derivative
+FEW = 1
 # the same where stages of an implicit method follow each other
-FEW_IN_STAGES = 12
+FEW_IN_STAGES = 3
 # changes up to which they cost less one by one in joint coordinates
 FEW_OF_TREES = 2
 WIDE = 8  # CARDAN_SIDE_BY_SIDE of tangent.h

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief, near
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.models.node_names import nodes_last
 from ..simulation.signals import Signals
 from ..simulation.signals import signals as signals_of
 
@@ -136,6 +137,13 @@ def start_places(model: LoadedModel) -> dict[str, slice]:
     return places
 
 
+def listed(model: LoadedModel, places: Mapping[str, slice]) -> list[str]:
+    """All names for people: of two names of one thing the shorter one, nodes of beams last."""
+    short = {(x.start, x.stop): name for name, x in reversed(list(places.items()))}
+    names = [*BLOCKS, *(name for name in places if name in short.values())]
+    return nodes_last(model.manifest, [*names, *model.inputs, *model.parameters])
+
+
 def unknowns(model: LoadedModel, wrt: object, values: Mapping[str, object]) -> Unknowns:
     """Checked names.
 
@@ -152,13 +160,14 @@ def unknowns(model: LoadedModel, wrt: object, values: Mapping[str, object]) -> U
             f"gradient: wrt={brief(wrt)}: give names, such as ('x0', 'p', 'elbow.damping', 'tau')"
         )
     refuse_two_meanings("gradient: wrt", model, names)
-    available = [*BLOCKS, *start_places(model), *model.parameters, *model.inputs]
+    places = start_places(model)
+    available = [*BLOCKS, *places, *model.parameters, *model.inputs]
     for name in names:
         if name not in available:
             raise ModelError(
                 f"gradient: wrt: '{name}' is not a start (x0, q0, u0, z0, or one such as "
                 f"'q0.{model.joints[0] if model.joints else 'elbow'}'), parameter or input."
-                f"{near(name, available)}"
+                f"{near(name, listed(model, places))}"
             )
     return Unknowns(model, tuple(dict.fromkeys(names)), values)
 

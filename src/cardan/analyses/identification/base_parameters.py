@@ -11,7 +11,7 @@ Source: Gautier, Numerical Calculation of the Base Inertial Parameters of Robots
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, final
 
 import numpy as np
@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...arguments import Seed, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError
+from ...records import dataclass
 from .estimate import triangle
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ import csv
 import io
 import re
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
 
@@ -15,7 +15,8 @@ import numpy as np
 from ... import regular_file
 from ...arrays import Array
 from ...atomic_file import written
-from ...errors import ArgumentError, near
+from ...errors import ArgumentError, brief, counted, near
+from ...records import dataclass
 from ...runtime import formats
 from ...runtime.calls.calling import numbers
 from ...runtime.trajectory.storage import load
@@ -85,20 +86,45 @@ def read(path: Path) -> dict[str, Array]:
         ArgumentError: no such file, or no regular one; no numbers under names.
     """
     try:
-        lines = io.StringIO(regular_file.text(path), newline="")
-        rows = [row for row in csv.reader(lines) if row and not row[0].startswith("#")]
+        reader = csv.reader(io.StringIO(regular_file.text(path), newline=""))
+        rows = [(reader.line_num, row) for row in reader if row and not row[0].startswith("#")]
     except OSError as error:
         raise ArgumentError(f"{path} cannot be read: {error.strerror}") from error
     except (UnicodeDecodeError, csv.Error):
         raise ArgumentError(f"{path} is not a table of text") from None
-    names = [name.strip() for name in rows[0]] if rows else []
-    try:
-        values = np.array([[float(x) for x in row] for row in rows[1:]])
-    except ValueError as error:
-        raise ArgumentError(f"{path}: {error}; the first line names columns of numbers") from None
-    if values.ndim != 2 or values.shape[1] != len(names) or len(set(names)) < len(names):
-        raise ArgumentError(f"{path}: every line needs a number for each of {len(names)} names")
+    if len(rows) < 2:
+        raise ArgumentError(f"{path}: give a line of names, such as t,elbow, and lines of numbers")
+    (first, heads), *lines = rows
+    names = [name.strip() for name in heads]
+    twice = [name for name in names if names.count(name) > 1]
+    if twice:
+        raise ArgumentError(f"{path}, line {first}: '{twice[0]}' is the name of several columns")
+    values = np.array([_numbers(path, line, names, cells) for line, cells in lines])
     return dict(zip(names, values.T, strict=True))
+
+
+def _numbers(path: Path, line: int, names: Sequence[str], cells: Sequence[str]) -> list[float]:
+    """Numbers of a line of a table; NaN of cells that are blank: nothing was measured.
+
+    Raises:
+        ArgumentError: a cell holds no number, or there are more or fewer than names.
+    """
+    if len(cells) != len(names):
+        raise ArgumentError(
+            f"{path}, line {line}: {counted(len(cells), 'cell')}, but the first line names "
+            f"{counted(len(names), 'column')}: {', '.join(names[:12])}"
+        )
+    values = list[float]()
+    for name, cell in zip(names, cells, strict=True):
+        try:
+            values.append(float(cell) if cell.strip() else np.nan)
+        except ValueError:
+            hint = ", with a point instead of a comma" if "," in cell else ""
+            raise ArgumentError(
+                f"{path}, line {line}, column '{name}': {brief(cell)} is not a number{hint}; leave "
+                "the cell blank, or write nan, where nothing was measured"
+            ) from None
+    return values
 
 
 def write(path: Path, table: Mapping[str, Array]) -> Path:
@@ -172,7 +198,10 @@ def _of_table(model: LoadedModel, data: Any) -> dict[str, Array]:
     plain = _without_units(model, [str(key) for key in data.keys()])  # noqa: SIM118
     samples = {plain[str(key)]: numbers(f"data: '{key}'", data[key]) for key in data.keys()}  # noqa: SIM118
     if "t" not in samples or samples["t"].ndim != 1:
-        raise ArgumentError(f"data: times 't' (nt,) are missing.{near('t', samples)}")
+        raise ArgumentError(
+            f"data: times (nt,) [s] are missing: call their column 't' or 't [s]'. There "
+            f"{'is' if len(samples) == 1 else 'are'}: {', '.join(list(samples)[:12]) or 'nothing'}"
+        )
     named = columns(model)
     names = ["t", *BLOCKS, *(name for block in BLOCKS for name in named[block])]
     for key in samples:
@@ -259,7 +288,10 @@ def _check(model: LoadedModel, blocks: Mapping[str, Array]) -> None:
                 "for every time"
             )
         if not np.isfinite(value).all():
-            raise ArgumentError(f"data: {block} holds numbers that are not finite")
+            raise ArgumentError(
+                f"data: {block} holds numbers that are not finite: blank cells or nan; leave those "
+                "lines out"
+            )
     if np.any(np.diff(blocks["t"]) <= 0):
         raise ArgumentError("data: times do not increase")
 

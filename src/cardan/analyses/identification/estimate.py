@@ -6,12 +6,11 @@ Identification of Robot, Control Engineering Practice 9 (2001).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 
 PASSES = 3  # of weights by residuals: the second changes them by parts of a thousand
 LEAST = 1e-12  # noise relative to what was measured: less is rounding

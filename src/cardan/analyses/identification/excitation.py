@@ -9,7 +9,7 @@ Research 11 (1992), for the condition of the regressor as a measure.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +18,7 @@ import numpy as np
 from ...arguments import Count, Seed, Times, checked
 from ...arrays import Array
 from ...errors import ArgumentError, SolveError, near
+from ...records import dataclass
 from ..mechanisms.actuation import named_speeds
 from ..simulation.progress import showing
 from .base_parameters import REQUIRED, Base, base_parameters, circuits, needed

@@ -9,11 +9,10 @@ Identification, IEEE Trans. Robotics and Automation 13 (1997).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ...arrays import Array
+from ...records import dataclass
 
 # points per wave of the highest harmonic at which limits are kept, and what lies between them
 FINE, MARGIN = 40, 0.005

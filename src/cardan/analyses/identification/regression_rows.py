@@ -8,13 +8,13 @@ Source: Gautier, Dynamic Identification of Robots with Power Model, IEEE ICRA (1
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError, SolveError
+from ...records import dataclass
 from . import smoothing
 from .base_parameters import circuits
 from .data import Data

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,6 +13,7 @@ import numpy as np
 from ...arguments import checked
 from ...arrays import Array, Booleans
 from ...errors import ArgumentError, near
+from ...records import dataclass
 from .base_parameters import Base
 from .nearest_parameters import nearest
 

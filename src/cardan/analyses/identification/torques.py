@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +11,7 @@ import numpy as np
 from ...arguments import Count, checked
 from ...arrays import Array
 from ...errors import ArgumentError, counted, near
+from ...records import dataclass
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ...schema.blocks import of_rate
 from ..mechanisms.actuation import actuation, named_speeds

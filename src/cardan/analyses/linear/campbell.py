@@ -13,7 +13,7 @@ Source: G. Genta, Dynamics of Rotating Systems (2005), chapters 1 and 2.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -25,6 +25,7 @@ from scipy.optimize import brentq
 from ...arguments import Count, LockedValues, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveWarning, brief, warn
+from ...records import dataclass
 from .family import Member, family
 from .root_locus import END, LocusRecord, locus
 

@@ -7,7 +7,7 @@ member is found anew, next to one that is known: an equilibrium, a steady motion
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief, listed, near
+from ...records import dataclass
 from ..statics.equilibrium import equilibrium
 from ..statics.load_path import TIME, column
 from ..systems import dynamic_system_of

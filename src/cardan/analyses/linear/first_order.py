@@ -14,7 +14,6 @@ Wehage, E. J. Haug, J. Mech. Design 104 (1982) for the partition.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -22,6 +21,7 @@ from scipy.linalg import qr
 
 from ...arrays import Array, Integers
 from ...errors import ModelError, SolveError
+from ...records import dataclass
 from ..systems.dynamic_system import DynamicSystem, Moment, Tangents, dense
 from ..systems.saddle_point import Dense, Singular, split
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from ...arguments import checked
 from ...arrays import Array, Complex
 from ...errors import ArgumentError, ModelError, counted, listed, near
+from ...records import dataclass
 from .first_order import Choice
 from .second_order import SecondOrder, reduced
 from .spectrum import Spectrum, spectrum
@@ -41,8 +42,7 @@ class LinearModelRecord:
         states: Names of x: independent increments, independent speeds, internal states.
             ``along base.u.x`` is an increment along a speed that is not a rate of a coordinate.
         inputs, outputs: Names of r and y.
-        n: Number of independent increments.
-        z: Number of internal states.
+        n, z: Numbers of independent increments and of internal states.
         mass: M of the independent speeds (nv, nv).
         x: The state about which it stands (of the whole model).
         xdot: Rates of the states along the motion (nx,), the constant part of the model: speeds of

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,7 @@ import numpy as np
 from ...arguments import Count, checked
 from ...arrays import Array, Booleans, Complex
 from ...errors import ArgumentError, ModelError, near
+from ...records import dataclass
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..statics.static_path import MAX_PRINTED
 from ..systems import dynamic_system_of

@@ -12,7 +12,7 @@ Mailybaev, Multiparameter Stability Theory with Mechanical Applications (2003), 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike
 from ...arguments import Count, LockedValues, checked
 from ...arrays import Array, Booleans, Complex, Integers
 from ...errors import SolveError, SolveWarning, warn
+from ...records import dataclass
 from .family import Family, Member, family
 from .stability_change import Interval, StabilityChange, follow
 

@@ -9,12 +9,12 @@ Ziegler, Principles of Structural Stability (1968), chapter 3 (names of the part
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import final
 
 import numpy as np
 
 from ...arrays import Array
+from ...records import dataclass
 
 MAX_PRINTED = 6
 

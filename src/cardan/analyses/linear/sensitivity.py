@@ -13,7 +13,6 @@ Applications (2003), chapter 2.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, final
 
@@ -22,6 +21,7 @@ import numpy as np
 from ...arguments import checked
 from ...arrays import Array, Complex
 from ...errors import ModelError, listed, near
+from ...records import dataclass
 from ..statics.equilibrium import EquilibriumRecord, equilibrium
 from .family import Family, Member
 from .steady_motion import SteadyMotionRecord

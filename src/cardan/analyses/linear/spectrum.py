@@ -9,12 +9,11 @@ Source: G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed. (2013), sectio
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy.linalg import eig, matrix_balance
 
 from ...arrays import Array, Booleans, Complex, Integers
+from ...records import dataclass
 
 # entries below this part of the largest are rounding: what nothing depends on is told apart exactly
 ROUNDED = 4e-15

@@ -11,13 +11,13 @@ Mailybaev, Multiparameter Stability Theory with Mechanical Applications (2003), 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from scipy.optimize import brentq, linear_sum_assignment
 
 from ...arrays import Complex, Integers
 from ...errors import SolveError
+from ...records import dataclass
 from .family import Family, Member
 
 CLOSE = 1e-15  # of the family: two places that are one

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Any
 
 from ...arrays import Array
+from ...records import dataclass
 from ..systems.dynamic_system import Moment, NamedState
 from .first_order import Choice
 

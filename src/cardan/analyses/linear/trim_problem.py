@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from ...arrays import Array, Integers
 from ...errors import ModelError, SolveError
+from ...records import dataclass
 from ..mechanisms.consistent_rates import read, speeds
 from ..mechanisms.mechanism import Mechanism
 from ..mechanisms.position_solver import PositionSolver

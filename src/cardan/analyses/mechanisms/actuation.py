@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import final
 
 import numpy as np
@@ -13,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...arguments import checked
 from ...arrays import Array
 from ...errors import ArgumentError, SolveError, SolveWarning, near
+from ...records import dataclass
 from ...runtime.calls.evaluation import State, Values
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.verification.joint_motion import times

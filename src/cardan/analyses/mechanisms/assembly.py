@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import DTypeLike
 
 from ...arrays import Array
 from ...errors import ModelError, counted, near
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 
 LISTED = 24

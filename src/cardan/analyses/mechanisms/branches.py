@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, NoReturn
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief, near
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from .mechanism import Mechanism
 from .position_solver import Solution

@@ -10,7 +10,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from ...runtime.calls.interpreted import called_back
 from ...schema.records import PositionRecord, TargetRecord
 from ..simulation.run_record import MORE

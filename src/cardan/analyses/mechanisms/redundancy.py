@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import compress
 from typing import Any, final
 
@@ -12,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...arguments import checked
 from ...arrays import Array
+from ...records import dataclass
 from ...runtime.calls.evaluation import State
 from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel

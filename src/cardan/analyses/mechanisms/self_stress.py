@@ -14,12 +14,13 @@ Kinematics, Springer (1988).
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
+from ...records import dataclass
 from ...runtime.verification.closed_states import closers_at, unbound
 from ...runtime.verification.flat_scene import motion_of, scene_of, unknown
 from ...runtime.verification.loop_constraints import Circuits, End, circuits_of, jacobian

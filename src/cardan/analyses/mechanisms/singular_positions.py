@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import final
 
 import numpy as np
@@ -18,6 +17,7 @@ from numpy.typing import ArrayLike
 from ...arguments import LockedValues, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, near
+from ...records import dataclass
 from ...runtime.calls.evaluation import State
 from ...runtime.models.loaded_model import LoadedModel
 from ..continuation.configurations import COORDINATE, ConfigurationFamily, Drivers

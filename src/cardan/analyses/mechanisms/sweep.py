@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from ...arguments import LockedValues, checked
 from ...arrays import Array, Integers
 from ...errors import ArgumentError, ModelError, SolveError, counted, near
+from ...records import dataclass
 from ...runtime.calls.evaluation import State
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.models.named_rotations import component

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from numbers import Real
 from typing import Any
 
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, listed, miscounted, near
+from ...records import dataclass
 from ...runtime.models.finite_elements.frames import rotation_vectors
 from ...runtime.models.initial import missing
 from ...runtime.models.named_rotations import check_units, refuse_components

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import prod
 
 import numpy as np
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...arrays import Array
 from ...errors import SolveWarning, warn
+from ...records import dataclass
 from ...runtime.calls.evaluation import State, Values
 from ...runtime.calls.parameters import Parameters
 from ...runtime.models.loaded_model import LoadedModel

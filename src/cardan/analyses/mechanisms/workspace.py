@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,6 +12,7 @@ from numpy.typing import ArrayLike
 from ...arguments import Count, Seed, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, near
+from ...records import dataclass
 from ...runtime.calls.evaluation import State
 from ...runtime.models.loaded_model import LoadedModel
 from .assemble import assemble_by_constraints

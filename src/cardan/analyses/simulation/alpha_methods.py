@@ -8,10 +8,11 @@ R. L. Taylor, Earthquake Eng. Struct. Dyn. 5 (1977), 283-292; N. M. Newmark, J. 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from ...arguments import check_fields
 from ...errors import ModelError, brief
+from ...records import dataclass
 from ...schema.integrators import INTEGRATORS, Integrator
 from ...schema.integrators.alpha_family import FAMILY
 

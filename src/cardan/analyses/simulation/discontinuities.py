@@ -14,6 +14,7 @@ import numpy as np
 from ...arrays import Array
 from ...ir.function import live
 from ...ir.serialize import from_dict
+from ...ir.straight_line import repeated
 from ...runtime.models.loaded_model import LoadedModel
 from .signals import Signals
 
@@ -70,6 +71,8 @@ def time_jumps(model: LoadedModel, start: float, end: float, looks: int = LOOKS)
         jumps = model._evaluate_saved(FUNCTION, p=p, t=t[:, None])["jumps"]
         return np.broadcast_to(np.asarray(jumps), (len(t), np.shape(jumps)[-1]))
 
+    at_one = repeated(model._objects.function(FUNCTION))
+    p = model.parameters.vector.tolist()
     times = np.linspace(start, end, looks)
     holds = compared(times) < 0
     instants = set[float]()
@@ -79,12 +82,12 @@ def time_jumps(model: LoadedModel, start: float, end: float, looks: int = LOOKS)
             middle = 0.5 * (low + high)
             if middle in (low, high):
                 break
-            if (compared(np.array([middle]))[0, which] < 0) == holds[k, which]:
+            if (at_one({"p": p, "t": [middle]})["jumps"][which] < 0) == holds[k, which]:
                 low = middle
             else:
                 high = middle
         # where both sides are equal neither neighbor is on the wrong one, whether < or <= is asked
-        equal = compared(np.array([low, high]))[:, which] == 0
-        instants.add(low if equal[0] else high)
+        equal = at_one({"p": p, "t": [low]})["jumps"][which] == 0
+        instants.add(low if equal else high)
     low, high = min(start, end), max(start, end)
     return sorted((t for t in instants if low < t < high), reverse=end < start)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Protocol
 
 from ...arguments import Inputs
-from ...collector import collector_paused
 from ...errors import FunctionError, ModelError, SolveError, SolveWarning, warn
+from ...processes import collector_paused
+from ...records import dataclass
 from ...runtime.calls.interpreted import CURE
 from ...runtime.models.constraint_projection import Closing
 from ...runtime.models.loaded_model import LoadedModel

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, named, near
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.entries import EventRow, TickRow
 from . import run_record as abi

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 from ...arguments import check_fields
 from ...errors import BuildError, ModelError, brief, near
 from ...ir.function import Function, live
+from ...records import dataclass
 from ...runtime.build import cache
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.records import InputFunction as Row

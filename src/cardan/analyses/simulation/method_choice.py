@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from ...errors import SolveError
+from ...records import dataclass
 from .precision.stiffness import stiffness
 from .times import Span
 

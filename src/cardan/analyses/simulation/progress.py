@@ -13,18 +13,21 @@ PATIENCE = 1.0  # seconds before a bar appears
 
 
 @contextmanager
-def showing(progress: bool | Show | None, what: str) -> Iterator[Show]:
+def showing(
+    progress: bool | Show | None, what: str, stage: Callable[[], str] | None = None
+) -> Iterator[Show]:
     """Callback that takes the fraction done.
 
     Args:
         progress: True: a bar on standard error; None: the same if that is a terminal; False:
             nothing; a function: called with the fraction.
         what: Stands before the bar.
+        stage: Says how the work stands; its text follows.
     """
     if callable(progress):
         yield progress
     elif progress or (progress is None and sys.stderr.isatty()):
-        bar = Bar(what)
+        bar = Bar(what, stage)
         try:
             yield bar.show
         finally:
@@ -36,10 +39,15 @@ def showing(progress: bool | Show | None, what: str) -> Iterator[Show]:
 class Bar:
     """A bar of rich that appears when the run takes longer than a second."""
 
-    def __init__(self, what: str) -> None:
-        self._what, self._started = what, time.perf_counter()
+    def __init__(self, what: str, stage: Callable[[], str] | None = None) -> None:
+        self._what, self._started, self._stage = what, time.perf_counter(), stage
         self._bar: Any = None
         self._task: Any = None
+
+    @property
+    def text(self) -> str:
+        """What stands before the bar."""
+        return self._what if self._stage is None else f"{self._what}: {self._stage()}"
 
     def show(self, fraction: float) -> None:
         """Move the bar to a fraction in 0 ... 1."""
@@ -47,7 +55,7 @@ class Bar:
             if time.perf_counter() - self._started < PATIENCE:
                 return
             self._open()
-        self._bar.update(self._task, completed=fraction)
+        self._bar.update(self._task, completed=fraction, description=self.text)
 
     def _open(self) -> None:
         from rich.console import Console

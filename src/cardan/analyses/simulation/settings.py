@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import field, replace
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,7 @@ from ...errors import (
     outside,
     warn,
 )
+from ...records import dataclass
 from ...runtime.calls.calling import numbers
 from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel
@@ -33,6 +35,9 @@ Values = Mapping[str, ArrayLike]
 DEFAULT = "DOP853"
 MOST_STEPS = 1e12
 STEPS = 10_000  # of a fixed step without step=
+# where none is given. Derivatives have the error of their motion, and whoever descends along them
+# compares costs that lie close together
+RTOL, DERIVATIVE_RTOL = 1e-6, 1e-9
 LARGEST_ATOL, RATIO = 1e-9, 1e-3  # atol where none is given: at most, and of rtol
 PARTS = 1000  # of the span: longest step past functions of the caller, which tell nothing ahead
 VOID = 10  # times rtol: an atol above that decides about all entries up to such a size
@@ -60,6 +65,13 @@ class Settings:
     max_step: float
     description: str
     reason: str = ""
+
+
+def default_rtol(rtol: float | None, sensitivity: str | Sequence[str]) -> float:
+    """The tolerance as it was given, else that of motions, or of those with sensitivities."""
+    if rtol is not None:
+        return rtol
+    return DERIVATIVE_RTOL if sensitivity else RTOL
 
 
 def settings(
@@ -197,6 +209,17 @@ class Start:
         """Every entry by its name."""
         names = (*model.coordinates, *model.speeds, *model.internals)
         return dict(zip(names, self.x.tolist(), strict=True))
+
+
+def start_key(x: Array, q: object, u: object, t: float, r: Array) -> bytes:
+    """What a start of a model follows from: equal ones follow from equal keys."""
+    key = hashlib.blake2b(np.float64(t).tobytes() + np.asarray(r).tobytes())
+    for named in (q, u):
+        # values of names stand in the state: which were named decides what is held
+        names = sorted(map(str, named)) if isinstance(named, Mapping) else named is None
+        key.update(repr(names).encode())
+    key.update(x.tobytes())
+    return key.digest()
 
 
 def start(model: LoadedModel, x0: object, q: object, u: object, z: object = None) -> Start:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from inspect import Signature, signature
 from typing import Any
 
@@ -13,6 +12,7 @@ import numpy as np
 from ...arguments import Inputs
 from ...arrays import Array
 from ...errors import ArgumentError, FunctionError, ModelError, SolveError, brief, named, near
+from ...records import dataclass
 from ...runtime.calls.calling import numbers
 from ...runtime.trajectory.input_history import PiecewiseInput, Recorded
 from ...schema.entries import Entry

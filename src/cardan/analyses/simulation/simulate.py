@@ -18,7 +18,7 @@ from .driving import chosen, driven, reported, run_setup, runner_of
 from .events import EventTable
 from .files.run_file import RunFile, run_file
 from .method_choice import Case, Limited, abandoned
-from .settings import Settings, Start, Values
+from .settings import Settings, Start, Values, default_rtol
 from .signals import Signals
 from .spare_runners import put_aside
 from .times import Span
@@ -36,7 +36,7 @@ def simulate(
     z: Values | ArrayLike | None = None,
     events: Mapping[str, object] | None = None,
     method: str | GeneralizedAlpha | Alpha = "auto",
-    rtol: float = 1e-6,
+    rtol: float | None = None,
     atol: float | None = None,
     step: float | None = None,
     max_step: float | None = None,
@@ -69,7 +69,8 @@ def simulate(
             takes what the scene and the first steps ask for, and says why.
         rtol, atol: Tolerances of a step: ``rtol |x| + atol``, root mean square over the state; of
             generalized-alpha and Radau on nodes (rtol + atol) times the extent, of angles 1, and of
-            speeds in Radau that over the step. Unless given atol is 1e-3 rtol, at most 1e-9.
+            speeds in Radau that over the step. Unless given rtol is 1e-6, with sensitivity= 1e-9 as
+            for gradients and fits, and atol is 1e-3 rtol, at most 1e-9.
         step: Step of fixed methods and of generalized-alpha, first one of others [s].
         max_step: Largest step of an adaptive method [s]; with input functions 1/1000 of the span.
         inputs: Name -> constant, ``(times, values)`` (straight lines between, a time twice is a
@@ -95,7 +96,7 @@ def simulate(
             number that is not finite; with ``check``, an early end.
     """
     state = {"x0": x0, "q": q, "u": u, "z": z}
-    options = (method, rtol, atol, step, max_step)
+    options = (method, default_rtol(rtol, sensitivity), atol, step, max_step)
     setup = run_setup(model, (t, t_eval), state, events, options, inputs, parameters, sample)
     if sensitivity:
         return differentiated(setup, sensitivity, state, inputs, checkpoint, check, progress)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief
+from ...records import dataclass
 
 
 @dataclass(frozen=True)

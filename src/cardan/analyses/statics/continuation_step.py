@@ -12,12 +12,11 @@ Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), sections
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from .load_path import Loading
 from .newton import Search
 from .stability_at_equilibrium import Stability, stand

@@ -10,12 +10,13 @@ Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), section 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from scipy.optimize import brentq
 
 from ...errors import SolveError
+from ...records import dataclass
 from ..continuation.equilibria import EquilibriumFamily, Loaded
 from ..continuation.family import along_parameter
 from ..continuation.follow import Reach, place, steps

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from ...arguments import LockedValues, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, brief, counted, near, warn
+from ...records import dataclass
 from ...runtime.calls.calling import numbers
 from ...runtime.models.finite_elements.beam_sections import sections
 from ...runtime.models.wrenches import force_names, force_part, reaction_part

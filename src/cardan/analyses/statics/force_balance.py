@@ -10,12 +10,11 @@ Source: N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. (2
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from ..systems.dynamic_system import DynamicSystem, Moment
 from .static_problem import Load, Matrix, Point, Problem
 

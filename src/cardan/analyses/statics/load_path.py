@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, near
+from ...records import dataclass
 from ..systems.dynamic_system import DynamicSystem
 from .static_problem import Load
 

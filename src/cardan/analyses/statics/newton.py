@@ -12,13 +12,14 @@ continuation).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from scipy.sparse import csr_array, diags_array, issparse
 
 from ...arrays import Array
 from ...errors import SolveError
+from ...records import dataclass
 from ..systems.saddle_point import Dense, Singular
 from .force_balance import balances
 from .static_problem import Load, Matrix, Point, Problem

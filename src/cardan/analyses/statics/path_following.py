@@ -10,11 +10,11 @@ section 9.5 (automatic increments).
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from typing import TypeAlias, TypeVar
 
 import numpy as np
 
+from ...records import dataclass
 from .continuation_step import Crossing, Place, Step, by_load
 from .critical_load import limit_load
 from .equilibrium import DIRECT

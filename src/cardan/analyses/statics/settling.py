@@ -14,12 +14,13 @@ Source: F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts (1
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from ...arrays import Array, Booleans
 from ...errors import ModelError, SolveError
+from ...records import dataclass
 from .newton import Search, crept, equilibrium_search
 from .static_problem import Load, Point, Problem
 

@@ -11,7 +11,7 @@ Source: H. Ziegler, Principles of Structural Stability (1968), chapters 2 and 3.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from scipy.linalg import block_diag
@@ -19,6 +19,7 @@ from scipy.sparse import issparse
 from scipy.sparse.linalg import ArpackError
 
 from ...arrays import Array, Complex
+from ...records import dataclass
 from ..linear.first_order import eigenvalues
 from ..systems.dynamic_system import DynamicSystem, Moment, dense
 from ..systems.saddle_point import FREE_TOL, SKEW, Lowest, Singular, Sparse, near_quadratic, split

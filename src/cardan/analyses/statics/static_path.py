@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +12,7 @@ import numpy as np
 from ...arguments import checked
 from ...arrays import Array, Integers
 from ...errors import ModelError, SolveWarning, counted, near, warn
+from ...records import dataclass
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.models.wrenches import force_names, force_part, reaction_part
 from ...runtime.trajectory.solver_info import FINISHED

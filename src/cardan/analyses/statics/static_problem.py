@@ -7,7 +7,7 @@ hold what is held. Lengths count in sizes of the mechanism, forces in energies.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any, TypeAlias, final
 
 import numpy as np
@@ -15,6 +15,7 @@ from scipy.sparse import block_array, csr_array, diags_array, issparse
 
 from ...arrays import Array
 from ...errors import ModelError
+from ...records import dataclass
 from ..systems.dynamic_system import DynamicSystem, Moment, Parameters
 
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy

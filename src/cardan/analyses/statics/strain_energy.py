@@ -17,12 +17,13 @@ flexible members) and 9 (paths of equilibria).
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError, SolveError, counted
+from ...records import dataclass
 from ..systems.dynamic_system import DynamicSystem
 from .continuation_step import Crossing, Place, by_rate, first
 from .equilibrium import WAYS, downhill

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,6 +11,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from ...arrays import Array
+from ...records import dataclass
 from ...runtime.models.finite_elements.tables import Integers, Tables
 from ...runtime.verification.rotations import cross_matrix
 from ...schema.finite_elements import GROUND

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
 import numpy as np
@@ -23,6 +23,7 @@ from scipy.sparse import issparse
 
 from ...arrays import Array
 from ...errors import ModelError, near
+from ...records import dataclass
 from .saddle_point import Saddle
 
 if TYPE_CHECKING:

@@ -17,7 +17,6 @@ Dynamics of Rotating Systems (2005), chapter 2 (rotating observer).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, final
 
@@ -27,6 +26,7 @@ from scipy.sparse import coo_array, csr_array
 from scipy.spatial.transform import Rotation
 
 from ...arrays import Array
+from ...records import dataclass
 from ...runtime.models.finite_elements.frames import rotation
 from ...runtime.models.finite_elements.tables import Integers, Tables
 from ...runtime.verification.rotations import cross_matrix

@@ -9,7 +9,6 @@ Source: M. Benzi, G. H. Golub, J. Liesen, Acta Numerica 14 (2005), sections 5 an
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol, TypeAlias, final
 
 import numpy as np
@@ -19,6 +18,7 @@ from scipy.sparse.linalg import ArpackError, LinearOperator, eigs, eigsh, splu
 
 from ...arrays import Array, Complex
 from ...errors import SolveError
+from ...records import dataclass
 
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
 Factored: TypeAlias = Callable[[Array], Array]

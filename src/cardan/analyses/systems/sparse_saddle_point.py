@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from hashlib import sha256
 from typing import final
 
@@ -13,6 +13,7 @@ from scipy.sparse import coo_array, csr_array
 
 from ...arrays import Array, Booleans
 from ...errors import SolveError
+from ...records import dataclass
 from ...runtime.models.finite_elements.tables import Tables
 from ...runtime.sparse.block_solver import BlockSolver, solution, solver
 from ...runtime.sparse.plan import Plan, plan

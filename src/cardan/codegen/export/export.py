@@ -5,13 +5,13 @@ from __future__ import annotations
 import shutil
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from ...equations.functions.recipes import missing
 from ...equations.record import EquationRecord
 from ...errors import CodegenError, DerivationError, brief, near
+from ...records import dataclass
 from ...schema.c_functions import FunctionRow
 from ...schema.cost import Cost
 from ...schema.functions import FUNCTIONS

@@ -39,8 +39,9 @@ def check(
         return
     if name:
         raise CodegenError(
-            f"gradient=: model '{name}' is in absolute coordinates, whose sweeps are no part of "
-            "exports: take model.gradient, or joint coordinates where the scene has them"
+            f"gradient=: model '{name}' is in absolute coordinates, as all models with beams are, "
+            "and C that computes gradients of their motions is not exported. Use model.gradient in "
+            "Python; a scene without beams can be derived in joint coordinates instead"
         )
     if language not in LANGUAGES:
         raise CodegenError(

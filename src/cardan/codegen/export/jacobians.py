@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ...equations.record import EquationRecord
 from ...errors import DerivationError
+from ...records import dataclass
 from ...schema.blocks import COORDINATES, DIRECTIONS
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
 from ...schema.request import Request

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
+from ...records import dataclass
 from ...schema.blocks import BLOCKS
 from ...schema.integrators import KERNELS
 from ...schema.manifest import Manifest

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
+from ...records import dataclass
 from ...version import VERSION
 from . import units
 from .variables import Variable, of_kind

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from ...errors import CodegenError, near
+from ...records import dataclass
 from ..export import companions
 from ..export.finite_elements import METHODS
 from . import platforms

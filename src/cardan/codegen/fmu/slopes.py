@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ...equations.record import EquationRecord
+from ...records import dataclass
 from ...schema.c_functions import ResultRow
 from ...schema.manifest import Manifest
 from .variables import Variable, of_kind

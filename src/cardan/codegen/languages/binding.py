@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from math import prod
 from pprint import pformat
 
 from ...errors import counted
+from ...records import dataclass
 from ...schema.blocks import ARGUMENTS, COORDINATES
 from ...schema.c_functions import FunctionRow, ResultRow
 from ...schema.functions import FUNCTIONS

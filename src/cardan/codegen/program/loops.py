@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import groupby
 from typing import NamedTuple, TypeAlias
 
 from ...ir.function import Staged
 from ...ir.graph import Graph
 from ...ir.recursion import STORE, Recursion, Turns, Visit
+from ...records import dataclass
 from .file_head import Cost, head, operations
 from .lowering import check_name, description, tables
 from .program import (

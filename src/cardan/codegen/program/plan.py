@@ -7,12 +7,12 @@ where its line would become too long. Everything else stays inside the expressio
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 
 from ...errors import CodegenError
 from ...ir.graph import Graph, Node
 from ...ir.ops import LEAVES, OPERATORS
 from ...ir.owners import Owner
+from ...records import dataclass
 from .naming import ValueNames
 from .values import Values
 

@@ -7,10 +7,11 @@ are written out where they are read.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import NamedTuple, TypeAlias
 
 from ...ir.graph import Graph
+from ...records import dataclass
 
 
 @dataclass(frozen=True)

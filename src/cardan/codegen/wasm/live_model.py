@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from ...equations.functions import live
 from ...equations.record import EquationRecord
 from ...ir.function import Function
 from ...ir.recursion import Recursion
+from ...records import dataclass
 from ...schema import wasm_kernels
 from ...schema.manifest import Manifest
 from ..export import model_file

@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeAlias
+
+from ...records import dataclass
 
 I32, F64 = 0x7F, 0x7C
 TYPES = {"i": I32, "d": F64}

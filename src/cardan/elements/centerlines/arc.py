@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError
+from ...records import dataclass
 from ..quantity import Quantity, Value
 from ..validation import vector
 from .centerline import TOLERANCE, Centerline, Curve

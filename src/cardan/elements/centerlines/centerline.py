@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...arrays import Array
+from ...records import dataclass
 from ..quantity import Quantity
 
 # of numbers that a user types, against the length of the line

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 
 from ...arrays import Array
+from ...records import dataclass
 from ..quantity import Quantity
 from .centerline import Centerline, Curve
 

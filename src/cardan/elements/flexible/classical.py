@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.short_rotations import Slopes
 from ..formulas import Lines, Shapes
 from .element_ends import Ends

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.function import Function, Output
+from ...records import dataclass
 from ...spatial.short_rotations import Slopes
 from ..formulas import Lines, Shapes
 from .element import FlexibleElement, balance, tangents

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from ...ir.arithmetic import Scalar, select
 from ...ir.function import Block
 from ...ir.graph import ONE, Graph
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.exponential import conjugate, multiply
 from ...spatial.rotations.quaternion import Quaternion
 from ...spatial.short_rotations import rotation_vector

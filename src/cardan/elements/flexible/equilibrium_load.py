@@ -7,9 +7,10 @@ the helix between the ends, f · (p_1 + p_2) L/2 - (a_2 - a_1) · e L/12.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.short_rotations import Slopes
 from .element_ends import NAMES, Ends
 from .relative import Relative, forces, moved, tangent, transport, transport_slope

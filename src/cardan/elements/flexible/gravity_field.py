@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.function import Function, Output
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..forces.gravity.central_gravity import CentralGravity
 from ..forces.gravity.fields import Pull
 from ..forces.gravity.gravitation import Gravitation

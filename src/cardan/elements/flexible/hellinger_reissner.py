@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.function import Function
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.short_rotations import Slopes
 from ..formulas import Lines, Shapes
 from .element import balance, energy, matrix

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..formulas import Lines, Shapes
 from .element_ends import NAMES, Ends
 from .formulas import LINKED, SPIN_SHAPES

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.function import Function, Output
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..formulas import Lines
 from .element import FlexibleElement, balance, energy, tangents
 from .element_ends import Ends

@@ -9,12 +9,13 @@ those of node or ground, and a position (3) in axes of node or ground; in the pl
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ONE, ZERO, Graph
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.exponential import multiply, quaternion_of
 from ...spatial.rotations.quaternion import Quaternion
 

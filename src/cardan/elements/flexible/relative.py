@@ -11,9 +11,9 @@ our own arrangement.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.short_rotations import HALF_COSINE, HALF_SINE, INVERSE_TANGENT, Slopes, slopes
 from .element_ends import relative_rotation
 from .node_set import Pose

@@ -8,11 +8,11 @@ straight beam is not strained.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from .element_ends import OUTSIDE, Ends
 
 # stiffness in the order of the stress [N m², N]; what there is without stress beyond the reference

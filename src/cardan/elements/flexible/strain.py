@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, ClassVar
 
 from ...ir.arithmetic import Number, Scalar
@@ -18,6 +18,7 @@ from ...ir.function import Function, Output
 from ...ir.graph import Graph
 from ...ir.interpreter import evaluate
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.short_rotations import Slopes
 from .element import FlexibleElement, balance, energy, matrix
 from .element_ends import NODE, STRESS_UNITS, STRESSES, Ends

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...ir.graph import SystemNames
 from ...ir.matrix import Matrix
 from ...ir.solve import factored, substitute
+from ...records import dataclass
 from .element_ends import STRESSES, Ends
 from .relative import mirrored
 from .section import Section, diagonal

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..internal_states import Internal
 from ..limits import Limit, not_negative, positive
 from ..quantity import JointName, Units, Value

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from ...errors import ModelError, brief, near
+from ...records import dataclass
 from ..quantity import Curves, Quantity, Rows, Value
 from ..tables import Interpolation
 from ..validation import is_expression, number, vector

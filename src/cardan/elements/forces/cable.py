@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.arithmetic import Scalar, norm, select
+from ...records import dataclass
 from ..formulas import Lines
 from ..limits import Limit, not_negative, positive
 from ..quantity import Place, Units, Value

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...errors import ModelError, brief
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
+from ...records import dataclass
 from ..internal_states import TICK, Change, EventSpec, Internal, Jumped, Mode
 from ..quantity import JointName, LocalNames, Quantity, Rows, Value
 from ..validation import number, vector

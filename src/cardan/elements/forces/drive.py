@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...errors import ModelError, brief
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..formulas import Lines
 from ..limits import Limit, not_negative
 from ..quantity import RATIO, JointName, Quantity, Units, Value, quantities_of

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...errors import ModelError, brief, near
 from ...ir.arithmetic import Scalar
+from ...records import dataclass
 from ..internal_states import HALT, MARK, EventSpec, Solved
 from ..quantity import Units, Value
 from .force import Action, ForceElement, Places

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.arithmetic import norm
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..formulas import Lines, Shapes
 from ..limits import Limit, not_negative
 from ..quantity import RATIO, Direction, Place, Units, Value

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...errors import ModelError, brief
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..internal_states import END, MODE, Change, EventSpec, Jumped, Mode, ModeConstraint, Solved
 from ..limits import Limit, not_negative, positive
 from ..quantity import JointName, Quantity, Units, Value, quantities_of

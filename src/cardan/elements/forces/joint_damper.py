@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
+from ...records import dataclass
 from ..formulas import Lines
 from ..quantity import JointName, Units, Value
 from .force import Action, ForceElement, JointLoad, Places

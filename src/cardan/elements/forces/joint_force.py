@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...errors import ModelError, counted
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..formulas import Lines
 from ..quantity import JointName, Quantity, Rows
 from ..validation import number, vector

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..formulas import Lines
 from ..quantity import JointName, Units, Value
 from .force import Action, ForceElement, JointLoad, Places, constant, one_coordinate, potential

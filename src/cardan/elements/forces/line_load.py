@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...errors import ModelError, brief
+from ...records import dataclass
 from ..quantity import BeamName, Units, Vector
 from .force import Action, ForceElement, Places
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..internal_states import (
     IMPACT,
     MODE,

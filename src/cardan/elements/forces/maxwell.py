@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar, norm
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..formulas import Lines
 from ..internal_states import Internal
 from ..limits import Limit, positive

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...ir.arithmetic import Scalar, stumpff
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...ir.table import Table
+from ...records import dataclass
 from ...spatial.exponential import exp, log, tangent
 from ..formulas import HALFWAY, MEASURES, TANGENT, Lines, Shapes
 from .force import Action, Load, Places, potential

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...errors import ModelError
 from ...ir.arithmetic import norm
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..formulas import Lines
 from ..limits import Limit, not_negative
 from ..quantity import RATIO, Direction, Place, Quantity, Units, Value, quantities_of

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.arithmetic import norm
+from ...records import dataclass
 from ..formulas import Lines
 from ..quantity import Place, Units, Value
 from .force import Action, ForceElement, Places, constant, potential

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.axis import complement, rotation_about, unit
 from ..quantity import RATIO, Direction, Units
 from .joint import POSITIONS, Component, Joint

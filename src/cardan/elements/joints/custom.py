@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...errors import ModelError, brief
@@ -12,6 +11,7 @@ from ...ir.derivative import forward
 from ...ir.graph import ONE
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
+from ...records import dataclass
 from ..quantity import LocalNames, Quantity, Value
 from ..validation import vector
 from .joint import Component, Joint

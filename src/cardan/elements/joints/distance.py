@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.arithmetic import Scalar, cos, sin
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.axis import complement, unit
 from ..limits import Limit, positive
 from ..quantity import RATIO, Direction, Units, Value

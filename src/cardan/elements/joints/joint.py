@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, ClassVar
 
 from ...ir.matrix import Matrix
 from ...literature import HasSource
+from ...records import dataclass
 from ..limits import Limit, judge
 from ..quantity import Direction, Quantity, Units, Value, quantities_of, take
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import accumulate, pairwise
 from typing import ClassVar
 
@@ -13,6 +12,7 @@ from ...ir.derivative import forward
 from ...ir.graph import ONE
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
+from ...records import dataclass
 from ...spatial.axis import complement, unit
 from ..quantity import Quantity, Rows
 from ..tables import Interpolation, table

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..limits import Limit, positive
 from ..quantity import RATIO, Direction, Units, Value
 from .joint import Component

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...errors import ModelError
 from ...ir.arithmetic import sqrt
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.axis import rotation_about, unit
 from ..quantity import RATIO, Direction, Units
 from ..validation import parallel

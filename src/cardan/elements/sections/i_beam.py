@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
+from ...records import dataclass
 from ..limits import Limit
 from ..quantity import Pair, Units, Value
 from .section import (

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
+from ...records import dataclass
 from ..limits import Limit
 from ..quantity import Pair, Units, Value
 from .section import (

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...literature import HasSource
+from ...records import dataclass
 from ..limits import Limit, judge, not_negative, positive
 from ..quantity import Pair, Quantity, Units, annotated, quantities_of
 from ..validation import number, vector

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
 import numpy as np
@@ -14,6 +14,7 @@ from ...errors import ModelError, brief, near
 from ...ir.function import Function, Output
 from ...ir.graph import ZERO
 from ...ir.interpreter import evaluate
+from ...records import dataclass
 from ...scene.scene import SceneRecord
 from ...topology.beams.beams import quaternion
 from ...topology.beams.segment_tables import Segment

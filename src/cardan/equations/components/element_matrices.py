@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...arrays import Array, Integers
 from ...ir.interpreter import evaluate
+from ...records import dataclass
 from ..finite_elements.record import FiniteElementRecord, Group
 
 if TYPE_CHECKING:

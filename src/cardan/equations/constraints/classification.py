@@ -10,7 +10,6 @@ Differential Forms, section 7.3.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,6 +17,7 @@ import numpy as np
 from ...arrays import Array
 from ...ir.function import live
 from ...ir.interpreter import evaluate
+from ...records import dataclass
 from ..functions import blocks
 from .constraints import POSITION, rows
 from .feasibility import search, value

@@ -11,7 +11,6 @@ Kecskemethy, work on characteristic pairs of joints.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -21,6 +20,7 @@ from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix
 from ...ir.ops import LEAVES
 from ...ir.rewrite import rebuild
+from ...records import dataclass
 from ..kinematics.lazy_list import Memo
 from . import dyads, legs
 from .cut_joint_frames import Ends, ends

@@ -10,7 +10,7 @@ Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapters 5 and
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 
 from ...elements.closing import closed
@@ -23,6 +23,7 @@ from ...ir.function import live
 from ...ir.graph import ONE, ZERO, Graph
 from ...ir.matrix import Matrix, Name
 from ...ir.rewrite import rebuild
+from ...records import dataclass
 from ...topology.internal_states import slides
 from ...topology.system import Cut, System
 from ..kinematics.kinematics import Kinematics

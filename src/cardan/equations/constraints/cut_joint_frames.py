@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...topology.system import Cut
 from ..recursion.recursion_boundary import CELLS
 

@@ -8,7 +8,7 @@ only what else changes with the time in a relation does work of its own.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from ...ir.arithmetic import Scalar
 from ...ir.derivative import forward
@@ -16,6 +16,7 @@ from ...ir.function import live
 from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
+from ...records import dataclass
 from ...topology.system import Input, System
 from ..kinematics.kinematics import Kinematics
 from .constraints import VELOCITY, Constraints, rows

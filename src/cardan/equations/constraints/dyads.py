@@ -10,13 +10,13 @@ C. H. Suh, C. W. Radcliffe, Kinematics and Mechanisms Design (1978).
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ...ir.arithmetic import Scalar, atan2, select, sqrt
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
+from ...records import dataclass
 from ...spatial.axis import unit
 from ...topology.system import Closure
 from .cut_joint_frames import frame_pose

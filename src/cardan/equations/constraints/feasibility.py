@@ -6,7 +6,6 @@ towards the constraints by steps of least length (Gauss and Newton).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +13,7 @@ import numpy as np
 from ...arrays import Array
 from ...ir.function import Function
 from ...ir.interpreter import evaluate
+from ...records import dataclass
 from ..functions import blocks
 
 if TYPE_CHECKING:

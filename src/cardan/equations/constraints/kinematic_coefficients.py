@@ -11,7 +11,7 @@ equation.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from ...elements.joints.joint import entries
@@ -20,6 +20,7 @@ from ...ir.graph import ONE, ZERO, Graph
 from ...ir.matrix import Matrix
 from ...ir.ops import LEAVES
 from ...ir.rewrite import rebuild
+from ...records import dataclass
 from ...schema.blocks import of_rate
 from .dyads import without_guard
 

@@ -10,11 +10,11 @@ Robots, chapter 3 (inverse kinematics of legs).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ...ir.arithmetic import Scalar, sqrt
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...topology.system import Closure
 from .dyads import (
     Branches,

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...topology.system import Cut
 from ..kinematics.accelerations import Accelerations
 from ..kinematics.joint_forces import along_joint, driving_force, joint_forces

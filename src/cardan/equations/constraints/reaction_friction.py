@@ -12,7 +12,6 @@ P. Painleve, C. R. Acad. Sci. Paris 121 (1895) 112.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ...elements.forces.force import Places
@@ -23,6 +22,7 @@ from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
 from ...ir.solve import solve
+from ...records import dataclass
 from ...spatial.axis import unit
 from ...topology.system import Force, System
 from ..functions.blocks import blocks

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from ...arrays import Integers
 from ...elements.joints.free import Free
 from ...elements.joints.joint import Joint as JointElement
 from ...ir.function import Function
+from ...records import dataclass
 from ...schema.blocks import ABI_ORDER
 from ...schema.functions import FUNCTIONS
 from ...spatial.plane import Plane

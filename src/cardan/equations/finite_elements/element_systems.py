@@ -9,7 +9,7 @@ members of one kind give the same expressions.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from ...elements.joints.free import Free
 from ...elements.joints.joint import Joint as JointElement
@@ -21,6 +21,7 @@ from ...ir.graph import MINUS_ONE, NO_ORIGIN, ONE, ZERO, Graph
 from ...ir.matrix import Matrix
 from ...ir.ops import LEAVES
 from ...ir.rewrite import rebuild
+from ...records import dataclass
 from ...topology.conversion import IDENTITY, ORIGIN, parameters_only
 from ...topology.system import (
     GROUND,

@@ -11,7 +11,7 @@ Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), chapter 7.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import ClassVar
 
@@ -33,6 +33,7 @@ from ...ir.derivative import directional
 from ...ir.function import Block, Function, Output
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
+from ...records import dataclass
 from ...spatial.exponential import quaternion_of
 from ...topology.system import GROUND
 from ..functions.blocks import blocks

@@ -39,6 +39,7 @@ def expression_of(absolute: FiniteElementRecord, form: str, formula: str, symbol
     nodes = named(graph, names)
     for k, name in enumerate(absolute.outputs):
         nodes.setdefault(name, {})["an output"] = graph.var("v", k)
+    nodes = {name: nodes[name] for name in absolute.outputs} | nodes
     root = node_of(graph, formula, nodes)
     leaves = [graph.var(letter, k) for letter, some in names.items() for k in range(len(some))]
     along = {}

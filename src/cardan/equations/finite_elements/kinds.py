@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, SupportsIndex, overload
 
 from ...elements.flexible import BEAMS, INERTIAS
 from ...elements.formulas import Lines, Shapes
 from ...errors import DerivationError, near
+from ...records import dataclass
 
 if TYPE_CHECKING:
     from ..reading.energy_expressions import EnergyExpressions

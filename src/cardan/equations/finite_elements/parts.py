@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import groupby
 from typing import TypedDict
 
 from ...elements.joints.fixed import Fixed
 from ...elements.joints.joint import Joint as JointElement
 from ...ir.graph import ZERO
+from ...records import dataclass
 from ...topology.loops.circuits import circuit
 from ...topology.prescribed_motion import driver, driving_output
 from ...topology.system import Cut, Force, Named, System

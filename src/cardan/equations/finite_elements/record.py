@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import TypeAlias
 
@@ -22,6 +22,7 @@ from ...arrays import Array, Integers
 from ...elements.formulas import Lines, Shapes
 from ...errors import DerivationError, near
 from ...ir.function import Function
+from ...records import dataclass
 from ...spatial.plane import Plane
 from ...topology.system import System
 from ..reading.counts import Counts

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from ...elements.flexible.element_ends import NODE as AT_NODE
 from ...elements.flexible.element_ends import OFFSET
 from ...ir.function import Function, Output
 from ...ir.interpreter import evaluate
+from ...records import dataclass
 from ...schema.finite_elements import GROUND, ON_TREE
 from ...topology.beams.segment_tables import Segment
 from ...topology.conversion import IDENTITY, ORIGIN

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from ...errors import DerivationError
 from ...ir.function import Block, Function, Output
 from ...ir.graph import Graph
 from ...ir.routine import Routine, result
+from ...records import dataclass
 from ...topology.superelements.part_of_system import PartOfSystem
 from ...topology.system import GROUND
 from ..functions.blocks import parameters

@@ -12,12 +12,11 @@ Source: Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 7.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...errors import DerivationError
 from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix, inner
 from ...ir.solve import solve
+from ...records import dataclass
 from ...spatial.moments import turn_general, turn_symmetric
 from ...topology.system import System
 from ..kinematics.accelerations import Accelerations, accelerations, inertial_wrench

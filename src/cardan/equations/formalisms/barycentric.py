@@ -20,11 +20,10 @@ Sci. 12 (1965).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.moments import Inertia, turn_symmetric
 from ..kinematics.composite_bodies import projected
 from ..kinematics.inertia import of_body

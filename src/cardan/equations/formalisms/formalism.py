@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...topology.rewrites import REWRITES
 from ...topology.system import System
 from ..kinematics.kinematics import Kinematics

@@ -6,7 +6,6 @@ Robots, IEEE Trans. Robotics and Automation 6 (1990).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from ...arrays import Booleans
@@ -17,6 +16,7 @@ from ...ir.interpreter import evaluate
 from ...ir.rewrite import rebuild
 from ...ir.stage import stage
 from ...notebooks import html
+from ...records import dataclass
 
 if TYPE_CHECKING:
     from ..record import EquationRecord

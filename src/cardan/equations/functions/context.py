@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from ...errors import DerivationError, near
 from ...ir.function import Block, Output
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
+from ...records import dataclass
 from ...schema.functions import FUNCTIONS
 from ...topology.system import System
 from ..constraints.reaction_friction import friction_forces, solved

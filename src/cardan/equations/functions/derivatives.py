@@ -10,7 +10,7 @@ Source: Carpentier and Mansard, Robotics: Science and Systems (2018), section II
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import prod
 
 from ...errors import DerivationError, near
@@ -20,6 +20,7 @@ from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
 from ...ir.solve import solve
+from ...records import dataclass
 from ...schema.blocks import COORDINATES
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
 from ...schema.request import Request

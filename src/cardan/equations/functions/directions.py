@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ...errors import DerivationError, near
 from ...ir.derivative import forward
 from ...ir.graph import ONE
+from ...records import dataclass
 from ...schema.blocks import DIRECTIONS
 from ..kinematics.kinematics import Kinematics
 

@@ -65,7 +65,9 @@ def _names(c: Context) -> dict[str, dict[str, int]]:
         give_accelerations(c)
     for output in system.outputs:
         nodes.setdefault(output.name, {})["an output"] = c.k.resolve([output.node])[0]
-    return nodes
+    # outputs first, as people name them first
+    outputs = {output.name: nodes[output.name] for output in system.outputs}
+    return outputs | nodes
 
 
 def named(graph: Graph, names: Mapping[str, Sequence[str]]) -> dict[str, dict[str, int]]:

@@ -17,12 +17,12 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...ir.derivative import directional, forward
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.moments import Inertia, turn_general
 from ..kinematics.accelerations import Accelerations, accelerations
 from ..kinematics.composite_bodies import composites, inward

@@ -15,7 +15,6 @@ Source: Griewank and Walther, Evaluating Derivatives (2008), sections 3.2 and 15
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 from ...ir.derivative import forward, gradient
 from ...ir.function import Block, Output
@@ -23,6 +22,7 @@ from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix, inner
 from ...ir.rewrite import rebuild
 from ...ir.solve import solve
+from ...records import dataclass
 from ...schema.blocks import COORDINATES
 from ..constraints.treatments import Bound
 from ..constraints.treatments.treatment import by_multipliers

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,6 +10,7 @@ from ...arrays import Array
 from ...ir.function import Function, Output
 from ...ir.interpreter import evaluate
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..constraints.feasibility import CLOSED, search
 from ..kinematics.kinematics import Kinematics
 from . import blocks

@@ -12,7 +12,6 @@ Parameters of Robots, IEEE CDC (1988), for the form of energies.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...elements.forces.force import constant
@@ -22,6 +21,7 @@ from ...ir.arithmetic import Scalar
 from ...ir.function import Output
 from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.moments import moved, turn_symmetric
 from ...topology.internal_states import dotted, slides
 from ..constraints.reaction_friction import friction_forces

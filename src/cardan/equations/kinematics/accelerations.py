@@ -10,9 +10,8 @@ Analysis of Robot Manipulators (1991), for the second moment form.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.moments import Inertia
 from ..recursion.recursion_boundary import CELLS
 from .inertia import of_body, second_moment_of_body

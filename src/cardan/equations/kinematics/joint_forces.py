@@ -5,10 +5,9 @@ Source: Luh, Walker and Paul, J. Dyn. Sys. Meas. Control 102 (1980).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..recursion.recursion_boundary import Sums
 from .accelerations import Accelerations, accelerations, inertial_wrench
 from .kinematics import Kinematics

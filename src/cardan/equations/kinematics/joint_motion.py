@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ...ir.arithmetic import Scalar, cos, sin
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.axis import elementary, principal
 from ...topology.system import Turn
 from ..recursion.recursion_boundary import CELLS, XYZ

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TypeAlias
 
 from ...elements.forces.force import Action, JointLoad, Load, Places
@@ -11,6 +11,7 @@ from ...errors import StructuralZero
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...topology.system import Force
 from .kinematics import Kinematics
 from .paths import into_body

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,6 +12,7 @@ from ...ir.derivative import forward
 from ...ir.function import Function
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..functions import event_functions, outputs
 from ..functions.context import Context
 from ..functions.random_states import States, drawn, function_of

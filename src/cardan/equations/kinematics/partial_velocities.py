@@ -5,11 +5,10 @@ Source: Kane and Levinson, Dynamics: Theory and Applications (1985), chapters 2 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...ir.derivative import forward
 from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from .kinematics import Kinematics
 from .loads import Loads
 

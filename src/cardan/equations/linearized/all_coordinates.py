@@ -14,9 +14,10 @@ Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), c
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import fields
 
 from ...ir.matrix import Matrix
+from ...records import dataclass
 
 
 @dataclass(frozen=True)

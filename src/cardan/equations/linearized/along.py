@@ -7,7 +7,7 @@ S. Blanes, F. Casas, J. A. Oteo, J. Ros, Physics Reports 470 (2009), section 5, 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from ...arrays import Array, Complex
 from ...errors import DerivationError, SolveError
+from ...records import dataclass
 from .reference_input import Placeholder
 
 if TYPE_CHECKING:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import DerivationError
+from ...records import dataclass
 from .pivoting import independent, independent_rows, null_space
 
 REQUEST_WEIGHT = 1e3  # weight of what the user wants to be independent

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from ...errors import DerivationError, listed, near
 from ...ir.matrix import Matrix
 from ...ir.solve import solve
+from ...records import dataclass
 from .all_coordinates import FullMatrices
 from .reduced import Reduced
 from .reference import Reference, picked

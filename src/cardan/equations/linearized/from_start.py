@@ -21,11 +21,11 @@ J. Carpentier, N. Mansard, Robotics: Science and Systems (2018), for composites.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from ...ir.derivative import forward
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..functions.directions import Direction, directions
 from . import differentiated
 from .all_coordinates import FullMatrices

@@ -6,11 +6,10 @@ its origin; 6-vectors have the angular part first.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...ir.derivative import forward
 from ...ir.graph import ONE
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.moments import Inertia
 from ..functions.newton_euler_derivatives import Flow, flows
 from ..kinematics.accelerations import Accelerations, accelerations, inertia_force

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, final
 
@@ -14,6 +14,7 @@ from ...arrays import Array
 from ...errors import DerivationError, ModelWarning, counted, listed, warn
 from ...ir.function import Function, count, live
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from .all_coordinates import DYNAMIC, FullMatrices
 from .first_order import Plant
 from .matrices import Written

@@ -11,9 +11,8 @@ Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), c
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from .all_coordinates import FullMatrices
 from .reference import Reference, picked
 

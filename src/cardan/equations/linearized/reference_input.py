@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from ...arguments import UNIT
@@ -12,6 +11,7 @@ from ...errors import DerivationError, brief, near
 from ...ir.function import live
 from ...ir.graph import Graph
 from ...ir.rewrite import rebuild
+from ...records import dataclass
 from ...topology.system import System
 
 # the block of symbols that stand in a reference motion and are not parameters

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import DerivationError
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from .reduced import Reduced
 from .reference import Reference, picked
 

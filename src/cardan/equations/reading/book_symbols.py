@@ -14,12 +14,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from ...elements.formulas import Lines
 from ...errors import DerivationError, near
+from ...records import dataclass
 from .notation import NUMBERS, Notation, symbols
 
 if TYPE_CHECKING:

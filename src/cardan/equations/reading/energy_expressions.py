@@ -10,12 +10,12 @@ import ast
 import operator
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TypeAlias
 
 import sympy
 
 from ...elements.formulas import Lines, Shape, Shapes
+from ...records import dataclass
 
 # a number, a matrix, or the solution of a system
 Value: TypeAlias = "sympy.Basic"

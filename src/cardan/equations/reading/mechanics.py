@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 import sympy
 from sympy.physics.mechanics import dynamicsymbols
 
+from ...records import dataclass
 from ..constraints.constraints import POSITION
 
 if TYPE_CHECKING:

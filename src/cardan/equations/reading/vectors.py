@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, final
 
 from ...errors import ArgumentError, DerivationError, brief, near
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...topology.system import GROUND, Part
 from ..finite_elements.record import FiniteElementRecord
 from ..formalisms.barycentric import augmented

@@ -8,13 +8,14 @@ out: steps and places must go on beyond the gap exactly as they came.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from typing import Any, NamedTuple
 
 from ...ir.graph import Graph
 from ...ir.ops import LEAVES
 from ...ir.recursion import STORE, Turns, Visit, ahead
 from ...ir.strided_visits import LONGEST, as_turns, visit_stride
+from ...records import dataclass
 from ...topology.system import Force, Joint, System
 
 # turns kept on both sides of the gap: the first ones differ, their neighbors being others

@@ -8,13 +8,14 @@ value, so that the expressions of one body end at those of its neighbors.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, TypeAlias
 
 from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix
 from ...ir.ops import LEAVES
 from ...ir.recursion import STORE
+from ...records import dataclass
 
 if TYPE_CHECKING:
     from ..kinematics.kinematics import Kinematics

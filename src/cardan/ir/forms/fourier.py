@@ -12,11 +12,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Hashable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any, TypeVar
 
+from ...records import dataclass
 from ..exact import exact
 from ..function import operands
 from ..graph import Graph

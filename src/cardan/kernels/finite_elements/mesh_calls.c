@@ -228,7 +228,7 @@ int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
     int status = cardan_mesh_rates(mesh, in->q, in->u, out, work);
 
     if (status == 0)
-        status = cardan_mesh_accelerations(mesh, &at, NULL, solution, work);
+        status = cardan_mesh_accelerations(mesh, &at, in->tau, solution, work);
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         out[mesh->nq + i] = solution[i];
     if (status == 0 && mesh->nz > 0)

@@ -47,6 +47,8 @@ static ptrdiff_t lay(const cardan_mesh_product *product, real *block, hessian *h
     h->along.probe = cardan_reserve(block, &used, mesh->nu);
     used += cardan_mesh_lay_slopes(product, block ? block + used : NULL, &h->along.by);
     h->change = h->along;
+    used += cardan_mesh_lay_weights(product, block ? block + used : NULL, &h->change.event);
+    used += cardan_mesh_lay_weights(product, block ? block + used : NULL, &h->along.event);
     h->change.product = product->change;
     h->along.product = product->curvature;
     h->here.by_data = cardan_reserve(block, &used, product->data_rows);
@@ -59,6 +61,15 @@ ptrdiff_t cardan_mesh_hessian_work(const cardan_mesh_product *product)
     hessian h = {0};
 
     return lay(product, NULL, &h);
+}
+
+/* True where functions follow from accelerations or multipliers. */
+static int solved(const hessian *h)
+{
+    const ptrdiff_t function = h->here.product->function;
+
+    return h->here.product->solved || function == CARDAN_OF_TRANSITION
+           || (function == CARDAN_OF_EVENTS && h->here.event.solved);
 }
 
 /* True for steps that close positions or speeds. */
@@ -139,6 +150,10 @@ static int direct_along(hessian *h)
     case CARDAN_OF_ACCELERATION:
     case CARDAN_OF_FRAME_JACOBIAN:
         return cardan_mesh_pull_frame_along(&h->here, &h->change, &h->along, h->v);
+    case CARDAN_OF_EVENTS:
+        return cardan_mesh_pull_events_along(&h->here, &h->change, &h->along, h->v);
+    case CARDAN_OF_TRANSITION:
+        return cardan_mesh_pull_transition_along(&h->here, &h->change, &h->along, h->v);
     case CARDAN_OF_EXPRESSION:
         status = formula_along(h);
         if (status == 0 && mesh->outputs > 0)
@@ -173,7 +188,7 @@ static int dynamics_along(hessian *h)
     cardan_slopes *by = &h->along.by;
     int status = 0;
 
-    if (h->here.product->solved)
+    if (solved(h))
         status = cardan_mesh_push_solution(&h->change);
     if (status == 0 && function == CARDAN_OF_EXPRESSION && h->here.mesh->outputs > 0)
         /* a part of the direction of the formula */
@@ -181,11 +196,11 @@ static int dynamics_along(hessian *h)
                                            h->here.product->sums + 1, h->along.sums);
     if (status == 0)
         status = direct_along(h);
-    if (status == 0 && (h->here.product->solved || function == CARDAN_OF_INVERSE_DYNAMICS
+    if (status == 0 && (solved(h) || function == CARDAN_OF_INVERSE_DYNAMICS
                         || function == CARDAN_OF_CONSTRAINTS
                         || function == CARDAN_OF_CONSTRAINT_RATES))
         status = cardan_mesh_pull_balance(&h->along, h->here.weights, 1);
-    if (status != 0 || !h->here.product->solved)
+    if (status != 0 || !solved(h))
         return status;
     memset(h->along.weights, 0, (size_t)weights_of(h->here.mesh) * sizeof(real));
     status = cardan_mesh_pull_solution(&h->along, by->udot, by->lam);

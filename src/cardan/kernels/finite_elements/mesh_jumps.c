@@ -43,12 +43,12 @@ ptrdiff_t cardan_mesh_jump_room(const cardan_mesh *mesh)
     return mesh->ne > 0 ? cardan_mesh_jumps_lay(mesh, NULL, &none) : 0;
 }
 
-ptrdiff_t cardan_mesh_first_jump(const cardan_mesh *mesh, const cardan_group *g)
+ptrdiff_t cardan_mesh_first_number(const cardan_mesh *mesh, const cardan_group *g, size_t field)
 {
     ptrdiff_t first = 0;
 
     for (const cardan_group *other = mesh->groups; other != g; other++)
-        first += other->count * other->jumps;
+        first += other->count * *(const ptrdiff_t *)(const void *)((const char *)other + field);
     return first;
 }
 
@@ -56,7 +56,7 @@ static void take_jumps(const cardan_mesh *mesh, const cardan_group *g,
                        const cardan_element_lanes *some, real *out, void *to)
 {
     const cardan_mesh_jumps *all = to;
-    const ptrdiff_t lanes = some->lanes, first = cardan_mesh_first_jump(mesh, g);
+    const ptrdiff_t lanes = some->lanes, first = CARDAN_FIRST(mesh, g, jumps);
 
     for (ptrdiff_t lane = 0; lane < some->filled; lane++)
         for (ptrdiff_t j = 0; j < g->jumps; j++) {

@@ -34,7 +34,10 @@ int cardan_mesh_events(const cardan_mesh *mesh, cardan_state *at, real *solution
 int cardan_mesh_jump(const cardan_mesh *mesh, const cardan_state *at, const cardan_mesh_jumps *all,
                      cardan_mesh_system *released, real *work);
 /* The row of the first jump of a group. */
-ptrdiff_t cardan_mesh_first_jump(const cardan_mesh *mesh, const cardan_group *g);
+/* Where numbers of the elements of a group begin that stand one behind the other; `of`: the field of the
+ * group with how many an element has. */
+#define CARDAN_FIRST(mesh, g, of) cardan_mesh_first_number(mesh, g, offsetof(cardan_group, of))
+ptrdiff_t cardan_mesh_first_number(const cardan_mesh *mesh, const cardan_group *g, size_t field);
 /* Whether any impulse acts. */
 int cardan_mesh_any_impulse(const cardan_mesh *mesh, const cardan_mesh_jumps *all);
 /* x (jumps) with R x = right among rows that act, 0 of all that do not or follow from those that do:

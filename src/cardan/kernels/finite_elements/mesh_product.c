@@ -94,16 +94,22 @@ int cardan_mesh_call_expression(const cardan_in *in, real *out, real *work)
     return status != 0 ? status : product->formula->call(&formula, out, here.room);
 }
 
+/* The product with weights v at a state. */
+static int pull(cardan_place *here, const real *v, real *out)
+{
+    const int status = cardan_mesh_pull(here, v);
+
+    for (ptrdiff_t i = 0; i < here->product->columns; i++)
+        out[i] = here->by.t[here->product->column[i]];
+    return status;
+}
+
 int cardan_mesh_call_vjp(const cardan_in *in, real *out, real *work)
 {
     cardan_place here;
-    int status = cardan_mesh_enter(in, work, &here);
+    const int status = cardan_mesh_enter(in, work, &here);
 
-    if (status == 0)
-        status = cardan_mesh_pull(&here, in->v);
-    for (ptrdiff_t i = 0; i < here.product->columns; i++)
-        out[i] = here.by.t[here.product->column[i]];
-    return status;
+    return status != 0 ? status : pull(&here, in->v, out);
 }
 
 int cardan_mesh_call_jvp(const cardan_in *in, real *out, real *work)
@@ -113,6 +119,38 @@ int cardan_mesh_call_jvp(const cardan_in *in, real *out, real *work)
 
     return status != 0 ? status : cardan_mesh_push(&here, in->v, out);
 }
+
+/* numbers that a place takes at the start of its room; behind them are the inputs, then the work */
+enum { PLACE = (sizeof(cardan_place) + sizeof(real) - 1) / sizeof(real) };
+
+ptrdiff_t cardan_mesh_room_length(const cardan_mesh_product *product)
+{
+    return PLACE + product->mesh->nr + cardan_mesh_product_work(product);
+}
+
+static int enter_room(const cardan_in *in, real *room)
+{
+    const cardan_mesh_product *product = (const cardan_mesh_product *)(const void *)in->w;
+    cardan_in with_room = *in;
+
+    /* the caller goes on to other times, with inputs in the same place */
+    if (product->mesh->nr > 0)
+        memcpy(room + PLACE, in->r, (size_t)product->mesh->nr * sizeof(real));
+    with_room.r = room + PLACE;
+    return cardan_mesh_enter(&with_room, room + PLACE + product->mesh->nr, (cardan_place *)(void *)room);
+}
+
+static int pull_again(real *room, const real *v, real *out)
+{
+    return pull((cardan_place *)(void *)room, v, out);
+}
+
+static int push_again(real *room, const real *v, real *out)
+{
+    return cardan_mesh_push((cardan_place *)(void *)room, v, out);
+}
+
+const cardan_repeated cardan_mesh_repeated = {enter_room, pull_again, push_again};
 
 int cardan_mesh_call_derivative(const cardan_in *in, real *out, real *work)
 {

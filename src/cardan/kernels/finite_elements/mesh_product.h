@@ -112,6 +112,9 @@ typedef struct cardan_mesh_product {
 
 /* numbers of work memory that these need */
 ptrdiff_t cardan_mesh_product_work(const cardan_mesh_product *product);
+/* numbers of a room for many products at one state, and what keeps factors there */
+ptrdiff_t cardan_mesh_room_length(const cardan_mesh_product *product);
+extern const cardan_repeated cardan_mesh_repeated;
 /* where derivatives by t q coordinates u z s r p udot tau begin (10) */
 void cardan_mesh_product_starts(const cardan_mesh_product *product, ptrdiff_t *starts);
 /* (1): value of an expression */

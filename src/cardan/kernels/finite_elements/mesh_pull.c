@@ -113,20 +113,26 @@ static real *give_weights(const cardan_mesh *mesh, const cardan_group *g, const 
     return to;
 }
 
-/* The same, and then the direction along which their gradient changes. */
+/* Weights, and then the direction along which their gradient changes. */
 static real *give_both(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
                        ptrdiff_t lanes, const cardan_gift *gift, real *to)
 {
-    return cardan_mesh_give_direction(mesh, g, element, lanes, gift,
-                                      give_weights(mesh, g, element, lanes, gift, to));
+    const cardan_gift *const *two = gift->more;
+
+    to = two[0]->give(mesh, g, element, lanes, two[0], to);
+    return two[1]->give(mesh, g, element, lanes, two[1], to);
 }
 
-int cardan_mesh_pull_with(cardan_place *here, const cardan_form *forms, const cardan_gift *gift)
+int cardan_mesh_pull_with(cardan_place *here, const cardan_form *forms, const cardan_gift *weights,
+                          int along)
 {
+    const cardan_gift direction = {cardan_mesh_give_direction, 0, NULL, here};
+    const cardan_gift *const two[] = {weights, &direction};
+    const cardan_gift both = {give_both, 0, NULL, two};
     cardan_state at = here->at;
     int status = 0;
 
-    at.gift = gift;
+    at.gift = along ? &both : weights;
     for (ptrdiff_t k = 0; k < here->mesh->group_count && status == 0; k++)
         status = cardan_mesh_group(here->mesh, here->mesh->groups + k, forms + k, &at, take_gradient,
                                    here, here->room);
@@ -136,9 +142,9 @@ int cardan_mesh_pull_with(cardan_place *here, const cardan_form *forms, const ca
 int cardan_mesh_pull_elements(cardan_place *here, const cardan_form *forms, int layout,
                               const real *weights, int along)
 {
-    const cardan_gift gift = {along ? give_both : give_weights, layout, weights, here};
+    const cardan_gift gift = {give_weights, layout, weights, here};
 
-    return cardan_mesh_pull_with(here, forms, &gift);
+    return cardan_mesh_pull_with(here, forms, &gift, along);
 }
 
 int cardan_mesh_pull_solution(cardan_place *here, const real *by_udot, const real *by_lam)
@@ -337,11 +343,8 @@ static int finish(const cardan_place *here)
     const int status = cardan_mesh_pull_rates(here, NULL, by->q, NULL, by->along);
 
     for (ptrdiff_t k = 0; k < here->product->quaternions; k++) {
-        const real *q = here->at.q + here->product->quaternion[k];
-        real *by_q = by->q + here->product->quaternion[k];
-        const real along = cardan_dot(q, by_q, 4) / cardan_dot(q, q, 4);
-        for (int i = 0; i < 4; i++)
-            by_q[i] -= along * q[i];
+        const ptrdiff_t at = here->product->quaternion[k];
+        (void)cardan_take_along(here->at.q + at, by->q + at);
     }
     return status;
 }

@@ -26,9 +26,10 @@ typedef struct cardan_event_place {
     real *P;       /* (jumps) of the sizes of impulses */
     real *moved;   /* (nu + m) speeds and multipliers by impulses */
     real *answer;  /* (nu + m) of the equations of these, or their changes */
-    real *before;  /* (nu + m) derivatives or directions that a sweep over these does not count for */
-    real *values;  /* (ne) of events */
+    real *by_motion; /* (nu + m) derivatives of these equations by speeds and multipliers */
+    real *force;   /* (nu) that makes a motion */
     real *shares;  /* of friction: see mesh_friction_products.c */
+    real *values;  /* (ne) of events */
     int solved;    /* 1: values of events follow from accelerations or multipliers */
 } cardan_event_place;
 
@@ -127,9 +128,10 @@ int cardan_mesh_pull_rates_along(const cardan_place *here, const real *u, const 
 /* Changes of qdot along `way`. */
 int cardan_mesh_push_rates(const cardan_place *here, real *out);
 
-/* mesh_pull.c, mesh_push.c: add the gradient of a sum of results of elements, with the weights of a gift;
- * give the changes of their results to a taker. */
-int cardan_mesh_pull_with(cardan_place *here, const cardan_form *forms, const cardan_gift *gift);
+/* mesh_pull.c, mesh_push.c: add the gradient of a sum of results of elements, with the weights of a gift,
+ * or its change `along` the direction; give the changes of their results to a taker. */
+int cardan_mesh_pull_with(cardan_place *here, const cardan_form *forms, const cardan_gift *weights,
+                          int along);
 int cardan_mesh_push_with(cardan_place *here, const cardan_form *forms, cardan_taker *take, void *to);
 /* Add derivatives by what events read besides, and give directions of that: as elements have it. */
 const real *cardan_mesh_add_events(const cardan_mesh *mesh, const cardan_group *g,
@@ -137,25 +139,46 @@ const real *cardan_mesh_add_events(const cardan_mesh *mesh, const cardan_group *
                                    const cardan_slopes *by);
 real *cardan_mesh_give_events(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
                               ptrdiff_t lanes, const cardan_slopes *way, real *to);
-/* mesh_pull_events.c, mesh_push_events.c: derivatives of values of events, and of what events change */
+/* mesh_pull_events.c, mesh_push_events.c: derivatives of values of events, and of what events change;
+ * `lay_weights` lays what these are made of alone */
 ptrdiff_t cardan_mesh_lay_event(const cardan_mesh_product *product, real *block, cardan_event_place *to);
+ptrdiff_t cardan_mesh_lay_weights(const cardan_mesh_product *product, real *block, cardan_event_place *to);
 int cardan_mesh_enter_event(const cardan_in *in, real *solution, real *work, cardan_place *here);
 int cardan_mesh_pull_events(cardan_place *here, const real *v);
 int cardan_mesh_pull_transition(cardan_place *here, const real *v);
 int cardan_mesh_push_events(cardan_place *here, real *out);
 int cardan_mesh_push_transition(cardan_place *here, real *out);
+/* Add the gradient of what elements say, or its change `along` the direction: of values of events with
+ * weights v (ne), of states behind events (nz + ns), of impulses with the weights `rows` and `J` of an event. */
+int cardan_mesh_pull_signs(cardan_place *here, const real *v, int along);
+int cardan_mesh_pull_states(cardan_place *here, const real *v, int along);
+int cardan_mesh_pull_jumps(cardan_place *here, const cardan_event_place *weights, int along);
+/* Changes of impulses, of responses and of speeds behind the event, where those of accelerations are parts
+ * of the direction, of which the last two become parts. */
+int cardan_mesh_push_jump(cardan_place *here);
+/* mesh_event_hessian.c: the change of the gradient of values of events, or of what events change, along the
+ * direction, at a state with gradients, with changes, and with changes of gradients */
+int cardan_mesh_pull_events_along(const cardan_place *here, cardan_place *change, cardan_place *along,
+                                  const real *v);
+int cardan_mesh_pull_transition_along(const cardan_place *here, cardan_place *change, cardan_place *along,
+                                      const real *v);
 /* Motion (nu + m), speeds or accelerations and multipliers, by forces (nu) and gaps (m), NULL: none. */
 int cardan_mesh_motion_of(const cardan_mesh *mesh, cardan_mesh_system *system, const real *force,
                           const real *gap, real *motion);
-/* Add the gradient of M udot - G^T lam (nu) and G udot - H lam (m) at a motion, with weights (nu + m);
- * set `answer` of the event to the changes of these. */
-int cardan_mesh_pull_impulse(cardan_place *here, const real *motion, const real *weights);
+/* Add the gradient of M udot - G^T lam (nu) and G udot - H lam (m) at a motion, with weights (nu + m), or
+ * its change where the motion changes by `change`; NULL: the gradient. What they are by the motion is in
+ * `by_motion` of the event. */
+int cardan_mesh_pull_impulse(cardan_place *here, const real *motion, const real *weights, real *change);
+/* Set `answer` of the event to the changes of these equations at a motion that stays. */
 int cardan_mesh_push_impulse(cardan_place *here, const real *motion);
-/* Number of the first friction of a group. */
-ptrdiff_t cardan_mesh_first_friction(const cardan_mesh *mesh, const cardan_group *g);
+/* Change (nu + m) of a motion by a force that changes by `force` (nu), of these equations solved; `answer` of
+ * the event is lost, or `out`. */
+int cardan_mesh_push_motion(cardan_place *here, cardan_mesh_system *system, const real *motion,
+                            const real *force, real *out);
 /* mesh_friction_products.c: of how certain friction is that follows from reactions */
 int cardan_mesh_pull_certainty(cardan_place *here);
 int cardan_mesh_push_certainty(cardan_place *here);
+int cardan_mesh_pull_certainty_along(const cardan_place *here, cardan_place *change, cardan_place *along);
 
 /* The gradient of the dynamics with weights, or its change. */
 static inline int cardan_mesh_pull_balance(cardan_place *here, const real *weights, int along)

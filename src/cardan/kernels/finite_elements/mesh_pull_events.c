@@ -17,21 +17,33 @@
 ptrdiff_t cardan_mesh_lay_event(const cardan_mesh_product *product, real *block, cardan_event_place *to)
 {
     const cardan_mesh *mesh = product->mesh;
-    const ptrdiff_t n = mesh->nu + mesh->m, k = mesh->frictions;
     ptrdiff_t used = 0;
 
     if (product->function != CARDAN_OF_EVENTS && product->function != CARDAN_OF_TRANSITION)
         return 0;
     used += cardan_mesh_jumps_lay(mesh, block, &to->all);
+    used += cardan_mesh_lay_weights(product, block ? block + used : NULL, to);
+    to->values = cardan_reserve(block, &used, mesh->ne);
+    to->work = cardan_reserve(block, &used, cardan_mesh_call_work(mesh));
+    return used;
+}
+
+ptrdiff_t cardan_mesh_lay_weights(const cardan_mesh_product *product, real *block, cardan_event_place *to)
+{
+    const cardan_mesh *mesh = product->mesh;
+    const ptrdiff_t n = mesh->nu + mesh->m, k = mesh->frictions;
+    ptrdiff_t used = 0;
+
+    if (product->function != CARDAN_OF_EVENTS && product->function != CARDAN_OF_TRANSITION)
+        return 0;
     to->rows = cardan_reserve(block, &used, mesh->jumps * CARDAN_JUMP_ROW);
     to->J = cardan_reserve(block, &used, mesh->jumps * mesh->nu);
     to->P = cardan_reserve(block, &used, mesh->jumps);
     to->moved = cardan_reserve(block, &used, n);
     to->answer = cardan_reserve(block, &used, n);
-    to->before = cardan_reserve(block, &used, n);
-    to->values = cardan_reserve(block, &used, mesh->ne);
+    to->by_motion = cardan_reserve(block, &used, n);
+    to->force = cardan_reserve(block, &used, mesh->nu);
     to->shares = cardan_reserve(block, &used, k * (1 + mesh->nu + 3 * mesh->m));
-    to->work = cardan_reserve(block, &used, cardan_mesh_call_work(mesh));
     return used;
 }
 
@@ -52,25 +64,6 @@ int cardan_mesh_enter_event(const cardan_in *in, real *solution, real *work, car
                        : cardan_mesh_jump(mesh, &here->at, &event->all, &event->released, event->work);
 }
 
-ptrdiff_t cardan_mesh_first_friction(const cardan_mesh *mesh, const cardan_group *g)
-{
-    ptrdiff_t first = 0;
-
-    for (const cardan_group *other = mesh->groups; other != g; other++)
-        first += other->count * other->frictions;
-    return first;
-}
-
-/* Number of the first response of a group. */
-static ptrdiff_t first_response(const cardan_mesh *mesh, const cardan_group *g)
-{
-    ptrdiff_t first = 0;
-
-    for (const cardan_group *other = mesh->groups; other != g; other++)
-        first += other->count * other->responses;
-    return first;
-}
-
 /* Add derivatives by numbers of elements that stand one behind the other, from the first of a group. */
 static const real *add_numbered(const cardan_element_lanes *some, ptrdiff_t n, const real *next,
                                  real *by)
@@ -86,8 +79,8 @@ const real *cardan_mesh_add_events(const cardan_mesh *mesh, const cardan_group *
                                    const cardan_slopes *by)
 {
     next = cardan_mesh_add_places(g, some, mesh->u, next, by->behind);
-    next = add_numbered(some, g->frictions, next, by->certainty + cardan_mesh_first_friction(mesh, g));
-    return add_numbered(some, g->responses, next, by->responses + first_response(mesh, g));
+    next = add_numbered(some, g->frictions, next, by->certainty + CARDAN_FIRST(mesh, g, frictions));
+    return add_numbered(some, g->responses, next, by->responses + CARDAN_FIRST(mesh, g, responses));
 }
 
 /* Directions of numbers of elements that stand one behind the other, from the first of a group. */
@@ -104,8 +97,8 @@ real *cardan_mesh_give_events(const cardan_mesh *mesh, const cardan_group *g, co
                               ptrdiff_t lanes, const cardan_slopes *way, real *to)
 {
     to = cardan_mesh_fetch_places(g, element, lanes, mesh->u, way->behind, to);
-    to = give_numbered(way->certainty + cardan_mesh_first_friction(mesh, g), g->frictions, element, lanes, to);
-    return give_numbered(way->responses + first_response(mesh, g), g->responses, element, lanes, to);
+    to = give_numbered(way->certainty + CARDAN_FIRST(mesh, g, frictions), g->frictions, element, lanes, to);
+    return give_numbered(way->responses + CARDAN_FIRST(mesh, g, responses), g->responses, element, lanes, to);
 }
 
 /* Weights of M udot - G^T lam (nu) and G udot - H lam (m). */
@@ -132,7 +125,7 @@ static real *give_jumps(const cardan_mesh *mesh, const cardan_group *g, const pt
                         ptrdiff_t lanes, const cardan_gift *gift, real *to)
 {
     const cardan_event_place *event = gift->more;
-    const ptrdiff_t first = cardan_mesh_first_jump(mesh, g), size = g->jumps * CARDAN_JUMP_ROW;
+    const ptrdiff_t first = CARDAN_FIRST(mesh, g, jumps), size = g->jumps * CARDAN_JUMP_ROW;
 
     for (ptrdiff_t lane = 0; lane < lanes; lane++) {
         const ptrdiff_t jump = first + element[lane] * g->jumps;
@@ -162,25 +155,69 @@ static real *give_states(const cardan_mesh *mesh, const cardan_group *g, const p
     return to;
 }
 
-int cardan_mesh_pull_impulse(cardan_place *here, const real *motion, const real *weights)
+int cardan_mesh_pull_impulse(cardan_place *here, const real *motion, const real *weights, real *change)
 {
     const cardan_mesh *mesh = here->mesh;
     const cardan_gift gift = {give_impulse, 0, weights, NULL};
     const cardan_state at = here->at;
-    const ptrdiff_t nu = mesh->nu, m = mesh->m;
-    real *before = here->event.before;
+    const cardan_slopes by = here->by, way = here->way;
+    const ptrdiff_t nu = mesh->nu;
     int status;
 
     here->at.udot = motion;
     here->at.lam = motion + nu;
     here->at.behind = here->at.certainty = NULL;
     /* speeds that jump are no accelerations: what the equations are by them is no result */
-    memcpy(before, here->by.udot, (size_t)nu * sizeof(real));
-    memcpy(before + nu, here->by.lam, (size_t)m * sizeof(real));
-    status = cardan_mesh_pull_with(here, here->product->impulse, &gift);
-    memcpy(here->by.udot, before, (size_t)nu * sizeof(real));
-    memcpy(here->by.lam, before + nu, (size_t)m * sizeof(real));
+    here->by.udot = here->event.by_motion;
+    here->by.lam = here->event.by_motion + nu;
+    memset(here->event.by_motion, 0, (size_t)(nu + mesh->m) * sizeof(real));
+    if (change) {
+        here->way.udot = change;
+        here->way.lam = change + nu;
+    }
+    status = cardan_mesh_pull_with(here, here->product->impulse, &gift, change != NULL);
+    here->by = by;
+    here->way = way;
     here->at = at;
+    return status;
+}
+
+int cardan_mesh_pull_signs(cardan_place *here, const real *v, int along)
+{
+    const cardan_gift signs = {give_signs, 0, v, NULL};
+    int status;
+
+    here->at.behind = here->at.u;
+    status = cardan_mesh_pull_with(here, here->product->direct, &signs, along);
+    here->at.behind = NULL;
+    return status;
+}
+
+int cardan_mesh_pull_states(cardan_place *here, const real *v, int along)
+{
+    const cardan_gift states = {give_states, 0, v, NULL};
+    int status;
+
+    here->at.behind = here->event.all.behind;
+    here->at.responses = here->event.all.responses;
+    status = cardan_mesh_pull_with(here, here->product->direct, &states, along);
+    here->at.behind = here->at.responses = NULL;
+    return status;
+}
+
+int cardan_mesh_pull_jumps(cardan_place *here, const cardan_event_place *weights, int along)
+{
+    const cardan_gift jumps = {give_jumps, 0, NULL, weights};
+    cardan_slopes *by = &here->by;
+    int status;
+
+    /* impulses are asked for with speeds before the event */
+    here->at.behind = here->at.u;
+    memset(by->behind, 0, (size_t)here->mesh->nu * sizeof(real));
+    status = cardan_mesh_pull_with(here, here->product->jumps, &jumps, along);
+    for (ptrdiff_t i = 0; i < here->mesh->nu; i++)
+        by->u[i] += by->behind[i];
+    here->at.behind = NULL;
     return status;
 }
 
@@ -222,7 +259,7 @@ static int pull_responses(cardan_place *here)
             for (ptrdiff_t k = mesh->nu; k < mesh->nu + mesh->m; k++)
                 event->answer[k] = *weight * event->moved[k];
             if (status == 0)
-                status = cardan_mesh_pull_impulse(here, event->moved, event->answer);
+                status = cardan_mesh_pull_impulse(here, event->moved, event->answer, NULL);
         }
         weight++;
     }
@@ -243,15 +280,15 @@ static int pull_impulses(cardan_place *here, const real *w)
         all->right[i] = cardan_dot(all->X + i * nu, w, nu);
     cardan_mesh_among_impulses(all, n, all->right, event->P);
     for (ptrdiff_t i = 0; i < nu; i++) {
-        event->before[i] = 0;
+        event->force[i] = 0;
         event->answer[i] = w[i];
         for (ptrdiff_t j = 0; j < n; j++) {
-            event->before[i] += all->P[j] * all->J[j * nu + i];
+            event->force[i] += all->P[j] * all->J[j * nu + i];
             event->answer[i] -= event->P[j] * all->J[j * nu + i];
         }
     }
     /* du and L of the event, then mu and -kappa */
-    status = cardan_mesh_motion_of(mesh, &event->released, event->before, NULL, event->moved);
+    status = cardan_mesh_motion_of(mesh, &event->released, event->force, NULL, event->moved);
     if (status == 0)
         status = cardan_mesh_motion_of(mesh, &event->released, event->answer, NULL, event->answer);
     for (ptrdiff_t j = 0; j < n; j++) {
@@ -262,7 +299,7 @@ static int pull_impulses(cardan_place *here, const real *w)
     /* what came out as a multiplier is the weight of its row with the opposite sign */
     for (ptrdiff_t i = 0; i < nu; i++)
         event->answer[i] = -event->answer[i];
-    return status != 0 ? status : cardan_mesh_pull_impulse(here, event->moved, event->answer);
+    return status != 0 ? status : cardan_mesh_pull_impulse(here, event->moved, event->answer, NULL);
 }
 
 /* Derivatives through accelerations and multipliers, by which there are some. */
@@ -278,7 +315,6 @@ int cardan_mesh_pull_transition(cardan_place *here, const real *v)
     const cardan_mesh *mesh = here->mesh;
     const ptrdiff_t nu = mesh->nu;
     const real *v_z = v + nu, *v_s = v_z + mesh->nz;
-    const cardan_gift states = {give_states, 0, v_z, NULL}, jumps = {give_jumps, 0, NULL, &here->event};
     cardan_event_place *event = &here->event;
     cardan_slopes *by = &here->by;
     int status;
@@ -297,9 +333,7 @@ int cardan_mesh_pull_transition(cardan_place *here, const real *v)
         }
     }
     /* states behind the event, by speeds behind it and by responses */
-    here->at.behind = event->all.behind;
-    here->at.responses = event->all.responses;
-    status = cardan_mesh_pull_with(here, here->product->direct, &states);
+    status = cardan_mesh_pull_states(here, v_z, 0);
     memset(event->rows, 0, (size_t)(mesh->jumps * CARDAN_JUMP_ROW) * sizeof(real));
     memset(event->J, 0, (size_t)(mesh->jumps * nu) * sizeof(real));
     /* speeds behind are those before, and what impulses add */
@@ -311,26 +345,15 @@ int cardan_mesh_pull_transition(cardan_place *here, const real *v)
         status = pull_responses(here);
     if (status == 0 && cardan_mesh_any_impulse(mesh, &event->all))
         status = pull_impulses(here, by->behind);
-    /* what impulses are asked for with speeds before the event */
-    here->at.behind = here->at.u;
-    here->at.responses = NULL;
-    memset(by->behind, 0, (size_t)nu * sizeof(real));
     if (status == 0)
-        status = cardan_mesh_pull_with(here, here->product->jumps, &jumps);
-    for (ptrdiff_t i = 0; i < nu; i++)
-        by->u[i] += by->behind[i];
-    here->at.behind = NULL;
+        status = cardan_mesh_pull_jumps(here, event, 0);
     return status != 0 ? status : pull_motion(here);
 }
 
 int cardan_mesh_pull_events(cardan_place *here, const real *v)
 {
-    const cardan_gift signs = {give_signs, 0, v, NULL};
-    int status;
+    int status = cardan_mesh_pull_signs(here, v, 0);
 
-    here->at.behind = here->at.u;
-    status = cardan_mesh_pull_with(here, here->product->direct, &signs);
-    here->at.behind = NULL;
     if (status != 0 || !here->event.solved)
         return status;
     if (here->mesh->frictions > 0)

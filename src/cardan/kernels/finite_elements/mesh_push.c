@@ -224,12 +224,8 @@ int cardan_mesh_direction(cardan_place *here, const real *v)
         way->q[i] += here->by.q[i];
     /* a quaternion counts by its direction */
     for (ptrdiff_t k = 0; k < product->quaternions; k++) {
-        const real *q = here->at.q + product->quaternion[k];
-        real *change = way->q + product->quaternion[k];
-        const real along = cardan_dot(q, change, 4) / cardan_dot(q, q, 4);
-        for (int i = 0; i < 4; i++)
-            change[i] -= along * q[i];
-        here->stretch[k] = along;
+        const ptrdiff_t at = product->quaternion[k];
+        here->stretch[k] = cardan_take_along(here->at.q + at, way->q + at);
     }
     return status;
 }

@@ -28,7 +28,7 @@ static void take_jumps(const cardan_mesh *mesh, const cardan_group *g,
                        const cardan_element_lanes *some, real *out, void *into)
 {
     const cardan_event_place *event = into;
-    const ptrdiff_t first = cardan_mesh_first_jump(mesh, g), size = g->jumps * CARDAN_JUMP_ROW;
+    const ptrdiff_t first = CARDAN_FIRST(mesh, g, jumps), size = g->jumps * CARDAN_JUMP_ROW;
 
     for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
         const ptrdiff_t jump = first + some->element[lane] * g->jumps;
@@ -63,24 +63,34 @@ int cardan_mesh_push_impulse(cardan_place *here, const real *motion)
 {
     const cardan_mesh *mesh = here->mesh;
     const cardan_state at = here->at;
-    const ptrdiff_t nu = mesh->nu, m = mesh->m;
-    real *before = here->event.before;
+    const cardan_slopes way = here->way;
+    const ptrdiff_t nu = mesh->nu, n = nu + mesh->m;
     int status;
 
     here->at.udot = motion;
     here->at.lam = motion + nu;
     here->at.behind = here->at.certainty = NULL;
     /* the motion itself is held */
-    memcpy(before, here->way.udot, (size_t)nu * sizeof(real));
-    memcpy(before + nu, here->way.lam, (size_t)m * sizeof(real));
-    memset(here->way.udot, 0, (size_t)nu * sizeof(real));
-    memset(here->way.lam, 0, (size_t)m * sizeof(real));
-    memset(here->event.answer, 0, (size_t)(nu + m) * sizeof(real));
+    here->way.udot = here->event.by_motion;
+    here->way.lam = here->event.by_motion + nu;
+    memset(here->event.by_motion, 0, (size_t)n * sizeof(real));
+    memset(here->event.answer, 0, (size_t)n * sizeof(real));
     status = cardan_mesh_push_with(here, here->product->impulse, take_impulse, here->event.answer);
-    memcpy(here->way.udot, before, (size_t)nu * sizeof(real));
-    memcpy(here->way.lam, before + nu, (size_t)m * sizeof(real));
+    here->way = way;
     here->at = at;
     return status;
+}
+
+int cardan_mesh_push_motion(cardan_place *here, cardan_mesh_system *system, const real *motion,
+                            const real *force, real *out)
+{
+    const cardan_mesh *mesh = here->mesh;
+    real *answer = here->event.answer;
+    const int status = cardan_mesh_push_impulse(here, motion);
+
+    for (ptrdiff_t i = 0; i < mesh->nu + mesh->m; i++)
+        answer[i] = (i < mesh->nu ? force[i] : 0) - answer[i];
+    return status != 0 ? status : cardan_mesh_motion_of(mesh, system, answer, answer + mesh->nu, out);
 }
 
 /* Changes of responses. */
@@ -112,7 +122,7 @@ static int push_impulses(cardan_place *here, real *speeds)
     cardan_event_place *event = &here->event;
     const cardan_mesh_jumps *all = &event->all;
     const ptrdiff_t nu = mesh->nu, n = mesh->jumps;
-    real *force = event->before;
+    real *force = event->force;
     int status;
 
     /* speeds and multipliers by the impulses as they are */
@@ -121,20 +131,16 @@ static int push_impulses(cardan_place *here, real *speeds)
         for (ptrdiff_t i = 0; i < nu; i++)
             force[i] += all->P[j] * all->J[j * nu + i];
     status = cardan_mesh_motion_of(mesh, &event->released, force, NULL, event->moved);
-    if (status == 0)
-        status = cardan_mesh_push_impulse(here, event->moved);
     /* as the same impulses would, on what the equations are now */
-    for (ptrdiff_t i = 0; i < nu + mesh->m; i++)
-        event->answer[i] = -event->answer[i];
+    memset(force, 0, (size_t)nu * sizeof(real));
     for (ptrdiff_t j = 0; j < n; j++)
         for (ptrdiff_t i = 0; i < nu; i++)
-            event->answer[i] += all->P[j] * event->J[j * nu + i];
+            force[i] += all->P[j] * event->J[j * nu + i];
     for (ptrdiff_t j = 0; j < n; j++)
         all->right[j] = -event->rows[CARDAN_JUMP_ROW * j + CARDAN_JUMP_MISSING]
                         - cardan_dot(event->J + j * nu, event->moved, nu);
     if (status == 0)
-        status = cardan_mesh_motion_of(mesh, &event->released, event->answer, event->answer + nu,
-                                       event->answer);
+        status = cardan_mesh_push_motion(here, &event->released, event->moved, force, event->answer);
     /* and the impulses change, so that velocities are what they should be */
     for (ptrdiff_t j = 0; j < n; j++)
         all->right[j] -= cardan_dot(all->J + j * nu, event->answer, nu);
@@ -147,26 +153,39 @@ static int push_impulses(cardan_place *here, real *speeds)
     return status;
 }
 
-int cardan_mesh_push_transition(cardan_place *here, real *out)
+int cardan_mesh_push_jump(cardan_place *here)
 {
     const cardan_mesh *mesh = here->mesh;
     cardan_event_place *event = &here->event;
     cardan_slopes *way = &here->way;
     const ptrdiff_t nu = mesh->nu;
-    /* accelerations and multipliers before the event change first */
-    int status = cardan_mesh_push_solution(here);
+    int status;
 
     /* what impulses are asked for with speeds before the event */
     memset(event->rows, 0, (size_t)(mesh->jumps * CARDAN_JUMP_ROW) * sizeof(real));
     memset(event->J, 0, (size_t)(mesh->jumps * nu) * sizeof(real));
     memcpy(way->behind, way->u, (size_t)nu * sizeof(real));
     here->at.behind = here->at.u;
-    if (status == 0)
-        status = cardan_mesh_push_with(here, here->product->jumps, take_jumps, event);
+    status = cardan_mesh_push_with(here, here->product->jumps, take_jumps, event);
+    here->at.behind = NULL;
     if (status == 0)
         status = push_responses(here);
     if (status == 0 && cardan_mesh_any_impulse(mesh, &event->all))
         status = push_impulses(here, way->behind);
+    return status;
+}
+
+int cardan_mesh_push_transition(cardan_place *here, real *out)
+{
+    const cardan_mesh *mesh = here->mesh;
+    const cardan_event_place *event = &here->event;
+    const cardan_slopes *way = &here->way;
+    const ptrdiff_t nu = mesh->nu;
+    /* accelerations and multipliers before the event change first */
+    int status = cardan_mesh_push_solution(here);
+
+    if (status == 0)
+        status = cardan_mesh_push_jump(here);
     /* states follow from speeds behind the event; those that no element changes stay */
     here->at.behind = event->all.behind;
     here->at.responses = event->all.responses;

@@ -27,6 +27,13 @@ typedef struct cardan_call {
     const wreal *w;
 } cardan_call;
 
+/* Many products at one state of elements: what is solved and factored there stays in a room. */
+typedef struct cardan_repeated {
+    int (*enter)(const cardan_in *in, real *room);  /* `in` as the product reads it but for v */
+    int (*pull)(real *room, const real *v, real *out);
+    int (*push)(real *room, const real *v, real *out);
+} cardan_repeated;
+
 /* what an integrator says: not negative: the run may go on or is over; negative: it broke down */
 enum {
     CARDAN_DONE = 0,
@@ -261,6 +268,16 @@ static inline real cardan_dot(const real *a, const real *b, ptrdiff_t n)
     for (ptrdiff_t i = 0; i < n; i++)
         sum += a[i] * b[i];
     return sum;
+}
+
+/* Take from a change (4) of a quaternion q, or a gradient by it, its part along q; returns it in q. */
+static inline real cardan_take_along(const real *q, real *change)
+{
+    const real along = cardan_dot(q, change, 4) / cardan_dot(q, q, 4);
+
+    for (int i = 0; i < 4; i++)
+        change[i] -= along * q[i];
+    return along;
 }
 
 static inline ptrdiff_t cardan_larger_of(ptrdiff_t a, ptrdiff_t b)

@@ -25,24 +25,61 @@ static void add_inputs(const cardan_adjoint *adjoint, real t, real factor, const
     }
 }
 
-/* A product at t, x: weights in `v`; the result in `out`, of which discrete states, inputs and
- * parameters are added up, times a factor. */
-static int product(const cardan_adjoint *adjoint, const cardan_call *call, real t, const real *x,
-                   real factor)
+/* Add up discrete states, inputs and parameters of the product in `out`, times a factor. */
+static void add_up(const cardan_adjoint *adjoint, real t, real factor)
 {
     const cardan_run *run = adjoint->steps->run;
     const real *by_s = adjoint->out + run->nx, *by_r = by_s + run->ns, *by_p = by_r + run->nr;
+
+    add_inputs(adjoint, t, factor, by_r);
+    for (ptrdiff_t i = 0; i < run->ns; i++)
+        adjoint->by_s[i] += factor * by_s[i];
+    for (ptrdiff_t i = 0; i < adjoint->np; i++)
+        adjoint->by_p[i] += factor * by_p[i];
+}
+
+/* A product at t, x: weights in `v`; the result in `out`, which is added up. */
+static int product(const cardan_adjoint *adjoint, const cardan_call *call, real t, const real *x,
+                   real factor)
+{
     cardan_in in = cardan_step_in(adjoint->steps, &t, x);
 
     in.v = adjoint->v;
     in.w = call->w;
     if (call->function(&in, adjoint->out, adjoint->steps->work) != 0)
         return CARDAN_MODEL;
-    add_inputs(adjoint, t, factor, by_r);
-    for (ptrdiff_t i = 0; i < run->ns; i++)
-        adjoint->by_s[i] += factor * by_s[i];
-    for (ptrdiff_t i = 0; i < adjoint->np; i++)
-        adjoint->by_p[i] += factor * by_p[i];
+    add_up(adjoint, t, factor);
+    return 0;
+}
+
+/* The same with the rates at a stage. */
+static int stage_product(const cardan_adjoint *adjoint, ptrdiff_t s, real t, real factor)
+{
+    const cardan_steps *steps = adjoint->steps;
+    real *room = steps->factored + s * steps->factored_length;
+
+    if (!steps->repeated || steps->kind != CARDAN_COUPLED)
+        return product(adjoint, &adjoint->rates, t, steps->states + s * steps->run->nx, factor);
+    if (steps->repeated->pull(room, adjoint->v, adjoint->out) != 0)
+        return CARDAN_MODEL;
+    /* where inputs are at that time */
+    cardan_signals_at(steps->run, t);
+    add_up(adjoint, t, factor);
+    return 0;
+}
+
+/* Factor what products with the rates at the stages need, which come many times. */
+static int enter_stages(const cardan_adjoint *adjoint, real t, real h)
+{
+    const cardan_steps *steps = adjoint->steps;
+
+    for (ptrdiff_t s = 0; s < steps->stages && steps->repeated; s++) {
+        const real time = t + steps->nodes[s] * h;
+        cardan_in in = cardan_step_in(steps, &time, steps->states + s * steps->run->nx);
+        in.w = adjoint->rates.w;
+        if (steps->repeated->enter(&in, steps->factored + s * steps->factored_length) != 0)
+            return CARDAN_MODEL;
+    }
     return 0;
 }
 
@@ -148,8 +185,7 @@ static int times_stages(const void *context, const real *weights, real *out)
         real *by_x = out + s * nx;
         for (ptrdiff_t i = 0; i < nx; i++)
             adjoint->v[i] = weights[s * nx + i];
-        if (product(adjoint, &adjoint->rates, of->t + steps->nodes[s] * of->h, steps->states + s * nx, 0)
-            != 0)
+        if (stage_product(adjoint, s, of->t + steps->nodes[s] * of->h, 0) != 0)
             return CARDAN_MODEL;
         for (ptrdiff_t i = 0; i < nx; i++)
             by_x[i] = adjoint->out[i];
@@ -173,7 +209,9 @@ static int pull_stages(const cardan_adjoint *adjoint, real t, real h)
     /* slopes of an implicit method depend on each other: all of them at once */
     for (ptrdiff_t s = 0; s < count && coupled; s++)
         by_slope(adjoint, s, h, adjoint->weights + s * nx);
-    status = coupled ? steps->coupled->backward(steps, adjoint->weights, times_stages, &stages) : 0;
+    status = coupled ? enter_stages(adjoint, t, h) : 0;
+    if (status == 0 && coupled)
+        status = steps->coupled->backward(steps, adjoint->weights, times_stages, &stages);
     if (status != 0)
         return status;
     for (ptrdiff_t s = count - 1; s >= 0; s--) {
@@ -181,7 +219,7 @@ static int pull_stages(const cardan_adjoint *adjoint, real t, real h)
             by_slope(adjoint, s, h, adjoint->v);
         for (ptrdiff_t i = 0; i < nx && coupled; i++)
             adjoint->v[i] = adjoint->weights[s * nx + i];
-        if (product(adjoint, &adjoint->rates, t + steps->nodes[s] * h, steps->states + s * nx, 1) != 0)
+        if (stage_product(adjoint, s, t + steps->nodes[s] * h, 1) != 0)
             return CARDAN_MODEL;
         /* the state was scaled before the rates were asked at it */
         cardan_stage_lengths(steps, s, adjoint->out);

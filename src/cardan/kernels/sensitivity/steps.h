@@ -35,6 +35,9 @@ typedef struct cardan_steps {
     real *lengths;       /* (CARDAN_MOST_STAGES, quaternions) of what coupled stages scale to 1 */
     real *system;        /* cardan_stages_length numbers, of coupled stages */
     real *jacobians;     /* (stages, nx, nx) of a sweep forward over elements, else NULL */
+    const struct cardan_repeated *repeated; /* cardan_mesh_repeated, NULL: products are calls each */
+    real *factored;      /* (CARDAN_MOST_STAGES, factored_length) of these, of a state each */
+    ptrdiff_t factored_length;
     real *work;          /* of the functions */
 } cardan_steps;
 
@@ -80,10 +83,9 @@ int cardan_swept_enough(real change, real size, real *last);
  * before: both are the same. q: either of them; length: what it was. */
 static inline void cardan_unit_change(const real *q, real length, real *change)
 {
-    const real along = cardan_dot(q, change, 4) / cardan_dot(q, q, 4);
-
+    (void)cardan_take_along(q, change);
     for (int j = 0; j < 4; j++)
-        change[j] = (change[j] - along * q[j]) / length;
+        change[j] /= length;
 }
 
 /* Nodes (stages), weights (stages) and matrix (stages, stages) of methods; return their stages. */

@@ -2,16 +2,12 @@
  *
  * Part of cardan. Caller owns all memory.
  */
+#include "side_by_side.h"
 #include "tangent.h"
 #include <math.h>
 #include <string.h>
 
 enum { MOST_SWEEPS = 100 };
-/* numbers of so many columns; they need no alignment */
-typedef real side_by_side
-    __attribute__((vector_size(CARDAN_SIDE_BY_SIDE * sizeof(real)), aligned(sizeof(real)), may_alias));
-#define AT(at) (*(side_by_side *)(void *)(at))
-#define OF(at) (*(const side_by_side *)(const void *)(at))
 
 /* Change of inputs (nr) at t along a column, as far as signals and constants change them. */
 static void inputs_of(const cardan_tangent *tangent, ptrdiff_t column, real t, real *change)
@@ -45,18 +41,6 @@ static void complete(const cardan_tangent *tangent, real t)
     }
 }
 
-/* sums (rows, wide) grow by a matrix (rows, size) times x (size, wide). */
-static void add_product(ptrdiff_t wide, ptrdiff_t rows, ptrdiff_t size, const real *by, const real *x, real *sums)
-{
-    for (ptrdiff_t k = 0; k < wide; k += CARDAN_SIDE_BY_SIDE)
-        for (ptrdiff_t i = 0; i < rows; i++) {
-            side_by_side sum = AT(sums + i * wide + k);
-            for (ptrdiff_t j = 0; j < size; j++)
-                sum += by[i * size + j] * OF(x + j * wide + k);
-            AT(sums + i * wide + k) = sum;
-        }
-}
-
 /* First `taken` of the `rows` results of a function changed: its derivative in `out` times `moved`. */
 static void multiply(const cardan_tangent *tangent, ptrdiff_t rows, ptrdiff_t taken)
 {
@@ -84,21 +68,29 @@ static void take(const cardan_tangent *tangent, ptrdiff_t column, const real *ta
         tangent->along[i] = table[i * tangent->wide + column];
 }
 
-/* Changes by a function that gives them along one column. */
-static int push(const cardan_tangent *tangent, const cardan_call *call, cardan_in in, ptrdiff_t taken)
+/* Changes by a function that gives them along one column, at a stage; of passes and projections 0. */
+static int push(const cardan_tangent *tangent, const cardan_call *call, cardan_in in, ptrdiff_t stage,
+                ptrdiff_t taken)
 {
+    const cardan_steps *steps = tangent->steps;
+    const cardan_repeated *repeated = steps->repeated;
+    real *room = repeated ? steps->factored + stage * steps->factored_length : NULL;
     const cardan_run *run = tangent->steps->run;
     const ptrdiff_t size = run->nx + run->ns + run->nr, wide = tangent->wide;
     real *along = tangent->along;
 
     in.v = along;
+    if (repeated && repeated->enter(&in, room) != 0)
+        return CARDAN_MODEL;
     for (ptrdiff_t column = 0; column < tangent->columns; column++) {
         take(tangent, column, tangent->moved, size);
         for (ptrdiff_t k = 0, n = 0; k < tangent->named; k++)
             for (along[size + k] = 0; n < tangent->named_ends[k]; n++)
                 if (tangent->named_columns[n] == column)
                     along[size + k] = tangent->named_changes[n];
-        if (call->function(&in, tangent->out, tangent->steps->work) != 0)
+        if ((repeated ? repeated->push(room, along, tangent->out)
+                      : call->function(&in, tangent->out, steps->work))
+            != 0)
             return CARDAN_MODEL;
         for (ptrdiff_t i = 0; i < taken; i++)
             tangent->changed[i * wide + column] = tangent->out[i];
@@ -107,14 +99,14 @@ static int push(const cardan_tangent *tangent, const cardan_call *call, cardan_i
 }
 
 /* Changes (taken, wide) of the first of the `rows` results of a function at t, x, in `changed`. */
-static int change(const cardan_tangent *tangent, const cardan_call *call, real t, const real *x, ptrdiff_t rows,
-                  ptrdiff_t taken)
+static int change(const cardan_tangent *tangent, const cardan_call *call, real t, const real *x, ptrdiff_t stage,
+                  ptrdiff_t rows, ptrdiff_t taken)
 {
     cardan_in in = cardan_step_in(tangent->steps, &t, x);
 
     in.w = call->w;
     if (tangent->pushed)
-        return push(tangent, call, in, taken);
+        return push(tangent, call, in, stage, taken);
     if (call->function(&in, tangent->out, tangent->steps->work) != 0)
         return CARDAN_MODEL;
     multiply(tangent, rows, taken);
@@ -163,7 +155,11 @@ static int times_stages(const void *context, const real *x, real *out)
         cardan_stage_lengths(steps, s, tangent->along);
         in.v = tangent->along;
         in.w = tangent->rates.w;
-        if (tangent->rates.function(&in, tangent->out, steps->work) != 0)
+        /* the room is that of the change with the states of stages as they are */
+        if ((steps->repeated
+                 ? steps->repeated->push(steps->factored + s * steps->factored_length, in.v, tangent->out)
+                 : tangent->rates.function(&in, tangent->out, steps->work))
+            != 0)
             return CARDAN_MODEL;
         memcpy(out + s * nx, tangent->out, (size_t)nx * sizeof(real));
     }
@@ -246,7 +242,7 @@ static int step(const cardan_tangent *tangent, real t, real h, const real *old, 
         const real time = t + steps->nodes[s] * h;
         move(tangent, s, h);
         complete(tangent, time);
-        if (change(tangent, &tangent->rates, time, steps->states + s * nx, nx, nx) != 0)
+        if (change(tangent, &tangent->rates, time, steps->states + s * nx, s, nx, nx) != 0)
             return CARDAN_MODEL;
         if (coupled && steps->jacobians)
             store(tangent, s);
@@ -266,7 +262,7 @@ static int project(const cardan_tangent *tangent, const cardan_call *call, real 
 
     stand(tangent, changes, tangent->moved);
     complete(tangent, t);
-    if (change(tangent, call, t, x, size + rows, size) != 0)
+    if (change(tangent, call, t, x, 0, size + rows, size) != 0)
         return CARDAN_MODEL;
     for (ptrdiff_t k = 0; k < tangent->columns; k++)
         for (ptrdiff_t i = 0; i < size; i++)
@@ -314,7 +310,7 @@ static int pass_sweep(const cardan_tangent *tangent, real t, real h, const real 
             return CARDAN_MODEL;
         stand(tangent, tangent->coupled, tangent->moved);
         complete(tangent, time);
-        if (change(tangent, &tangent->rates, time, x, nx, nx) != 0)
+        if (change(tangent, &tangent->rates, time, x, 0, nx, nx) != 0)
             return CARDAN_MODEL;
         for (ptrdiff_t i = 0; i < nx; i++)
             for (ptrdiff_t k = 0; k < tangent->columns; k++) {

@@ -39,8 +39,6 @@ typedef struct cardan_tangent {
     real *out;      /* longest result */
 } cardan_tangent;
 
-enum { CARDAN_SIDE_BY_SIDE = 8 };
-
 int cardan_tangent_sweep(cardan_tangent *tangent);
 
 #endif

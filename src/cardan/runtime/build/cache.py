@@ -16,13 +16,14 @@ import tempfile
 import time
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 
 from ... import processes
 from ...errors import BuildError
+from ...records import dataclass
 from ...schema import kernel_files
 from . import cache_folder, prebuilt
 from .cpu_levels import LEVELS, Level, family

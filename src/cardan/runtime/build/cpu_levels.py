@@ -6,7 +6,8 @@ Code of one level has the same bits on every processor that has it.
 from __future__ import annotations
 
 import platform
-from dataclasses import dataclass
+
+from ...records import dataclass
 
 # what each level of x86-64 adds to the one before, in the words of gcc and clang of any age
 _V2 = ("-mcx16", "-mpopcnt", "-msahf", "-msse3", "-mssse3", "-msse4.1", "-msse4.2")

@@ -10,11 +10,12 @@ import time
 import zlib
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
 from ... import processes
+from ...records import dataclass
 from ...schema import kernel_files
 from . import cache, prebuilt
 from .cpu_levels import LEVELS, Level, family

@@ -7,10 +7,10 @@ import signal
 import subprocess
 import threading
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 
 from ... import processes
 from ...errors import BuildError
+from ...records import dataclass
 
 # The shell keeps the program and a watcher in one process group. The watcher reads a pipe that
 # nobody writes to: it ends with the process that started all this, however that ends, and takes

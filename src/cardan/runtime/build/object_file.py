@@ -13,12 +13,13 @@ import os
 import shutil
 import tempfile
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from io import FileIO
 from pathlib import Path
 
 from ... import processes, regular_file
 from ...errors import BuildError
+from ...records import dataclass
 from . import cache_folder
 from .file_trust import exposed, is_mine
 

@@ -11,10 +11,10 @@ import json
 import platform
 import sys
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from ...records import dataclass
 from ...schema import kernel_files
 from .cpu_levels import Level
 

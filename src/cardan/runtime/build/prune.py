@@ -9,9 +9,9 @@ import stat
 import time
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 
+from ...records import dataclass
 from . import cache
 from .object_file import NEW, intact
 

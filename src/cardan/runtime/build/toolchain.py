@@ -11,12 +11,13 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import NamedTuple, NoReturn
 
 from ...errors import BuildError, CompilerMissing
+from ...records import dataclass
 from . import limited_subprocess
 from .cpu_levels import OTHER, X86, Level
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Protocol
 
 from ...errors import CompilerMissing
+from ...records import dataclass
 from . import cache, cache_folder, toolchain
 from .cpu_levels import OTHER
 from .parallel_build import in_parallel

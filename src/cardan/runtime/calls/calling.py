@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import field
 from functools import cached_property
 from math import prod
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, near, warn
+from ...records import dataclass
 from ...schema.blocks import ORDER, SLOT
 from . import abi
-from .batch import FEW, Batch
+from .batch import Batch
 from .interpreted import Interpreted
 
 MAX_PRINTED = 12
+ANY = -1
 LITTLE = 200_000  # operations that take no longer than a look at all arguments
+MOST = 4096  # states that are done without one
 LARGEST = np.iinfo(np.intp).max // 8  # numbers that can be addressed
 
 
@@ -54,6 +58,31 @@ class Argument:
 
     def __str__(self) -> str:
         return self.label or self.name
+
+
+# takes all arguments as one tuple and gives the results of a plain call, None of all others
+Attempt = Callable[[tuple[object, ...]], Array | tuple[Array, ...] | None]
+
+
+class Arrangement(NamedTuple):
+    """How a function is called whose arguments and results are arranged in another way.
+
+    Attributes:
+        handed: Number of arguments that the caller hands over.
+        places: Of every argument of the C among these; -1 where it is left out.
+        shapes: By the index of an argument of the C: its shape, where the caller has another;
+            :data:`ANY` for an axis of any length, if it is as many numbers in all.
+        joined: Index of the argument of the C that is handed over as several, -1 if none is.
+        components: First number and size of each of them, and whether it is a number without axes.
+        parts: First number, size and shape of every result; none if they come as one array.
+    """
+
+    handed: int
+    places: tuple[int, ...]
+    shapes: Mapping[int, tuple[int, ...]]
+    joined: int
+    components: tuple[tuple[int, int, bool], ...]
+    parts: tuple[tuple[int, int, tuple[int, ...]], ...]
 
 
 class Caller:
@@ -98,7 +127,7 @@ class Caller:
         self.work_size = work_size
         self.w = w
         self.operations = operations
-        self.few = min(FEW - 1, LITTLE // max(1, operations))
+        self.few = min(MOST, LITTLE // max(1, operations))
         self.evaluator = evaluator
         self.batch = Batch(name, None) if batch is None else batch
         self.w_slot = SLOT["w"]
@@ -122,6 +151,10 @@ class Caller:
             raise ArgumentError(
                 f"{self.name}: so many states do not fit into memory ({error}). Give fewer at once"
             ) from None
+
+    def arranged(self, arrangement: Arrangement) -> Attempt:
+        """A quick way into the function as arranged; here there is none."""
+        return lambda values: None
 
     def _results(self, out: Array | None, values: Sequence[object], w: Array | None) -> Array:
         values = [*values, *[None] * (len(self.arguments) - len(values))]

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from ...errors import BuildError
+from ...records import dataclass
 from ...schema.c_functions import FunctionRow
 from ..build.object_file import Object
 from . import webassembly

@@ -7,7 +7,7 @@ import math
 import os
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
@@ -17,6 +17,7 @@ import numpy as np
 from ...arrays import Array, on_lines
 from ...build_progress import stage
 from ...errors import BuildError, CompilerMissing
+from ...records import dataclass
 from ...schema.blocks import ORDER
 from ..build import cache, kernels, prebuilt
 from ..build.object_file import Object

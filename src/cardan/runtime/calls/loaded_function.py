@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 from math import prod
 from typing import Any
@@ -12,6 +12,7 @@ import numpy as np
 
 from ...arrays import Array, on_lines
 from ...errors import BuildError
+from ...records import dataclass
 from ...schema.blocks import ORDER, SLOT
 from ...schema.c_functions import FunctionRow, ResultRow
 from . import abi, abi_ctypes

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -12,6 +11,7 @@ import numpy as np
 from ...arrays import Array
 from ...ir.function import Function
 from ...ir.interpreter import evaluate
+from ...records import dataclass
 
 BATCH = 1024
 DIGITS = 40

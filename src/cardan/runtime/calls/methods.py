@@ -273,13 +273,18 @@ def _energy(model: Evaluation, result: Array) -> Energy:
 
 def _three(model: Evaluation, result: Array, x: ArrayLike) -> tuple[Array, Array, Array]:
     lead, n = result.shape[:-1], np.shape(x)[-1]
-    by_x, by_t, by_r = np.split(result, [n * n, n * n + n], axis=-1)
-    return by_x.reshape(*lead, n, n), by_t, by_r.reshape(*lead, n, by_r.shape[-1] // max(n, 1))
+    end = n * n
+    by_x = result[..., :end].reshape(*lead, n, n)
+    by_r = result[..., end + n :]
+    by_r = by_r.reshape(*lead, n, by_r.shape[-1] // max(n, 1))
+    return by_x, result[..., end : end + n], by_r
 
 
 def _by_name(model: Evaluation, result: Array) -> dict[str, Any]:
     names = model._function("inertial_parameters").outputs[0].entries or []
-    return {name: result[..., k][()] for k, name in enumerate(names)}
+    if result.ndim == 1:
+        return dict(zip(names, result, strict=True))
+    return {name: result[..., k] for k, name in enumerate(names)}
 
 
 def _of_least_norm(

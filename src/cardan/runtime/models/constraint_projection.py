@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from contextlib import nullcontext
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError
+from ...records import dataclass
 from ...schema.entries import MultiplierRow
 from ...schema.records import Run, check
 from ..calls.interpreted import called_back

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from abc import ABC
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
 from math import prod
@@ -15,11 +14,13 @@ import numpy as np
 from ...arguments import checked
 from ...arrays import Array
 from ...errors import ArgumentError, brief
+from ...records import dataclass
 from ...schema.functions import FUNCTIONS
-from ..calls.calling import common, numbers
+from ..calls.calling import ANY, Arrangement, common, numbers
 from ..calls.evaluation import Values, into
 from ..calls.methods import ByName
-from .derivatives import STANDARD, Derivative, Derivatives, has_columns
+from .derivatives import Derivative, Derivatives, has_columns
+from .requests import STANDARD, once
 
 if TYPE_CHECKING:
     from ..calls.loaded_function import LoadedFunction
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 class DerivativeProducts(Derivatives, ABC):
     """Weights times derivatives, changes along directions, and second derivatives."""
 
+    @once
     @checked
     def vjp(self, function: str | tuple[str, str], wrt: str | Sequence[str] = STANDARD) -> Vjp:
         """The gradient of a weighted sum of results, for one sweep in reverse whatever it is by.
@@ -45,8 +47,10 @@ class DerivativeProducts(Derivatives, ABC):
         Raises:
             ModelError, ArgumentError: as :meth:`derivative`.
         """
-        return self._cached(Vjp, function, wrt)
+        request = self._request_of(Vjp.row, function, wrt)
+        return Vjp(self, *request, isinstance(wrt, str))
 
+    @once
     @checked
     def jvp(self, function: str | tuple[str, str], wrt: str | Sequence[str] = STANDARD) -> Jvp:
         """The change of a function along a direction, without the columns of its derivative.
@@ -63,8 +67,10 @@ class DerivativeProducts(Derivatives, ABC):
         Raises:
             ModelError, ArgumentError: as :meth:`derivative`.
         """
-        return self._cached(Jvp, function, wrt)
+        request = self._request_of(Jvp.row, function, wrt)
+        return Jvp(self, *request, isinstance(wrt, str))
 
+    @once
     @checked
     def hessian(
         self, function: str | tuple[str, str], wrt: str | Sequence[str] = ("q", "u")
@@ -85,7 +91,8 @@ class DerivativeProducts(Derivatives, ABC):
         Raises:
             ModelError, ArgumentError: as :meth:`derivative`.
         """
-        return self._cached(Hessian, function, wrt)
+        request = self._request_of(Hessian.row, function, wrt)
+        return Hessian(self, *request, isinstance(wrt, str))
 
 
 @dataclass(frozen=True)
@@ -94,16 +101,13 @@ class Weighted(Derivative):
 
     added: ClassVar[tuple[str, ...]] = ("weights",)
 
-    @cached_property
-    def _of_one_state(self) -> tuple[int, ...] | None:
-        """Shape of the weights of a vector of results; None of others."""
+    def _arrangement(self) -> Arrangement:
+        """The weights are the block v, with the axes of the result."""
+        plain = super()._arrangement()
+        v = self._reads.index("v")
+        places = (*plain.places[:v], self._row["weights"], *plain.places[v + 1 :])
         axes = len(FUNCTIONS[self.function].shape.split())
-        return (len(self._loaded.entry.vector),) if axes == 1 else None
-
-    def _by_place(self, states: Sequence[object]) -> bool:
-        size = self._of_one_state
-        fits = size is not None and getattr(states[-1], "shape", None) == size if states else False
-        return fits and super()._by_place(states)
+        return plain._replace(places=places, shapes={v: (ANY,) * axes})
 
     def _with_weights(self, states: Sequence[object], keywords: Mapping[str, object]) -> ByName:
         """Arguments by name, the weights as the block v."""
@@ -153,9 +157,10 @@ class Vjp(Weighted):
         Raises:
             ArgumentError, ModelError, SolveError: as the function itself.
         """
-        named = keywords or wrenches is not None or parameters is not None or out is not None
-        if not named and self._by_place(states):
-            return self._at(states)
+        if wrenches is None and parameters is None and out is None:
+            quick = self._quick(states, keywords)
+            if quick is not None:
+                return quick
         values = self._with_weights(states, keywords)
         if wrenches is None:
             results = self._results(values, parameters)
@@ -208,12 +213,33 @@ class Jvp(Derivative):
         Raises:
             ArgumentError, ModelError, SolveError: as the function itself.
         """
+        if wrenches is None and parameters is None and out is None:
+            change = self._quick(states, keywords)
+            if isinstance(change, np.ndarray):
+                return change
         values = self._named(states, keywords)
         direction = self._direction(values.pop("direction", None))
         if wrenches is not None:
             return into(self._pushed({**values, "v": direction}, wrenches, parameters)[""], out)
         values["v"] = self._joined(direction)
         return into(self._value(values, parameters), out)
+
+    @property
+    def _several(self) -> tuple[tuple[int, int, tuple[int, ...]], ...]:
+        """There is one result."""
+        return ()
+
+    def _arrangement(self) -> Arrangement:
+        """The direction is the block v; it comes by components, in the order of ``wrt``."""
+        plain, v = super()._arrangement(), self._reads.index("v")
+        places = (*plain.places[:v], self._row["direction"], *plain.places[v + 1 :])
+        arranged = plain._replace(places=places)
+        if self.single:
+            return arranged._replace(shapes={v: (ANY,) if has_columns(self.wrt[0]) else ()})
+        widths = [self._width(name) for name in self._ordered]
+        first = dict(zip(self._ordered, accumulate(widths, initial=0), strict=False))
+        components = [(first[name], self._width(name), not has_columns(name)) for name in self.wrt]
+        return arranged._replace(joined=v, components=tuple(components))
 
     def _with_forces(
         self, values: ByName, parameters: Values | None, changes: Mapping[str, Array]
@@ -290,6 +316,16 @@ class Hessian(Weighted):
         """The gradient and the matrix: slopes of one are what the other is checked against."""
         return self.model._load([(Vjp.row, self.request), (self.row, self.request)])
 
+    @cached_property
+    def _in_order(self) -> bool:
+        """Whether rows and columns are wanted as the C has them."""
+        return self._ordered == self.wrt
+
+    @property
+    def _several(self) -> tuple[tuple[int, int, tuple[int, ...]], ...]:
+        """There is one result."""
+        return ()
+
     def __call__(
         self,
         *states: object,
@@ -308,13 +344,17 @@ class Hessian(Weighted):
         Raises:
             ArgumentError, ModelError, SolveError: as the function itself.
         """
+        if self._in_order and parameters is None and out is None:
+            plain = self._quick(states, keywords)
+            if isinstance(plain, np.ndarray):
+                return plain
         if keywords.pop("wrenches", None) is not None:
             raise ArgumentError(
                 "hessian: wrenches have none. Give the scene a Force with inputs there, and hand "
                 "them over as r"
             )
         matrix = self._value(self._with_weights(states, keywords), parameters)
-        if self._ordered != self.wrt:
+        if not self._in_order:
             widths = [self._width(name) for name in self._ordered]
             ends = [*accumulate(widths)]
             places = {

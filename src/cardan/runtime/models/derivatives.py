@@ -4,55 +4,40 @@ from __future__ import annotations
 
 from abc import ABC
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from itertools import accumulate
 from math import prod
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
 from ...arguments import checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief, near
+from ...records import dataclass
 from ...schema.blocks import COORDINATES, DIRECTIONS, Blocks
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
 from ...schema.request import Request, reads
+from ..calls.calling import Arrangement, Attempt
 from ..calls.evaluation import Values, into
 from ..calls.functions import Functions
 from ..calls.methods import ByName
+from .requests import STANDARD, once
 from .wrenches import generalized, read_wrenches
 
 if TYPE_CHECKING:
     from ..calls.loaded_function import LoadedFunction
 
-D = TypeVar("D", bound="Derivative")
 
-
-STANDARD = ("q", "u", "r", "p")
 # what a wrench on a frame can be felt through
 PUSHED = ("forward_dynamics", "inverse_dynamics")
-
-
-class Plain(NamedTuple):
-    """What a call needs that hands over what is required, by place, and nothing else.
-
-    Attributes:
-        key: Of the C among the functions of the model.
-        arguments: Their number.
-        places: Of every argument of the C among these, None and the time 0.
-        parts: Where every result lies and its shape; none if there is only one.
-    """
-
-    key: tuple[str, str]
-    arguments: int
-    places: tuple[int, ...]
-    parts: tuple[tuple[slice, tuple[int, ...]], ...]
 
 
 class Derivatives(Functions, ABC):
     """Derivatives of all functions above."""
 
+    @once
     @checked
     def derivative(
         self, function: str | tuple[str, str], wrt: str | Sequence[str] = STANDARD
@@ -80,22 +65,8 @@ class Derivatives(Functions, ABC):
             ModelError: no such function, block, parameter or input.
             ArgumentError: the function does not read what it is to be differentiated by.
         """
-        return self._cached(Derivative, function, wrt)
-
-    def _cached(
-        self, kind: type[D], function: str | tuple[str, str], wrt: str | Sequence[str]
-    ) -> D:
-        """What is asked for, made once: whoever asks in a loop waits for the C alone."""
-        key = kind, function, wrt if isinstance(wrt, str) else tuple(wrt), wrt is STANDARD
-        try:
-            existing = self._derived.get(key)
-        except TypeError:
-            # something in it is no name: the request says what
-            existing = None
-        if existing is None:
-            request = self._request_of(kind.row, function, wrt)
-            existing = self._derived[key] = kind(self, *request, isinstance(wrt, str))
-        return existing
+        request = self._request_of(Derivative.row, function, wrt)
+        return Derivative(self, *request, isinstance(wrt, str))
 
     def _request_of(
         self, what: str, function: str | tuple[str, str], wrt: str | Sequence[str]
@@ -215,9 +186,10 @@ class Derivative:
         Raises:
             ArgumentError, ModelError, SolveError: as the function itself.
         """
-        named = keywords or wrenches is not None or parameters is not None or out is not None
-        if not named and self._by_place(states):
-            return self._at(states)
+        if wrenches is None and parameters is None and out is None:
+            quick = self._quick(states, keywords)
+            if quick is not None:
+                return quick
         values = self._named(states, keywords)
         if wrenches is None:
             results = self._results(values, parameters)
@@ -225,20 +197,27 @@ class Derivative:
             results = self._pushed(values, wrenches, parameters)
         return self._delivered(results, out)
 
-    def _by_place(self, states: Sequence[object]) -> bool:
-        """Whether arguments by place are all that is needed."""
-        return len(states) == self._plain.arguments
+    def _quick(
+        self, states: tuple[object, ...], keywords: Mapping[str, object]
+    ) -> Array | tuple[Array, ...] | None:
+        """Results of plain calls; None where something is out of the usual."""
+        if len(states) > len(self._order[0]):
+            return None
+        if keywords:
+            row = [*states, *[None] * (len(self._row) - len(states))]
+            for name, value in keywords.items():
+                place = self._row.get(name, -1)
+                if place < len(states):
+                    return None
+                row[place] = value
+            states = tuple(row)
+        return self._attempt(states)
 
-    def _at(self, states: Sequence[object]) -> Array | tuple[Array, ...]:
-        """The same where all that is needed stands by place, and nothing else: no names."""
-        key, _, places, parts = self._plain
-        row = (*states, None, 0.0)
-        flat: Array = self.model._calls[key](None, *[row[k] for k in places])
-        if self.single:
-            return flat
-        if parts and flat.ndim == 1:
-            return tuple([flat[part].reshape(shape) for part, shape in parts])
-        return self._delivered(self._by_part(flat), None)
+    @cached_property
+    def _row(self) -> dict[str, int]:
+        """Where arguments by place and by name stand in one row of all of them."""
+        by_place, names = self._order
+        return {name: k for k, name in enumerate(dict.fromkeys((*by_place, *names)))}
 
     def _delivered(self, results: Mapping[str, Array], out: Any) -> Array | tuple[Array, ...]:
         """Results in the order in which they were asked for."""
@@ -321,17 +300,22 @@ class Derivative:
         return tuple(reads(*self._key))
 
     @cached_property
-    def _plain(self) -> Plain:
-        """What a call by place alone needs."""
-        order = {name: place for place, name in enumerate(self._order[0])}
-        absent = len(order)
-        if self.added:
-            order["v"] = absent - 1
-        places = [order.get(name, absent + (name == "t")) for name in self._reads]
-        lies = {name: (slice(start, end), shape) for name, start, end, shape in self._parts}
-        # one result comes in its shape
-        parts = [lies[name] for name in self.wrt] if len(lies) > 1 else []
-        return Plain(self._key, absent, tuple(places), tuple(parts))
+    def _attempt(self) -> Attempt:
+        """The C, for one row of all arguments."""
+        way: Attempt = self._loaded.fast.arranged(self._arrangement())
+        return way
+
+    def _arrangement(self) -> Arrangement:
+        """Arguments by place and results as the caller has them."""
+        names = self._row
+        places = tuple(names.get(name, -1) for name in self._reads)
+        return Arrangement(len(names), places, {}, -1, (), self._several)
+
+    @property
+    def _several(self) -> tuple[tuple[int, int, tuple[int, ...]], ...]:
+        """First number, size and shape of every result in its order; none if there is one."""
+        lies = {name: (start, end - start, shape) for name, start, end, shape in self._parts}
+        return () if self.single else tuple(lies[name] for name in self.wrt)
 
     @cached_property
     def _order(self) -> tuple[tuple[str, ...], tuple[str, ...]]:

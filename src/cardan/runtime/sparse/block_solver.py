@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import ctypes
-from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...errors import ArgumentError, SolveError
+from ...records import dataclass
 from ...schema.records import FactorsRecord, PlanRecord
 from ..build import kernels
 from .plan import Plan

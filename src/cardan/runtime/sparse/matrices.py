@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from ...records import dataclass
 from ..models.finite_elements.tables import Integers, Tables
 from .plan import Plan, plan
 

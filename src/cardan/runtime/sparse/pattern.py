@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -12,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...arrays import Booleans
 from ...errors import ArgumentError
+from ...records import dataclass
 
 Ints = NDArray[np.int32]
 Longs = NDArray[np.int64]

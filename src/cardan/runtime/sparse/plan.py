@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -11,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...arrays import Booleans
 from ...errors import ArgumentError
+from ...records import dataclass
 from . import ordering, stages
 from .pattern import LARGEST, Ints, Longs, Pattern, pattern, ranges
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, final
 
 import numpy as np
@@ -11,6 +10,7 @@ import numpy as np
 from ...arguments import Times, checked
 from ...arrays import Array
 from ...errors import ArgumentError, counted, near
+from ...records import dataclass
 from ...schema.manifest import Manifest
 from ...schema.mechanism import ForceElementRow
 from ..calls.evaluation import State

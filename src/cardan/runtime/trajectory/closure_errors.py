@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, final
 
 import numpy as np
 
 from ...arrays import Array
+from ...records import dataclass
 from ...schema.entries import MultiplierRow
 
 if TYPE_CHECKING:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, final
 
 import numpy as np
 
 from ...arrays import Array
+from ...records import dataclass
 from .interpolation import inputs_at
 
 if TYPE_CHECKING:

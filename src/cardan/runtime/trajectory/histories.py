@@ -13,6 +13,7 @@ from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, near
 from ...schema.entries import Entry
 from ...schema.manifest import Manifest
+from ..models.node_names import nodes_last
 from ..models.wrenches import PARTS, force_names, force_part, reaction_part
 from . import dependent_joints
 
@@ -46,7 +47,7 @@ def history(motion: TrajectoryRecord, name: str) -> Array:
     if name in multipliers:
         # of the accelerations, not those that an integrator found
         return computed(motion, "multipliers", f"multiplier '{name}'")[:, multipliers.index(name)]
-    if part := reaction_part(name, _joints(manifest)):
+    if part := reaction_part(name, joint_names(manifest)):
         return motion.reaction(part[0])[:, part[1]]
     rows = manifest.element_forces
     if (entries := force_part(name, rows)) is not None:
@@ -54,16 +55,32 @@ def history(motion: TrajectoryRecord, name: str) -> Array:
     if name in ENERGIES:
         energy: Array = getattr(motion.energy, ENERGIES[name])
         return energy
-    reactions = [f"{joint}.{part}" for joint in _joints(manifest) for part in PARTS]
-    histories = [*motion._places, *follow, *outputs, *force_names(rows), *reactions]
-    histories += [*multipliers, *ENERGIES]
+    reactions = [f"{joint}.{part}" for joint in joint_names(manifest) for part in PARTS]
+    # what the scene names comes first
+    histories = [*outputs, *motion._places, *follow, *force_names(rows), *ENERGIES]
+    histories = nodes_last(manifest, [*histories, *multipliers, *reactions])
     joint, _, suffix = name.rpartition(".")
-    if suffix == "driving_force" and joint in _joints(manifest):
+    if suffix == "driving_force" and joint in joint_names(manifest):
         raise ModelError(
             f"motion['{name}']: '{joint}' moves freely or follows another joint; only a joint with "
             "prescribed= has a driving force, and that of its followers acts on it"
         )
     raise ModelError(f"motion['{name}']: there is no such history.{near(name, histories)}")
+
+
+def state_places(manifest: Manifest) -> dict[str, tuple[str, int | slice]]:
+    """Name -> the block it lies in, by letter, and its column or columns there."""
+    places: dict[str, tuple[str, int | slice]] = {}
+    for letter, suffix in (("q", ""), ("u", ".u")):
+        for joint in manifest.joints:
+            start, size = joint.slot(letter)
+            if size:
+                columns = start if size == 1 else slice(start, start + size)
+                places[joint.name + suffix] = (letter, columns)
+    for letter in "qurzs":
+        for k, row in enumerate(manifest.block(letter)):
+            places.setdefault(row.name, (letter, k))
+    return places
 
 
 def computed(motion: TrajectoryRecord, table: str, what: str) -> Array:
@@ -101,7 +118,7 @@ def computed(motion: TrajectoryRecord, table: str, what: str) -> Array:
     return values
 
 
-def _joints(manifest: Manifest) -> list[str]:
+def joint_names(manifest: Manifest) -> list[str]:
     """Names of the joints that have reactions, as far as files of runs know them."""
     joints = [row.name for row in manifest.joints] + [row.name for row in manifest.cuts]
     elements = manifest.finite_elements
@@ -119,6 +136,6 @@ def units_of(motion: TrajectoryRecord) -> dict[str, str]:
         # all entries of a force have the unit of the force
         units |= {row.name: row.unit, row.name.rpartition(".")[0]: row.unit}
     units |= dict.fromkeys(ENERGIES, "J")
-    for joint in _joints(m):
+    for joint in joint_names(m):
         units |= {f"{joint}.force": "N", f"{joint}.moment": "N*m"}
     return units

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ...arguments import Times, checked
 from ...arrays import Array
+from ...records import dataclass
 
 
 @dataclass(frozen=True)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...records import dataclass
 from ...schema.manifest import Manifest
 from ..verification.joint_motion import REVERSED, JointData, Pose, cross, joint_data, times
 from ..verification.rotations import PARAMETERS, about, quaternion

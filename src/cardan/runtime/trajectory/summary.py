@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...errors import CardanError, counted
+from ..models.node_names import of_node
 from .event_log import Event, one_line
 
 if TYPE_CHECKING:
@@ -59,7 +60,10 @@ def rows(motion: TrajectoryRecord) -> Rows:
             "start", "assembled", {n: v for n, v in defaults.items() if n not in inputs}
         )
         defaults = {n: v for n, v in defaults.items() if n in inputs}
-    lines += _values("start", "by default", defaults)
+    nodes = [name for name in defaults if of_node(motion.manifest, name)]
+    lines += _values("start", "by default", {n: v for n, v in defaults.items() if n not in nodes})
+    if nodes:
+        lines.append(("start", f"of nodes of beams: {len(nodes)} entries, see motion.x[0]"))
     return [*lines, *_events(motion), *_samples(motion), *_energy(motion), *_constraints(motion)]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self
 
@@ -13,6 +13,7 @@ from ...arguments import Times, checked
 from ...arrays import Array
 from ...errors import ModelError
 from ...notebooks import html
+from ...records import dataclass
 from ...schema.manifest import Manifest
 from ..calls.methods import Energy
 from ..models.finite_elements.beam_sections import sections
@@ -21,7 +22,7 @@ from .dense_output import Dense
 from .energy_balance import Balance, balance, impacts
 from .event_log import Event, EventLog
 from .frame_history import frame_on_body, numbers, pose
-from .histories import history
+from .histories import history, state_places
 from .input_history import Recorded
 from .interpolation import inputs_at, states_at
 from .solver_info import EVENT, FINISHED, SolverInfo
@@ -198,18 +199,9 @@ class TrajectoryRecord:
     @cached_property
     def _places(self) -> dict[str, tuple[Array, int | slice]]:
         """Name -> the array it lies in, and its column or columns there."""
-        places: dict[str, tuple[Array, int | slice]] = {}
-        for letter, values, suffix in (("q", self.q, ""), ("u", self.u, ".u")):
-            for joint in self.manifest.joints:
-                start, size = joint.slot(letter)
-                if size:
-                    columns = start if size == 1 else slice(start, start + size)
-                    places[joint.name + suffix] = (values, columns)
         blocks = {"q": self.q, "u": self.u, "r": self.r, "z": self.z, "s": self.s}
-        for letter, values in blocks.items():
-            for k, row in enumerate(self.manifest.block(letter)):
-                places.setdefault(row.name, (values, k))
-        return places
+        places = state_places(self.manifest)
+        return {name: (blocks[letter], columns) for name, (letter, columns) in places.items()}
 
     @property
     def _r(self) -> Array | None:

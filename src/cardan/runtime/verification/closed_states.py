@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...records import dataclass
 from ..models.constraint_projection import size_of
 from ..models.initial import start_of
 from .flat_scene import motion_of, unknown

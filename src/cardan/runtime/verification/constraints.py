@@ -8,13 +8,14 @@ eighth order with several steps; the two that agree best say how well the deriva
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import DerivationError, ModelError
+from ...records import dataclass
 from ..models.initial import start_of
 from .differences import REACH, central, input_rates
 

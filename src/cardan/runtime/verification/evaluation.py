@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ...errors import SolveWarning
+from ...records import dataclass
 from ...schema.request import reads
 from ..calls.objects import Key
 from .closed_states import RANK

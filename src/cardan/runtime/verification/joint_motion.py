@@ -10,13 +10,13 @@ Numerical differentiation of analytic functions (1967), for derivatives by means
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from math import prod
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...records import dataclass
 from .rotations import PARAMETERS, axial
 
 Array = NDArray[Any]

@@ -10,10 +10,11 @@ Source: Roberson, Schwertassek, Dynamics of Multibody Systems, chapters 4 and 8.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
+from ...records import dataclass
 from ...schema.manifest import Manifest
 from .joint_motion import Array, JointData, JointMotion, cross, joint_motion, joint_motions, times
 from .newton_euler import Scene, joint_rows

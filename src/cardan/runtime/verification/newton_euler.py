@@ -9,10 +9,10 @@ Source: Roberson, Schwertassek, Dynamics of Multibody Systems, chapters 4 and 6.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
+from ...records import dataclass
 from .joint_motion import Array, JointData, cross, joint_motions, joint_pose
 from .joint_motion import times as _times
 

@@ -7,12 +7,13 @@ forces a plain iteration finds both.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...records import dataclass
 from .joint_motion import Array, times
 from .newton_euler import Scene, moving, rates_of_momentum, transmitted
 

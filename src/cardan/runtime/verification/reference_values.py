@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...records import dataclass
 from .closed_states import Bound, closed_states
 from .flat_scene import motion_of
 from .joint_motion import Array, times

@@ -7,12 +7,13 @@ rotation. Everything holds for complex numbers, so that a complex step different
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from ...records import dataclass
 
 Matrix = NDArray[Any]
 

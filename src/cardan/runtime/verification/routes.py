@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
+from ...records import dataclass
 from ..calls.objects import Key
 from . import bodies, core, forces, increments, linear, motions, slopes
 from .differences import BLURRED

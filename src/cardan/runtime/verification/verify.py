@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from ...arguments import Count, Seed, checked
 from ...arrays import Array
 from ...errors import BuildError, SolveWarning, warn
+from ...records import dataclass
 from ..calls.objects import Key
 from . import constraints, core, samples
 from .closed_states import bound, unbound

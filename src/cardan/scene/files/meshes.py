@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path, PurePosixPath
 
 from ...errors import ModelError, NoteOnFiles, counted
+from ...records import dataclass
 from .. import shape
 from ..shape import Shape
 from .document import Element

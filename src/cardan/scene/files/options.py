@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...errors import ModelError
+from ...records import dataclass
 
 if TYPE_CHECKING:
     from ...superelements.record import SuperelementRecord

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
+from ...records import dataclass
 from ...spatial.numbers import UPRIGHT, Rows, Vector, product, roll_pitch_yaw, rotated, transposed
 from .angles import RESIDUE
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ...errors import ModelWarning, warn
+from ...records import dataclass
 from ..body import Body
 from ..frame import Place
 from ..scene import SceneRecord

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ...errors import ModelWarning, likely, warn
+from ...records import dataclass
 from .document import place
 
 if TYPE_CHECKING:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 from typing import Any
@@ -13,6 +12,7 @@ import sympy
 
 from ...arrays import Array
 from ...errors import ModelError
+from ...records import dataclass
 from .names import DERIVED, Names
 from .numbers import numbers
 from .sources import Source

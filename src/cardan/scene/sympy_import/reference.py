@@ -6,13 +6,13 @@ Loads SymPy.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import sympy
 from sympy.physics.mechanics import dynamicsymbols
 
 from ...arrays import Array
+from ...records import dataclass
 from .constraints import Bound
 from .names import Names
 from .numbers import numbers

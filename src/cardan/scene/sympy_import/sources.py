@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ import sympy
 from sympy.physics.mechanics import KanesMethod, LagrangesMethod, dynamicsymbols
 
 from ...errors import ModelError
+from ...records import dataclass
 from .leaves import leaves
 from .numbers import numbers
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
 
 import numpy as np
 
 from ...arrays import Array
+from ...records import dataclass
 
 # coefficients of shape functions are multiples of 1/64 where they differ by rounding alone
 DYADIC, ROUNDING = 64, 1e-12

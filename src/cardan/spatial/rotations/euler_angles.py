@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from itertools import product
 
 from ...ir.arithmetic import Scalar, atan2, cos, sin, sqrt
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..axis import elementary
 from .rotation import Rotation
 

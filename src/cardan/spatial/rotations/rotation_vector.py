@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...ir.arithmetic import Scalar, stumpff
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..exponential import exp, log
 from .rotation import Rotation
 

@@ -7,13 +7,13 @@ numbers, and what does not fit is refused with its line.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from numpy.typing import ArrayLike
 
 from ...arrays import Array
 from ...errors import ModelError, counted
+from ...records import dataclass
 from ..record import SuperelementRecord
 from ..reduction import reduce
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError
 from ...ir.function import live
+from ...records import dataclass
 from ...scene.beam import Beam
 from ...scene.body import Body
 from ...scene.frame import Place

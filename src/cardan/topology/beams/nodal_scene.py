@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import copy
 from collections import deque
-from dataclasses import dataclass, field
+from dataclasses import field
 from heapq import heappop, heappush
 
 from ...elements.joints.free import Free
 from ...elements.joints.joint import Joint as JointElement
 from ...errors import TopologyError
+from ...records import dataclass
 from ...scene.beam import Beam
 from ...scene.body import Body
 from ...scene.connections import Joint

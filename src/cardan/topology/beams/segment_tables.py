@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
 from ...arrays import Array
 from ...elements.forces.gravity.gravitation import Gravitation
 from ...elements.sections.section import Outline
+from ...records import dataclass
 
 # of what nobody draws
 ROUND = Outline(0.0, 0.0, round=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from ...elements.forces.line_load import LineLoad
 from ...elements.limits import NumberLimits, check
@@ -14,6 +14,7 @@ from ...errors import ModelError, near
 from ...ir.arithmetic import Scalar
 from ...ir.function import live
 from ...ir.graph import ZERO
+from ...records import dataclass
 from ...scene.beam import Beam
 from ...scene.beam_arguments import STRAINS
 from ...scene.scene import SceneRecord

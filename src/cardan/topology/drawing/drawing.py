@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from html import escape
 from typing import NamedTuple
 
@@ -11,6 +10,7 @@ from ...elements.joints.joint import Joint as JointElement
 from ...elements.superelement_joints import Elastic
 from ...errors import counted
 from ...ir.printing import quoted
+from ...records import dataclass
 from ...scene.connections import Joint
 from ..tree import Branch
 

@@ -8,9 +8,10 @@ of Multibody Systems, section 5.3.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 
+from ...records import dataclass
 from ...scene.beam import Beam
 from ...scene.body import Body
 from ...scene.connections import Joint

@@ -15,7 +15,6 @@ from __future__ import annotations
 import dataclasses
 from collections import deque
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -23,6 +22,7 @@ from ...arrays import Array
 from ...elements.closing import closed
 from ...elements.joints.joint import Joint as JointElement
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ..conversion import Converter
 from ..system import Cut, Frame, Joint, Nodes
 

@@ -10,12 +10,12 @@ Source: M. Hiller and A. Kecskemethy, work on characteristic pairs of joints.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
 
 from ...arrays import Array
+from ...records import dataclass
 from ..system import Cut, Joint
 from .circuits import DEPENDENT, Numbers
 

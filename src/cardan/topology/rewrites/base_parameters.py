@@ -16,7 +16,7 @@ Robots, IEEE Trans. Robotics and Automation 6 (1990); here by the invariance, fo
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 from typing import TypeAlias
@@ -24,6 +24,7 @@ from typing import TypeAlias
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix
+from ...records import dataclass
 from ...spatial.moments import Inertia, moved, moved_second, second_moment, turn_symmetric
 from ..system import Body, Joint, System
 

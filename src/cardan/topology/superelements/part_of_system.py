@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from ...records import dataclass
 from ...superelements.inertia import ProjectedInertia
 from ...superelements.record import SuperelementRecord
 

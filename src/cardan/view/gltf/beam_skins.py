@@ -8,11 +8,10 @@ Source: Khronos Group, glTF 2.0 Specification, section 3.7.3 (skins).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ...arrays import Array, Integers
+from ...records import dataclass
 from ..beams import DrawnBeam
 from .tessellation import Triangles
 

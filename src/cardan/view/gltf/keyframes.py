@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelWarning, warn
+from ...records import dataclass
 from ...runtime.trajectory.frame_history import can_resample
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..drawing import FAST

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from ...arrays import Array, Integers
+from ...records import dataclass
 from ..mesh_files.part import Part
 from ..solids import Solid
 

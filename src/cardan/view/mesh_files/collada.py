@@ -9,7 +9,7 @@ Source: Khronos Group, COLLADA Digital Asset Schema Release 1.4.1 (2008).
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import cos, radians, sin
 from pathlib import Path
 from xml.etree.ElementTree import Element
@@ -18,6 +18,7 @@ import numpy as np
 
 from ...arrays import Array, Integers
 from ...errors import ModelError
+from ...records import dataclass
 from . import collada_polygons
 from .collada_elements import References, child, children, numbers, parsed, tag
 from .part import MOST_TRIANGLES, Color, Part, merged, rgb

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from xml.etree.ElementTree import Element
 
 import numpy as np
 
 from ...arrays import Array, Integers
 from ...errors import ModelError
+from ...records import dataclass
 
 LARGEST_INDEX = 2**40
 

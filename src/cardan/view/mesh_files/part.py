@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...errors import ModelError
+from ...records import dataclass
 
 MOST_TRIANGLES = 1_000_000  # of one file
 LARGEST_POSITION = 1e6

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 
+from ...records import dataclass
 from ...runtime.formats.contents import Ending
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,6 +11,7 @@ import numpy as np
 from ....arguments import checked
 from ....arrays import Array
 from ....errors import SolveError, counted
+from ....records import dataclass
 from ...continuation.family import Point
 from ...continuation.record import BranchRecord, ContinuationRecord
 

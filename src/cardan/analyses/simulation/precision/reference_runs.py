@@ -6,12 +6,12 @@ two runs by other, far more accurate methods.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
 from ....arrays import Array
 from ....errors import CodegenError, DerivationError, ModelError, SolveError
+from ....records import dataclass
 from ....runtime.trajectory.trajectory import TrajectoryRecord
 
 Run = Callable[..., TrajectoryRecord]

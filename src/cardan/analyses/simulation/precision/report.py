@@ -5,13 +5,14 @@ from __future__ import annotations
 import importlib.util
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
 from ....arguments import Inputs, checked
 from ....errors import CompilerMissing, counted
+from ....records import dataclass
 from ....runtime.build import cache
 from ....runtime.calls import abi, function_costs, webassembly
 from ....runtime.calls.measuring import Row

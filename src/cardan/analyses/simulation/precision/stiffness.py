@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,6 +17,7 @@ from numpy.typing import ArrayLike
 from ....arguments import checked
 from ....arrays import Array
 from ....errors import counted
+from ....records import dataclass
 from ....runtime.calls.calling import numbers
 from ....runtime.calls.evaluation import State
 from ....runtime.models.loaded_model import LoadedModel

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ....arguments import checked
+from ....records import dataclass
 from ....schema.integrators import INTEGRATORS
 
 if TYPE_CHECKING:

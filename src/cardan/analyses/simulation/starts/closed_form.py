@@ -8,13 +8,14 @@ they start. Loops stay on the branch that their formulas are written for.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ....arrays import Array
 from ....errors import ArgumentError, ModelError, SolveError, brief, miscounted
+from ....records import dataclass
 from ....runtime.models.loaded_model import LoadedModel
 from ....runtime.verification.closed_states import dependents
 from ...mechanisms.mechanism import Mechanism

@@ -6,7 +6,6 @@ held all the same.
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any
@@ -26,6 +25,7 @@ from ...mechanisms.nearest_position import NEARLY, assembled
 from ...mechanisms.nodal_mechanism import NodalMechanism
 from ...mechanisms.position_solver import missed
 from ...mechanisms.targets import read
+from ..settings import start_key
 from .strain_limits import warn_of_strain
 
 MOST = 60
@@ -47,7 +47,7 @@ def meshed_start(model: LoadedModel, x: Array, q: object, u: object, t: float, r
     Warns:
         SolveWarning: beams are strained beyond what materials bear.
     """
-    key = _key(x, q, u, t, r)
+    key = start_key(x, q, u, t, r)
     solved: tuple[bytes, Array] | None = model._derived.get(meshed_start)
     if key and solved and solved[0] == key:
         return solved[1].copy()
@@ -61,15 +61,22 @@ def meshed_start(model: LoadedModel, x: Array, q: object, u: object, t: float, r
     return state
 
 
-def _key(x: Array, q: object, u: object, t: float, r: Array) -> bytes:
-    """What a start of a model follows from: equal ones follow from equal keys."""
-    key = hashlib.blake2b(np.float64(t).tobytes() + np.asarray(r).tobytes())
-    for named in (q, u):
-        # values of names stand in the state: which were named decides what is held
-        names = sorted(map(str, named)) if isinstance(named, Mapping) else named is None
-        key.update(repr(names).encode())
-    key.update(x.tobytes())
-    return key.digest()
+def next_start(model: LoadedModel, x: Array, t: float, r: Array) -> Array:
+    """A state (nx,) whose constraints hold next to one where they may be open.
+
+    Args:
+        model: In absolute coordinates.
+        x: The state, of which nothing is held.
+        t, r: Time and inputs.
+
+    Raises:
+        ModelError: no state near it fulfills the constraints.
+    """
+    q, u, z = model.parts_of(x)
+    start = _Start(model, x, q, u, t, r)
+    free = np.zeros(model.nu)
+    place = start.by_nodes(q.copy(), free)
+    return np.concatenate([place, start.closed("close_velocity", place, u, free)[: model.nu], z])
 
 
 def start_of_search(
@@ -203,7 +210,7 @@ class _Start:
         if not positions:
             return place
         for _ in range(MOST):
-            step = self._closed("close_position", place, speed, locked)
+            step = self.closed("close_position", place, speed, locked)
             last, gap = gap, float(np.abs(step[len(q) :]).max(initial=0.0))
             good = gap <= GOOD * self.scale and gap >= 0.5 * last
             if gap <= CLOSED * self.scale or good:
@@ -248,7 +255,7 @@ class _Start:
                     raise
         u = self.m.state(q, self.u0)[1] if by_joints else self.u0
         locked = _locked_speeds(self.model, self.u, "u")
-        solved = self._closed("close_velocity", q, u, locked)[: self.model.nu]
+        solved = self.closed("close_velocity", q, u, locked)[: self.model.nu]
         off = np.abs(solved - u)[locked != 0].max(initial=0.0)
         if off > GOOD * max(1.0, float(np.abs(u).max(initial=0.0))):
             raise ModelError(
@@ -270,7 +277,7 @@ class _Start:
                 f"{abs(rates[worst]):.3g} in '{row.name}'. Name only those that are to be held: "
                 "the others follow"
             )
-        return self._closed("close_velocity", q, u, np.zeros(self.model.nu))[: self.model.nu]
+        return self.closed("close_velocity", q, u, np.zeros(self.model.nu))[: self.model.nu]
 
     def _rates(self, q: Array, u: Array) -> Array:
         rates: Array = self.model._evaluate(
@@ -318,7 +325,7 @@ class _Start:
         places, led = self.model._layout.slots["q"], set(self.m.led.tolist())
         return any(places[name].start not in led for name in names)
 
-    def _closed(self, name: str, q: Array, u: Array, locked: Array) -> Array:
+    def closed(self, name: str, q: Array, u: Array, locked: Array) -> Array:
         source = self.model._source
         assert isinstance(source, Assembled)
         return source.results(self.model).closed(name, q, u, locked, self.arguments)

@@ -10,10 +10,10 @@ Source: P. C. Hughes, Spacecraft Attitude Dynamics, 1986, chapter 8.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
 
 from ....ir.arithmetic import Scalar, norm
 from ....ir.matrix import Matrix
+from ....records import dataclass
 
 
 @dataclass(frozen=True)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import ClassVar
 
 from ....ir.matrix import Matrix
+from ....records import dataclass
 from ...formulas import Lines
 from ...limits import Limit, not_negative
 from ...quantity import Bodies, Place, Units, Value

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ....ir.arithmetic import norm
 from ....ir.matrix import Matrix
+from ....records import dataclass
 from ...limits import Limit, not_negative
 from ...quantity import RATIO, Bodies, Direction, Place, Units, Value
 from .fields import Oblate, Pull

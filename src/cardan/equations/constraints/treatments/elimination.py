@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ....ir.matrix import Matrix
 from ....ir.solve import solve
+from ....records import dataclass
 from .treatment import Bound, Treatment, by_motions
 
 

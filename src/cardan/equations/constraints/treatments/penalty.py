@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from ....ir.matrix import Matrix
+from ....records import dataclass
 from .treatment import Bound, Treatment, by_penalty, stabilized
 
 

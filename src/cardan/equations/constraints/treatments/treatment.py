@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import Any, ClassVar, cast
 
 from ....arguments import check_fields
@@ -12,6 +12,7 @@ from ....ir.graph import ZERO, SystemNames
 from ....ir.matrix import Matrix
 from ....ir.solve import solve
 from ....literature import HasSource
+from ....records import dataclass
 
 # of a number whose square is a constant of an expression
 LARGEST = 1e100

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from math import prod
 from typing import TYPE_CHECKING, final
 
@@ -16,6 +17,7 @@ from ....schema.blocks import ORDER
 from ....schema.c_functions import FunctionRow, ResultRow
 from ....schema.finite_elements import EXPRESSION
 from ....schema.functions import FUNCTIONS, OF_ELEMENTS
+from ...calls import abi
 from ...calls.calling import Caller
 from ...calls.code import Code
 from ...calls.generated import Source
@@ -28,6 +30,9 @@ from .table_loading import load
 
 if TYPE_CHECKING:
     from ..loaded_model import LoadedModel
+
+# what C answers alone, with the interface of generated functions
+IN_C = ("rhs", "qdot", "energy", "power", "momentum", "outputs", "events", "transition")
 
 
 @final
@@ -86,8 +91,12 @@ class Assembled(Source):
         w = _address_of(results.mesh.record)
         at_once = results.tables.sizes if results.at_once(name, of) else None
         label, one = f"{name}('{of}')" if of else name, _Evaluator(results.of(name, of), at_once)
-        caller = Caller(label, address, arguments, shape, entries, 0, w, evaluator=one)  # type: ignore[arg-type]
-        return LoadedFunction(name, of, code, w, caller, caller, results.mesh.interpreted)
+        work, interpreted = code.entry.work_size, results.mesh.interpreted
+        caller = Caller(label, address, arguments, shape, entries, work, w, work, evaluator=one)  # type: ignore[arg-type]
+        if name not in IN_C or interpreted:
+            return LoadedFunction(name, of, code, w, caller, caller, interpreted)
+        one.compiled = partial(abi.run, address, work_size=work)
+        return LoadedFunction(name, of, code, w, caller, abi.fast(caller))
 
     def _product(self, model: LoadedModel, name: str, of: str) -> LoadedFunction:
         """A derivative, a product with one, or an expression."""
@@ -143,13 +152,21 @@ class _Evaluator:
         """Args:
         function: Of blocks.
         sizes: Of these, if it takes many states at once: it needs to know where each ends.
+
+        The attribute ``compiled`` is the loop over states in C, where it gives the same.
         """
         self.function, self.sizes = function, sizes
+        self.compiled: Callable[..., tuple[int, int]] | None = None
 
     def run(
         self, blocks: list[Array | None], strides: Sequence[int], out: Array
     ) -> tuple[int, int]:
         """The results of every row of ``out``."""
+        if self.compiled is not None:
+            answer = self.compiled(blocks=blocks, strides=strides, count=len(out), out=out)
+            # what failed is asked once more, for what there is to say of it
+            if not answer[0]:
+                return answer
         present = [
             (n, b, d) for n, b, d in zip(ORDER, blocks, strides, strict=True) if b is not None
         ]

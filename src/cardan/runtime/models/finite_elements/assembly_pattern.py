@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ....arrays import Array
+from ....records import dataclass
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_matrix

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, final
 
 import numpy as np
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from ....arguments import checked
 from ....arrays import Array
 from ....errors import ArgumentError, ModelError, counted, near
+from ....records import dataclass
 from ...calls.evaluation import State
 from .elements import Elements
 from .elements import State as ElementState

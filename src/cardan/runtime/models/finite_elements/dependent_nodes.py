@@ -8,12 +8,12 @@ over from one to the other along the beam.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ....arrays import Array
+from ....records import dataclass
 from ....schema.finite_elements import GROUND
 from .tables import Integers, Tables
 

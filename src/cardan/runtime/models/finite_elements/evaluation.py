@@ -121,11 +121,7 @@ class Results:
 
     def rhs(self, inputs: Inputs) -> Array:
         """Time derivative (nx,) of the state [q, u, z], per s."""
-        at, nx = self.state(inputs), self._counts["nx"]
-        if "tau" in inputs:
-            rates = np.concatenate([self.qdot(inputs), self.forward_dynamics(inputs)])
-            return np.concatenate([rates, self.mesh.call("rhs", at, nx)[len(rates) :]])
-        return self.mesh.call("rhs", at, nx)
+        return self.mesh.call("rhs", self.state(inputs), self._counts["nx"], inputs.get("tau"))
 
     def inverse_dynamics(self, inputs: Inputs) -> Array:
         """tau (nu,) [N m or N] with M udot + h = f + tau."""

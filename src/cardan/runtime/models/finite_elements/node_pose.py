@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from ....arrays import Array
+from ....records import dataclass
 from ....schema import finite_elements
 
 

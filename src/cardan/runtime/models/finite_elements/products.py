@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cached_property, partial
 from math import prod
 from typing import TYPE_CHECKING, TypeAlias, final
@@ -13,6 +12,7 @@ import numpy as np
 
 from ....arrays import Array, Integers
 from ....errors import ModelError, SolveError
+from ....records import dataclass
 from ....schema.blocks import ORDER
 from ....schema.c_functions import FunctionRow
 from ....schema.finite_elements import EXPRESSION
@@ -54,9 +54,8 @@ PROJECTIONS = ("close_position", "close_velocity")
 BALANCED = ("inverse_dynamics", "constraints", "constraint_rates", *PROJECTIONS, *SOLVED, *EVENTS)
 # what results of elements add up to
 SUMMED = ("energy", "momentum", "power", "outputs", "expression", "reaction", "element_forces")
-# functions with derivatives, and those with second derivatives
+# functions with derivatives
 DIRECT = (*BALANCED, *SUMMED, "qdot", *MATRICES, *FRAMES, *EVENTS)
-CURVED = tuple(name for name in DIRECT if name not in EVENTS)
 # what has to be loaded of elements
 LOADED = {"expression": "outputs", "reaction": "accelerations", "element_forces": "accelerations"}
 LOADED |= {"forward_dynamics": "accelerations", "multipliers": "accelerations"}
@@ -247,8 +246,6 @@ class Products:
         where = f"{row} of {function}: model '{self.model.name}' is in absolute coordinates, where"
         if function not in DIRECT:
             raise ModelError(f"{where} these have derivatives: {', '.join(DIRECT)}")
-        if row == "hessian" and function not in CURVED:
-            raise ModelError(f"{where} events have no second derivatives. Take differences of vjp")
 
     def _check_rotations(self, request: Request, forms: Mapping[str, Records]) -> None:
         """Refuse parameters that turn a superelement on what carries it, where it takes part.

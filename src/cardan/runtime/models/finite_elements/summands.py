@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
 from itertools import groupby
 
 import numpy as np
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 
 from ....arrays import Array
 from ....errors import ModelError
+from ....records import dataclass
 from ....schema.finite_elements import MOTION_NUMBERS
 from ....schema.manifest import Manifest
 from .elements import Elements, State

@@ -16,7 +16,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,6 +23,7 @@ import numpy as np
 from ....arguments import checked
 from ....arrays import Array
 from ....errors import ArgumentError, ModelError
+from ....records import dataclass
 from ....schema.records import PARTS
 from ...calls import loaded_function
 from ...calls.evaluation import State

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -14,6 +14,7 @@ from ....arguments import checked
 from ....arrays import Array, Integers
 from ....errors import ArgumentError, ModelError, counted, near
 from ....number_file import unpacked
+from ....records import dataclass
 from ....schema.manifest import Manifest
 from ....schema.mechanism import SuperelementRow
 from ....superelements.moving_surface import FILE, MovingSurface, entry, surface_of_arrays

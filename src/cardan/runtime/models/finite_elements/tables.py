@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeVar
 
@@ -11,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....arrays import Array
+from ....records import dataclass
 from ....schema.finite_elements import ElementKind, PlaceKind
 from .assembly_pattern import AssemblyPattern
 from .node_pose import Plane, pose, speeds

@@ -11,13 +11,14 @@ Source: F. Pfeiffer and Ch. Glocker, Multibody Dynamics with Unilateral Contacts
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ....errors import SolveError
+from ....records import dataclass
 from ...calls import loaded_function
 from ...calls.code import Code
 from ...calls.lanes import unpacked

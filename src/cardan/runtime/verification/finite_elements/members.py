@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from ....ir.interpreter import evaluate
 from ....ir.serialize import from_dict
+from ....records import dataclass
 from ....schema.finite_elements import PlaceKind
 from ...calls import loaded_function
 from ...calls.code import Code

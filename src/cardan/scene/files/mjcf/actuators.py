@@ -10,11 +10,12 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from ....elements.forces.joint_force import JointForce
 from ....errors import ModelError, near
+from ....records import dataclass
 from ...scene import SceneRecord
 from ..document import Element
 from .compiler import chosen

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 from ....errors import ModelError
+from ....records import dataclass
 from ....spatial.numbers import UPRIGHT, Rows, about, of_quaternion, product, unit, upright_to
 from ..document import Element
 from ..pose import Pose

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ....errors import ModelError, TopologyError
+from ....records import dataclass
 from ..document import PLACE, Element, Numbered, content, element_at, parse, place
 from ..meshes import Meshes
 from ..options import Options

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from ....elements.joints.fixed import Fixed
 from ....elements.joints.joint import Joint as JointElement
 from ....elements.joints.spherical import Spherical
 from ....errors import ModelError, near
+from ....records import dataclass
 from ....spatial.numbers import UPRIGHT, of_quaternion
 from ...body import Body
 from ...frame import Place

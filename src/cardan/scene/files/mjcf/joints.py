@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 from ....elements.forces.drive import Drive
@@ -17,6 +17,7 @@ from ....elements.joints.prismatic import Prismatic
 from ....elements.joints.revolute import Revolute
 from ....elements.joints.spherical import Spherical
 from ....errors import ModelError
+from ....records import dataclass
 from ....spatial.numbers import UPRIGHT, Vector, about, rotated, to_quaternion, unit
 from ...body import Body
 from ...frame import Place

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from ....errors import ModelError
+from ....records import dataclass
 from ....spatial.numbers import UPRIGHT, Rows, Vector, congruent, upright_to
 from ... import inertia, shape
 from ...shape import Shape

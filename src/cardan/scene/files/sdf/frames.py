@@ -6,10 +6,11 @@ Source: SDFormat, "Pose frame semantics": every pose is relative to one named fr
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from ....errors import ModelError, near
+from ....records import dataclass
 from ..document import place
 from ..pose import HERE, Pose
 from .values import Item

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from ....elements.joints.fixed import Fixed
 from ....elements.joints.joint import Joint as JointElement
@@ -14,6 +13,7 @@ from ....elements.joints.screw import Screw
 from ....elements.joints.spherical import Spherical
 from ....elements.joints.universal import Universal
 from ....errors import ModelError, near
+from ....records import dataclass
 from ....spatial.numbers import Rows, Vector, rotated, unit
 from .values import Item, swept_axis
 

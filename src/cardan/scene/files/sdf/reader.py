@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ from ....elements.forces.joint_spring import JointSpring
 from ....elements.joints.fixed import Fixed
 from ....elements.joints.free import Free
 from ....errors import ModelError
+from ....records import dataclass
 from ....spatial.numbers import Rows, Vector, congruent, product, to_quaternion, transposed
 from ...body import Body
 from ...scene import SceneRecord

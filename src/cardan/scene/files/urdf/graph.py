@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ....errors import ModelError, TopologyError, near
+from ....records import dataclass
 from ..document import Element
 
 if TYPE_CHECKING:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 from warnings import catch_warnings, simplefilter
@@ -14,6 +13,7 @@ from ....elements.joints.fixed import Fixed
 from ....elements.joints.free import Free
 from ....elements.joints.joint import Joint as JointElement
 from ....errors import ImpossibleWarning, ModelError, warn
+from ....records import dataclass
 from ...body import Body
 from ...checks import lone_moment, unphysical
 from ...scene import SceneRecord

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 
 from ....errors import ModelError, TopologyError, near
+from ....records import dataclass
 from .keys import Key
 from .tree import Listing, Mapping, Node, Scalar
 

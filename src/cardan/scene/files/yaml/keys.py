@@ -10,7 +10,6 @@ from __future__ import annotations
 import dataclasses
 import inspect
 from collections.abc import Callable
-from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
 
@@ -19,6 +18,7 @@ from ....elements.forces import FORCES
 from ....elements.joints import JOINTS
 from ....elements.material import material
 from ....elements.sections import SECTIONS, Section
+from ....records import dataclass
 from ... import inertia, shape
 from ...beam_arguments import ROLES, STRAINS
 

@@ -7,10 +7,11 @@ while the text is read, aliases before anything walks over what they repeat.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any
 
 from ....errors import ModelError
+from ....records import dataclass
 from ....version import SCENE
 
 FIRST_LINE = f"{SCENE.word}: {SCENE.version}"
