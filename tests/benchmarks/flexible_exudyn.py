@@ -70,12 +70,12 @@ def spatial(n: int) -> Built:
     return system, nodes[-1]
 
 
-def _pinned(system: Any, node: Any) -> None:
+def _pinned(system: Any, node: Any, coordinates: int = 2) -> None:
     from exudyn import itemInterface as items
 
     ground = system.AddNode(items.NodePointGround())
     still = system.AddMarker(items.MarkerNodeCoordinate(nodeNumber=ground, coordinate=0))
-    for k in (0, 1):
+    for k in range(coordinates):
         moving = system.AddMarker(items.MarkerNodeCoordinate(nodeNumber=node, coordinate=k))
         system.AddObject(items.CoordinateConstraint(markerNumbers=[still, moving]))
 
@@ -130,6 +130,30 @@ def cable(n: int) -> Built:
     return system, nodes[-1]
 
 
+def spatial_cable(n: int) -> Built:
+    """Its three-dimensional cable (absolute nodal coordinates): nor does it resist twist."""
+    from exudyn import itemInterface as items
+
+    system, s = _system(), SECTION
+    nodes = [
+        system.AddNode(items.NodePointSlope1(referenceCoordinates=[x, 0, 0, 1, 0, 0]))
+        for x in np.linspace(0, LENGTH, n + 1)
+    ]
+
+    def element(pair: list[Any]) -> Any:
+        return items.ObjectANCFCable(
+            nodeNumbers=pair,
+            length=LENGTH / n,
+            massPerLength=s["rhoA"],
+            bendingStiffness=s["EI"],
+            axialStiffness=s["EA"],
+        )
+
+    _filled(system, nodes, element, (0, 0, -1))
+    _pinned(system, nodes[0], 3)
+    return system, nodes[-1]
+
+
 def run(build: Callable[[int], Built], n: int, steps: int, end: float = END) -> tuple[float, Array]:
     """Time of a step [s] and where the tip is at the samples of the motion (SAMPLES, 2) [m]."""
     import exudyn as exu
@@ -157,8 +181,13 @@ def run(build: Callable[[int], Built], n: int, steps: int, end: float = END) -> 
     taken = time.thread_time() - start
     history = np.array(system.GetSensorStoredData(sensor))[:, 1:]
     found = history[-SAMPLES:]
-    height = 2 if build is spatial else 1
+    height = 2 if build in (spatial, spatial_cable) else 1
     return taken / steps, found[:, [0, height]]
 
 
-BEAMS = {"geometrically exact": spatial, "planar": planar, "cable": cable}
+BEAMS = {
+    "geometrically exact": spatial,
+    "planar": planar,
+    "cable": cable,
+    "spatial cable": spatial_cable,
+}

@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 
 import cardan as cd
-from benchmarks import flexible, flexible_large, mixed, sparse
+from benchmarks import flexible, flexible_cable, flexible_large, mixed, sparse
 from mechanisms.flexible import bend45
 
 TESTS = Path(__file__).parents[1]
@@ -56,7 +56,8 @@ def figures(quick: bool = False) -> Iterator[Figure]:
         yield Figure(text, "3 s", f"{spent:.1f} s", spent <= 3)
     yield from _mixed((2,) if quick else (2, 8, 32))
     if not quick:
-        yield _large()
+        yield from _cables()
+        yield from _large()
 
 
 def _bend() -> Figure:
@@ -133,11 +134,28 @@ def _mixed(sizes: tuple[int, ...]) -> Iterator[Figure]:
     yield Figure("the same, a run of one step", "5 ms", f"{1e3 * start:.1f} ms", start <= 5e-3)
 
 
-def _large() -> Figure:
+def _cables() -> Iterator[Figure]:
+    for pair in flexible_cable.pairs():
+        yield Figure(
+            f"3-D cable of {pair.elements} (Exudyn), {1e3 * pair.error:.2g} mm: its time of a step "
+            "over ours for that error",
+            f"{flexible_cable.AIM:g}",
+            f"{pair.ratio:.1f}",
+            pair.ratio >= flexible_cable.AIM,
+        )
+
+
+def _large() -> Iterator[Figure]:
     with ProcessPoolExecutor(1, get_context("spawn")) as alone:
         found = alone.submit(flexible_large.Costs).result()
     peak = found.rows[-1].peak
-    return Figure(
+    yield Figure(
+        f"{flexible_large.ELEMENTS:,} elements: start of a call like an earlier one",
+        "0.5 s",
+        f"{found.start:.2f} s",
+        found.start <= 0.5,
+    )
+    yield Figure(
         f"{flexible_large.ELEMENTS:,} elements: a step of generalized-alpha, memory of the process",
         "2 s, 2 GB",
         f"{found.step:.2f} s, {peak:.2f} GB",

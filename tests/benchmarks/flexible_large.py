@@ -71,6 +71,12 @@ class Costs:
         one, several = self.rows[-2:]
         return (several.wall - one.wall) / (STEPS - 1)
 
+    @property
+    def start(self) -> float:
+        """Processor time of a call with a step, less the step [s]: of one like an earlier one."""
+        one, several = self.rows[-2:]
+        return one.cpu - (several.cpu - one.cpu) / (STEPS - 1)
+
     def _of(self, what: str, action: Callable[[], T]) -> T:
         wall, cpu = time.perf_counter(), time.process_time()
         found = action()

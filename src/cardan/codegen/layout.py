@@ -15,11 +15,11 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from .. import processes, regular_file
-from ..collector import collector_paused
 from ..errors import CodegenError, ModelError
 from ..ir.assembly import Form
 from ..ir.routine import Routine
 from ..ir.serialize import to_dict
+from ..processes import collector_paused
 from ..schema import kernel_files
 from ..schema.c_functions import FunctionRow
 from ..schema.fields import dumped
@@ -200,8 +200,14 @@ def change(directory: Path, edit: Callable[[Manifest], Manifest]) -> None:
     with processes.folder_lock(directory):
         manifest = manifest_of(directory)
         changed = edit(manifest)
-        if changed != manifest:
+        if _differs(changed, manifest):
             _write_manifest(directory, changed)
+
+
+def _differs(one: Manifest, other: Manifest) -> bool:
+    """True when manifests differ; entries that one has from the other are not looked at."""
+    a, b = vars(one), vars(other)
+    return a.keys() != b.keys() or any(x is not b[name] and x != b[name] for name, x in a.items())
 
 
 def written(directory: Path) -> set[str]:

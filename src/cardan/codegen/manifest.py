@@ -7,7 +7,6 @@ from dataclasses import field
 from math import isfinite
 from typing import Any
 
-from ..collector import collector_paused
 from ..elements.internal_states import TICK
 from ..elements.joints.joint import entries
 from ..elements.limits import limit_rows
@@ -21,6 +20,7 @@ from ..equations.kinematics.kinematics import Kinematics
 from ..equations.record import EquationRecord
 from ..errors import lasting
 from ..ir.function import Function
+from ..processes import collector_paused
 from ..records import dataclass
 from ..schema import mechanism
 from ..schema.entries import (

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from dataclasses import field
 
 from .. import passes
-from ..collector import collector_paused
 from ..ir.assembly import Assembly, Form
 from ..ir.function import Function, Output
 from ..ir.graph import ZERO
 from ..ir.routine import Routine
+from ..processes import collector_paused
 from ..records import dataclass
 from ..schema.blocks import ORDER
 from ..schema.c_functions import FunctionRow, ResultRow

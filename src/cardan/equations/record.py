@@ -8,12 +8,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self
 
 from ..arguments import checked
-from ..collector import collector_paused
 from ..errors import DerivationError, counted
 from ..ir.assembly import Assembly, Form
 from ..ir.function import Block, Function
 from ..ir.recursion import Recursion
 from ..ir.stage import stage
+from ..processes import collector_paused
 from ..records import dataclass
 from ..schema.blocks import ABI_ORDER
 from ..schema.functions import FUNCTIONS

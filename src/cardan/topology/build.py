@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
-from ..collector import collector_paused
 from ..elements.forces.force import ForceElement
 from ..elements.forces.gravity.gravitation import Gravitation
 from ..elements.forces.line_load import LineLoad
@@ -13,6 +12,7 @@ from ..elements.limits import NumberLimits, check
 from ..errors import ModelError, TopologyError, near
 from ..ir.function import live
 from ..ir.graph import ZERO, Graph
+from ..processes import collector_paused
 from ..scene import checks
 from ..scene.beam import UNITS, Beam, Cable
 from ..scene.body import Body

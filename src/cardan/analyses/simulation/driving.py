@@ -8,8 +8,8 @@ from dataclasses import replace
 from typing import Protocol
 
 from ...arguments import Inputs
-from ...collector import collector_paused
 from ...errors import FunctionError, ModelError, SolveError, SolveWarning, warn
+from ...processes import collector_paused
 from ...records import dataclass
 from ...runtime.calls.interpreted import CURE
 from ...runtime.models.constraint_projection import Closing

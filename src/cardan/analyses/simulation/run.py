@@ -25,9 +25,8 @@ from . import run_record as abi
 from .discontinuities import FEW, jumps, stops_of
 from .events import NOTHING, EventTable
 from .input_functions import CEntry, InputFunctions
-from .run_memory import memory_of
 from .run_record import INPUTS, WATCH, Numbers
-from .run_state import Saved
+from .run_state import Saved, memory_of
 from .settings import Settings
 from .signals import Signals
 

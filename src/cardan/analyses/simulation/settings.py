@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
@@ -213,6 +214,17 @@ class Start:
         """Every entry by its name."""
         names = (*model.coordinates, *model.speeds, *model.internals)
         return dict(zip(names, self.x.tolist(), strict=True))
+
+
+def start_key(x: Array, q: object, u: object, t: float, r: Array) -> bytes:
+    """What a start of a model follows from: equal ones follow from equal keys."""
+    key = hashlib.blake2b(np.float64(t).tobytes() + np.asarray(r).tobytes())
+    for named in (q, u):
+        # values of names stand in the state: which were named decides what is held
+        names = sorted(map(str, named)) if isinstance(named, Mapping) else named is None
+        key.update(repr(names).encode())
+    key.update(x.tobytes())
+    return key.digest()
 
 
 def start(model: LoadedModel, x0: object, q: object, u: object, z: object = None) -> Start:

@@ -7,7 +7,7 @@ import ctypes
 from ...runtime.models.loaded_model import LoadedModel
 from .events import EventTable
 from .run import Runner
-from .run_memory import leave_memory
+from .run_state import leave_memory
 from .settings import Settings
 from .signals import Signals
 

@@ -11,13 +11,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...collector import collector_paused
 from ...equations.finite_elements.derivatives import derivative_of, rates_derivative_of
 from ...equations.finite_elements.expressions import expression_of
 from ...equations.finite_elements.record import BlockKind, FiniteElementRecord, Group, Kind
 from ...equations.reading.typesetting import text_of
 from ...errors import DerivationError
 from ...ir.function import Function
+from ...processes import collector_paused
 from ...schema.entries import MultiplierRow, OutputRow
 from ...schema.finite_elements import (
     DERIVATIVES,

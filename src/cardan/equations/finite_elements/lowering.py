@@ -7,11 +7,11 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 import numpy as np
 
 from ...arrays import Integers
-from ...collector import collector_paused
 from ...elements.flexible import FLEXIBLE
 from ...errors import DerivationError
 from ...ir.function import Function, Output
 from ...ir.graph import ZERO
+from ...processes import collector_paused
 from ...schema.finite_elements import GROUND, ON_TREE
 from ...spatial.plane import NORMALS
 from ...topology.prescribed_motion import driving_outputs

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from ...arguments import checked
-from ...collector import collector_paused
 from ...errors import DerivationError, near
+from ...processes import collector_paused
 from ..record import EquationRecord
 from . import differentiated, from_start
 from .first_order import plant

@@ -22,12 +22,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...arrays import Array
-from ...collector import collector_paused
 from ...errors import DerivationError, near
 from ...ir.arithmetic import Scalar
 from ...ir.function import Function
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
+from ...processes import collector_paused
 from ...records import dataclass
 from ..functions import blocks
 from ..functions.context import Context

@@ -15,11 +15,11 @@ from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from ...collector import collector_paused
 from ...errors import DerivationError, near
 from ...ir.function import Function, Output
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
+from ...processes import collector_paused
 from ...records import dataclass
 from ...topology.system import Body, Nodes, Part, System
 from ..functions.dynamics import Dynamics

@@ -6,7 +6,6 @@ held all the same.
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any
@@ -26,6 +25,7 @@ from ...mechanisms.nearest_position import NEARLY, assembled
 from ...mechanisms.nodal_mechanism import NodalMechanism
 from ...mechanisms.position_solver import missed
 from ...mechanisms.targets import read
+from ..settings import start_key
 from .strain_limits import warn_of_strain
 
 MOST = 60
@@ -47,7 +47,7 @@ def meshed_start(model: LoadedModel, x: Array, q: object, u: object, t: float, r
     Warns:
         SolveWarning: beams are strained beyond what materials bear.
     """
-    key = _key(x, q, u, t, r)
+    key = start_key(x, q, u, t, r)
     solved: tuple[bytes, Array] | None = model._derived.get(meshed_start)
     if solved and solved[0] == key:
         return solved[1].copy()
@@ -71,17 +71,6 @@ def next_start(model: LoadedModel, x: Array, t: float, r: Array) -> Array:
     start, free = _Start(model, x, q, u, t, r), np.zeros(model.nu)
     place = start.by_nodes(q.copy(), free)
     return np.concatenate([place, start.closed("close_velocity", place, u, free)[: model.nu], z])
-
-
-def _key(x: Array, q: object, u: object, t: float, r: Array) -> bytes:
-    """What a start of a model follows from: equal ones follow from equal keys."""
-    key = hashlib.blake2b(np.float64(t).tobytes() + np.asarray(r).tobytes())
-    for named in (q, u):
-        # values of names stand in the state: which were named decides what is held
-        names = sorted(map(str, named)) if isinstance(named, Mapping) else named is None
-        key.update(repr(names).encode())
-    key.update(x.tobytes())
-    return key.digest()
 
 
 def start_of_search(
