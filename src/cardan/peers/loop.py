@@ -37,12 +37,12 @@ class Loop:
     Attributes:
         call: ``peer_loop(self, function, q, u, x, out, size, count, repeats)``: fills ``out``, then
             times so many repeats; seconds per call.
-        self: The program, as an address.
+        program: As an address.
         map: Our coordinates in those of the program.
     """
 
     call: Callable[..., float]
-    self: Any
+    program: Any
     map: Coordinates
 
     def theirs(self, function: str, states: States) -> list[Array]:
@@ -68,7 +68,7 @@ class Loop:
         """Seconds per call; fills ``out``."""
         count, size = out.shape
         places = [address(block) for block in (*blocks, out)]
-        return float(self.call(self.self, NUMBER[function], *places, size, count, repeats))
+        return float(self.call(self.program, NUMBER[function], *places, size, count, repeats))
 
     def results(self, function: str, states: States) -> Array:
         """See :class:`.peer.Contender`."""
