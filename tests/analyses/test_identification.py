@@ -358,7 +358,7 @@ def test_refusals_name_the_culprit(tmp_path: Path) -> None:
         cd.compile(ZOO["cart_pole"].build()).excitation()
     table = tmp_path / "run.csv"
     table.write_text("t,waist\n0,zero\n", encoding="utf-8")
-    with pytest.raises(ArgumentError, match="could not convert"):
+    with pytest.raises(ArgumentError, match="line 2, column 'waist': 'zero' is not a number"):
         model.identify(table)
     with pytest.raises(ArgumentError, match="noise: a positive number"):
         model.identify(still, noise={"elbow": 0.1})
