@@ -55,8 +55,8 @@ MODULES = {
     module.name: module
     for module in (
         # what generated functions call
-        KernelModule("functions", ("functions.c",)),
-        KernelModule("superelements", ("functions.c", "superelements.c")),
+        KernelModule("functions", ("functions.c", "trees.c")),
+        KernelModule("superelements", ("functions.c", "superelements.c", "trees.c")),
         # runs of models in joint coordinates
         KernelModule("kernels", ("functions.c",), ("export.c", "simulate.c"), ("dop853",), "-Os"),
     )

@@ -49,7 +49,7 @@ CARDAN_INLINE real *cardan_row(const cardan_tree *tree, int k, real *rows)
 }
 
 /* Eliminate speed k from the rows of its `count` nearest ancestors; its row keeps the factors. */
-CARDAN_INLINE void cardan_eliminate(const cardan_tree *tree, int k, int count, real *rows)
+CARDAN_INLINE void cardan_tree_eliminate(const cardan_tree *tree, int k, int count, real *rows)
 {
     const int level = tree->speed[CARDAN_SPEED_ROW * k + CARDAN_LEVEL];
     real *const row = cardan_row(tree, k, rows);
@@ -63,7 +63,7 @@ CARDAN_INLINE void cardan_eliminate(const cardan_tree *tree, int k, int count, r
 }
 
 /* The same for speeds k - 3 ... k of a run and all of their ancestors. */
-CARDAN_INLINE int cardan_eliminate_four(const cardan_tree *tree, int k, real *rows)
+CARDAN_INLINE int cardan_tree_eliminate_four(const cardan_tree *tree, int k, real *rows)
 {
     real *const row_a = cardan_row(tree, k, rows), *const row_b = cardan_row(tree, k - 1, rows);
     real *const row_c = cardan_row(tree, k - 2, rows), *const row_d = cardan_row(tree, k - 3, rows);
@@ -72,11 +72,11 @@ CARDAN_INLINE int cardan_eliminate_four(const cardan_tree *tree, int k, real *ro
 
     /* among themselves */
     status = cardan_pivot(row_a + level + 3);
-    cardan_eliminate(tree, k, 3, rows);
+    cardan_tree_eliminate(tree, k, 3, rows);
     status |= cardan_pivot(row_b + level + 2);
-    cardan_eliminate(tree, k - 1, 2, rows);
+    cardan_tree_eliminate(tree, k - 1, 2, rows);
     status |= cardan_pivot(row_c + level + 1);
-    cardan_eliminate(tree, k - 2, 1, rows);
+    cardan_tree_eliminate(tree, k - 2, 1, rows);
     status |= cardan_pivot(row_d + level);
 
     for (int l = level - 1, j = cardan_inboard(tree, k - 3); l >= 0; --l) {
@@ -108,11 +108,11 @@ CARDAN_APART int cardan_tree_factor(const cardan_tree *tree, real *rows)
     while (k >= 0) {
         const int *const speed = tree->speed + CARDAN_SPEED_ROW * k;
         if (k - speed[CARDAN_RUN] + 1 >= CARDAN_ROWS) {
-            status |= cardan_eliminate_four(tree, k, rows);
+            status |= cardan_tree_eliminate_four(tree, k, rows);
             k -= CARDAN_ROWS;
         } else {
             status |= cardan_pivot(cardan_row(tree, k, rows) + speed[CARDAN_LEVEL]);
-            cardan_eliminate(tree, k, speed[CARDAN_LEVEL], rows);
+            cardan_tree_eliminate(tree, k, speed[CARDAN_LEVEL], rows);
             k -= 1;
         }
     }
