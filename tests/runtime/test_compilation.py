@@ -15,7 +15,7 @@ import pytest
 import sympy
 
 import cardan as cd
-from cardan import compilation
+from cardan import pipeline
 from cardan.scene.content import content_hash
 from table import each
 
@@ -26,13 +26,13 @@ Change = Callable[[cd.Scene], object]
 def derivations(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """Names of the scenes whose equations are derived."""
     names: list[str] = []
-    derived = compilation._derived
+    derived = pipeline.compile_scene
 
-    def counted(scene: Any, *arguments: Any) -> cd.CompiledModel:
+    def counted(scene: Any, *arguments: Any, **options: Any) -> cd.CompiledModel:
         names.append(scene.name)
-        return derived(scene, *arguments)
+        return derived(scene, *arguments, **options)
 
-    monkeypatch.setattr(compilation, "_derived", counted)
+    monkeypatch.setattr(pipeline, "compile_scene", counted)
     return names
 
 

@@ -98,8 +98,9 @@ print(rhs.operations, rhs.cost, rhs.critical_path)
 # Function.live, Function.roots
 print(len(rhs.live()), len(rhs.roots))
 
-# Equations.form, Equations.loops, Equations.ways
+# Equations.form, Equations.loops, Equations.refusal, Equations.ways
 print(equations.form("rhs"), equations.loops("rhs"), equations.ways("rhs", None))
+print(equations.refusal("mass_matrix"))
 
 # Equations.notes, Equations.c_name
 print(equations.notes("rhs", None, equations.form("rhs")), equations.c_name("rhs"))
