@@ -64,7 +64,8 @@ def importing() -> Prepared:
     def call() -> object:
         import cardan
 
-        return cardan
+        # names are loaded when they are asked for
+        return cardan.load, cardan.compile, cardan.CompiledModel
 
     return call, floor
 
@@ -167,7 +168,7 @@ def beam() -> Prepared:
 
 
 def ensemble() -> Prepared:
-    """A thousand double pendulums for ten seconds; the floor is the C of the states in lanes."""
+    """A thousand double pendulums for ten seconds; the floor is its evaluations in batches."""
     import numpy as np
 
     import cardan as cd
@@ -185,7 +186,9 @@ def ensemble() -> Prepared:
 
 
 WORK = {
-    "import": Work("`import cardan`", importing, "importing NumPy", False, True),
+    "import": Work(
+        "`import cardan`, `load`, `compile` and models", importing, "importing NumPy", False, True
+    ),
     "load": Work("loading a scene file (slider-crank)", loading, "its parser", False),
     "derive": Work(
         "deriving (Panda, forward dynamics)", deriving, "making its expressions once", False
@@ -199,7 +202,7 @@ WORK = {
         ("the compiler of C",),
     ),
     "call": Work("one call (Panda, `rhs`)", calling, "the C of one state"),
-    "batch": Work("a batch of 10,000 states (Panda)", batches, "the C of the states, in lanes"),
+    "batch": Work("a batch of 10,000 states (Panda)", batches, "batches of 1024 of the same"),
     "tree": Work("10 s of a double pendulum, rtol 1e-9", tree, "the C of its evaluations"),
     "loop": Work("10 s of a four-bar, rtol 1e-9", loop, "the C of its evaluations"),
     "beam": Work(
@@ -209,6 +212,6 @@ WORK = {
         parts=("cardan's kernels", "generated C"),
     ),
     "ensemble": Work(
-        "1000 double pendulums for 10 s, rtol 1e-6", ensemble, "the C of its evaluations, in lanes"
+        "1000 double pendulums for 10 s, rtol 1e-6", ensemble, "its evaluations in batches of 1024"
     ),
 }
