@@ -224,7 +224,8 @@ def main() -> None:
     table = "\n".join(markdown(HEADINGS, rows))
     print(table)
     if not options.quick:
-        machine = f"{processor()}, {cache.compiler().identity.splitlines()[0]}, Python {sys.version.split()[0]}."
+        compiler = cache.compiler().identity.splitlines()[0]
+        machine = f"{processor()}, {compiler}, Python {sys.version.split()[0]}."
         PAGE.write_text(signed(f"{TEXT}\n{machine}\n\n{table}\n"), "utf-8")
 
 
