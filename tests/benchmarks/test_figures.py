@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
+import pytest
+
+from benchmarks import all_figures
 from benchmarks.batches import Way
 from benchmarks.figures import MULTIPLE, Figure, figures, multiple, ratio
 from benchmarks.measure import Found
@@ -82,3 +86,16 @@ def test_tables_have_as_many_cells_as_headings() -> None:
     for _, headings, lines in sections(found()):
         assert all(len(line) == len(headings) for line in lines)
         assert len(markdown(headings, lines)) == 2 + len(lines)
+
+
+def test_the_table_of_all_has_the_missed_first(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(all_figures, "KEPT", tmp_path / "out" / "figures")
+    all_figures.keep("a.md", [("one", "≤ 1", "0.5", "reached"), ("two", "≤ 1", "2", "missed")])
+    all_figures.keep("b.md", [("three", "≤ 1 us", "2 us", "no")])
+    assert all_figures.kept() == [
+        ("two", "≤ 1", "2", "no", "a.md"),
+        ("three", "≤ 1 us", "2 us", "no", "b.md"),
+        ("one", "≤ 1", "0.5", "yes", "a.md"),
+    ]
