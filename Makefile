@@ -13,7 +13,7 @@ PYTHON ?= python3
 VENV ?= .venv
 PYTEST_ARGS ?=
 # what the benchmark compares with and draws with, where they do not install together
-PEERS := cmeel-boost cmeel-eigen pin example-robot-data casadi mujoco exudyn scikit-sundae pydy cython mpmath \
+PEERS := cmeel-boost cmeel-eigen pin example-robot-data casadi mujoco drake exudyn scikit-sundae pydy cython mpmath \
 	matplotlib
 # of each of the eight kinds of input
 CASES ?= 13000

@@ -51,6 +51,25 @@ def test_peers_agree(name: str, mechanism: str) -> None:
         assert relative(theirs, ours[function]) <= allowed, function
 
 
+@pytest.mark.parametrize("mechanism", ["branched", "double_pendulum"])
+@pytest.mark.parametrize("name", PEERS)
+def test_peers_agree_on_derivatives(name: str, mechanism: str) -> None:
+    model = cd.compile(ZOO[mechanism].build())
+    contenders, absent = taking_part(model, (name,))
+    if absent or "derivatives" not in contenders[name].functions:
+        pytest.skip(f"{peer(name).name}: {absent.get(name, 'no derivatives')}")
+    states = drawn(model, 10)
+    given = pushed(model, "derivatives", states)
+    slopes = model.derivative("forward_dynamics", wrt=("q", "u"))
+    rows = zip(given.q, given.u, given.third, strict=True)
+    ours = np.stack([slopes(q, u, tau=force) for q, u, force in rows])
+    theirs = contenders[name].results("derivatives", given)
+    condition = np.linalg.cond(model.mass_matrix(states.q)).max()
+    # MuJoCo takes differences of first order over 1e-6
+    allowed = 1e-4 if name == "mujoco" else 1000 * EPS * condition
+    assert relative(theirs, ours) <= allowed
+
+
 @each("how", [Convention(*row) for row in np.ndindex(2, 2, 2, 2)])
 def test_coordinates_of_others_and_back(how: Convention) -> None:
     model = compiled("satellite")
