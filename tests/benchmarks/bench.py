@@ -70,7 +70,7 @@ def tables(found: Found, rows: list[Figure], out: Console) -> None:
     for row in rows:
         table.add_row(*row.texts())
     out.print(table)
-    for line in page.left_out(found):
+    for line in (*page.slower(found), *page.left_out(found)):
         out.print(line)
 
 

@@ -221,7 +221,7 @@ def main() -> None:
     from cardan.runtime.build import cache
 
     rows = [measured(name) for name in (["call", "tree"] if options.quick else WORK)]
-    table = "\n".join(markdown(HEADINGS, rows))
+    table = "\n".join(markdown(HEADINGS, rows, 1))
     print(table)
     if not options.quick:
         compiler = cache.compiler().identity.splitlines()[0]

@@ -11,7 +11,7 @@ from benchmarks import all_figures
 from benchmarks.batches import Way
 from benchmarks.figures import MULTIPLE, Figure, figures, multiple, ratio
 from benchmarks.measure import Found
-from benchmarks.page import left_out, markdown, sections
+from benchmarks.page import left_out, markdown, sections, slower
 from cardan.peers.comparison import LANES, OURS, Comparison, Row
 from cardan.peers.contest import Time
 from cardan.peers.processor import Peak
@@ -98,4 +98,13 @@ def test_the_table_of_all_has_the_missed_first(
         ("two", "≤ 1", "2", "no", "a.md"),
         ("three", "≤ 1 us", "2 us", "no", "b.md"),
         ("one", "≤ 1", "0.5", "yes", "a.md"),
+    ]
+
+
+def test_programs_that_are_faster_are_named() -> None:
+    measured = found()
+    assert list(slower(measured)) == []
+    quick = replace(measured.comparisons["panda"], rows=(row(OURS, 1e-7), row("casadi", 8e-8)))
+    assert list(slower(replace(measured, comparisons={"panda": quick}))) == [
+        "Panda, fingers fixed, forward dynamics: CasADi takes 0.80 of our time"
     ]
