@@ -24,7 +24,7 @@ from benchmarks.provenance import signed
 from cardan.peers.processor import name as processor
 
 ROOT = Path(__file__).parents[2]
-KEPT = ROOT / "out" / "figures"
+SAVED = ROOT / "out" / "figures"
 PAGE = ROOT / "docs" / "performance" / "figures.md"
 HEADINGS = ("figure", "to reach", "measured", "reached", "page")
 REACHED = {"reached": "yes", "missed": "no", "time": "no"}
@@ -38,21 +38,21 @@ bench`: {processor}, Python {python}.
 Row = tuple[str, str, str, str]
 
 
-def keep(page: str, rows: Iterable[Row]) -> None:
+def save(page: str, rows: Iterable[Row]) -> None:
     """Leave figures for the table of all.
 
     Args:
         page: Where they stand, ``python_calls.md``.
         rows: Name, what is to be reached, what was measured and ``yes`` or ``no`` each.
     """
-    KEPT.mkdir(parents=True, exist_ok=True)
-    (KEPT / page).with_suffix(".json").write_text(json.dumps([*rows]), "utf-8")
+    SAVED.mkdir(parents=True, exist_ok=True)
+    (SAVED / page).with_suffix(".json").write_text(json.dumps([*rows]), "utf-8")
 
 
-def kept() -> list[tuple[str, ...]]:
+def saved() -> list[tuple[str, ...]]:
     """Rows of all programs with their pages, the missed ones first."""
     rows = []
-    for file in sorted(KEPT.glob("*.json")):
+    for file in sorted(SAVED.glob("*.json")):
         page = file.with_suffix(".md").name
         for name, target, measured, reached in json.loads(file.read_text("utf-8")):
             rows.append((name, target, measured, REACHED.get(reached, reached), page))
@@ -81,7 +81,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="write no page")
     quick = parser.parse_args().quick
-    rows = kept()
+    rows = saved()
     show(rows)
     if not quick:
         write(rows)

@@ -179,7 +179,7 @@ class Caller:
         arrays = self._read_all(values, dtype)
         lead = self._lead(arrays, w)
         count = prod(lead)
-        blocks, strides, spacings = [*self._constants(dtype)], [0] * len(ORDER), [1] * len(ORDER)
+        blocks, strides, spacings = [*self.constants(dtype)], [0] * len(ORDER), [1] * len(ORDER)
         rows = columns = False
         for argument, array in arrays:
             flat, stride, spacing = laid_out(array, lead, len(argument.shape))
@@ -212,7 +212,7 @@ class Caller:
                 self.check_result(result, status, failed, single=not lead)
         return self._deliver(result.reshape(lead + self.shape), out)
 
-    def _constants(self, dtype: Numbers) -> list[Array | None]:
+    def constants(self, dtype: Numbers) -> list[Array | None]:
         """The blocks of arguments that are left out, and the parameters."""
         blocks = self._constant_blocks.get(dtype)
         if blocks is None:
