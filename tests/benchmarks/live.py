@@ -17,6 +17,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 import cardan as cd
+from benchmarks.provenance import signed
 from cardan.view.packing import text_of
 from mechanisms import robots
 from view.test_live import LOAD, NODE
@@ -104,12 +105,14 @@ def main() -> None:
     if "--quick" not in sys.argv:
         version = subprocess.run([str(NODE), "--version"], capture_output=True, text=True).stdout
         PAGE.write_text(
-            "# Pages in which models run\n\n"
-            f"Written by `tests/benchmarks/live.py`, node {version.strip()}. Ten seconds of motion "
-            "at rtol 1e-6 in frames of a sixtieth of a second, each of which starts the integrator "
-            "anew; compiled C runs them in one piece. A frame with a hand pulls a body: it takes "
-            "the mass that is felt, the generalized forces, the step and the places of all "
-            "bodies.\n\n" + text,
+            signed(
+                "# Pages in which models run\n\n"
+                f"Written by `tests/benchmarks/live.py`, node {version.strip()}. Ten seconds of motion "
+                "at rtol 1e-6 in frames of a sixtieth of a second, each of which starts the integrator "
+                "anew; compiled C runs them in one piece. A frame with a hand pulls a body: it takes "
+                "the mass that is felt, the generalized forces, the step and the places of all "
+                "bodies.\n\n" + text
+            ),
             "utf-8",
         )
 
