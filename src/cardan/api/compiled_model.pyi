@@ -257,9 +257,9 @@ class CompiledModel(LoadedModel):
                 alike also ``(times, values)`` or ``f(t, x)``, which ``sample`` [s] holds.
             events: As of ``simulate``; runs with them, loops or Python on the way take no lanes.
             runs, seed: How many, where nothing else says so; of the distributions.
-            reduce: What to keep beside the last states: ``"max of elbow"``, several, or name -> words or
-                a function of t (nt,) and states (runs, nt, nx) of some runs. By default the states at
-                output times; reductions take 201 where there are none.
+            reduce: What to keep beside the last states: ``"max of elbow"``, several, or name -> words
+                or a function of t (nt,) and states (runs, nt, nx) of some runs. By default the states
+                at output times; reductions take 201 where there are none.
             sensitivity: Starts, parameters and inputs, as :meth:`gradient` takes them, by which
                 ``runs.sensitivity["m"]``, (runs, nt, nx), are derivatives; done one after the other.
             method, rtol, atol, step, max_step: As of ``simulate``; ``"auto"`` looks at the first run.
