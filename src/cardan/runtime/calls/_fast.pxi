@@ -14,6 +14,13 @@ cdef inline bint read(value, double *number) noexcept:
     return number[0] - number[0] == 0
 
 
+cdef inline bint overlap(const Py_buffer *one, const Py_buffer *other) noexcept:
+    """Whether two contiguous arrays have memory in common."""
+    cdef const char *first = <const char *>one.buf
+    cdef const char *second = <const char *>other.buf
+    return first < second + other.len and second < first + one.len
+
+
 @cython.final
 cdef class Fast:
     """One function for one state or a few of them; everything else goes to the caller.
@@ -186,7 +193,10 @@ cdef class Fast:
                     ready = 0
                     break
             if ready and states < 0:
-                result = self.evaluate_parts(at) if self.parts else self.evaluate(at, out)
+                if self.parts:
+                    result = self.evaluate_parts(at)
+                else:
+                    result = self.evaluate(at, out, views, used)
             elif ready and out is None and states <= self.few:
                 result = self.evaluate_few(at, step, states)
         finally:
@@ -273,10 +283,11 @@ cdef class Fast:
             free(work)
         return status == 0 and cardan_first_bad(result, <size_t>self.out_size) < 0
 
-    cdef object evaluate(self, const double **at, out):
+    cdef object evaluate(self, const double **at, out, const Py_buffer *read_views, int used):
         """The result as an array; None where ``out`` or the numbers want a closer look."""
         cdef Py_buffer view
         cdef bint good
+        cdef int i
         if out is None:
             result = empty(*self.empty_arguments)
         elif type(out) is ndarray and out.shape == self.shape:
@@ -286,7 +297,12 @@ cdef class Fast:
         if PyObject_GetBuffer(result, &view, NUMBERS | PyBUF_WRITABLE):
             PyErr_Clear()
             return None
-        if not is_double(&view):
+        good = is_double(&view)
+        if out is not None:
+            # loops over bodies write results before they have read everything
+            for i in range(used):
+                good = good and not overlap(&view, &read_views[i])
+        if not good:
             PyBuffer_Release(&view)
             return None
         try:
