@@ -81,7 +81,7 @@ def test_arrays_for_results_are_checked(models: dict[str, cd.CompiledModel]) -> 
     for call in (usual, pushed):
         assert np.array_equal(call(np.empty(4)), call(None))
         for out in ([0.0] * 4, np.empty(4, int), np.empty(4, np.float32), np.empty(3), locked):
-            with pytest.raises(cd.ArgumentError, match="out (is read-only|has shape)"):
+            with pytest.raises(cd.ArgumentError, match=r"out (is read-only|has shape)"):
                 call(out)
 
 
