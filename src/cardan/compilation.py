@@ -157,8 +157,11 @@ def _earlier(
     entry = _read(path)
     if entry is None:
         return None
-    # whoever changes the scene afterwards does not change what was compiled
-    as_written = _copied(scene)
+    try:
+        # whoever changes the scene afterwards, or what it refers to, changes nothing here
+        as_written = copy.deepcopy(scene)
+    except RecursionError:
+        return None
 
     @cache
     def derived() -> CompiledModel:
@@ -192,12 +195,3 @@ def _intact(folder: Path, name: str, model: CompiledModel) -> bool:
     except OSError:
         return False
     return hashlib.sha256(content).hexdigest() == model.manifest.sha256.get(name)
-
-
-def _copied(scene: SceneRecord) -> SceneRecord:
-    """The scene as it is now: its records are frozen, its tables are not."""
-    other = copy.copy(scene)
-    for name, table in vars(scene).items():
-        if isinstance(table, dict | list):
-            setattr(other, name, table.copy())
-    return other

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import json
 import os
 import subprocess
@@ -17,6 +18,7 @@ import sympy
 import cardan as cd
 from cardan import pipeline
 from cardan.scene.content import content_hash
+from mechanisms import ZOO
 from table import each
 
 Change = Callable[[cd.Scene], object]
@@ -71,6 +73,44 @@ def test_functions_that_nobody_called_are_derived_of_the_scene_as_it_was(
     assert derivations == ["pendulum"] * 2
     # inertia about the hinge of the rod, m = 1 kg at l/2 = 0.25 m, without the ballast
     assert mass.item() == pytest.approx(0.1 + 0.25**2, rel=1e-14)
+
+
+def wing() -> cd.Scene:
+    """A beam on a hinge."""
+    scene = cd.Scene("wing")
+    hub = scene.body("hub", mass=1.0, inertia=(0.1, 0.1, 0.1))
+    scene.joint("hinge", cd.Revolute("y"), scene.ground, hub)
+    section, steel = cd.section.rectangle(0.1, 0.02), cd.material(2e11, 0.3, rho=7800)
+    scene.beam("blade", hub, (1, 0, 0), section, steel, elements=2)
+    return scene
+
+
+def test_nothing_that_a_scene_refers_to_changes_what_was_compiled(cache_directory: Path) -> None:
+    """Nodes of a beam stand in the beam; so do numbers of arrays in what has them."""
+    expected = cd.compile(wing())
+    x = expected.random_state(0)
+    scene = wing()
+    model = cd.compile(scene)
+    scene.beams["blade"].at(0.25, name="sensor")
+    gradients = model.derivative("energy", wrt=("q", "u"))(*model.split(x))
+    others = expected.derivative("energy", wrt=("q", "u"))(*expected.split(x))
+    assert [one.tobytes() for one in gradients] == [one.tobytes() for one in others]
+    # with the node it is another one
+    assert len(cd.compile(scene).bodies) > len(model.bodies)
+
+
+def test_a_copy_of_a_scene_is_equal_and_independent() -> None:
+    """For every joint, force and element of the zoo."""
+    for name, mechanism in ZOO.items():
+        scene = mechanism.build()
+        before = content_hash(scene)
+        assert before is not None, name
+        other = copy.deepcopy(scene)
+        assert content_hash(other) == before, name
+        for body in other.bodies.values():
+            object.__setattr__(body, "mass", 17)
+        assert content_hash(scene) == before, name
+        assert not other.bodies or content_hash(other) != before, name
 
 
 def test_a_function_that_was_not_asked_for_is_refused(cache_directory: Path) -> None:

@@ -118,14 +118,14 @@ const size_t cardan_tick_layout[6] = {
     sizeof(cardan_tick), offsetof(cardan_tick, event), offsetof(cardan_tick, period),
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
 };
-extern const size_t cardan_short_runs_layout[14];
-const size_t cardan_short_runs_layout[14] = {
+extern const size_t cardan_short_runs_layout[15];
+const size_t cardan_short_runs_layout[15] = {
     sizeof(cardan_short_runs), offsetof(cardan_short_runs, run), offsetof(cardan_short_runs, begun),
     offsetof(cardan_short_runs, length), offsetof(cardan_short_runs, r), offsetof(cardan_short_runs,
     s), offsetof(cardan_short_runs, t), offsetof(cardan_short_runs, far),
     offsetof(cardan_short_runs, stops), offsetof(cardan_short_runs, stop_count),
     offsetof(cardan_short_runs, x), offsetof(cardan_short_runs, ends), offsetof(cardan_short_runs,
-    count), offsetof(cardan_short_runs, done)
+    count), offsetof(cardan_short_runs, done), offsetof(cardan_short_runs, going)
 };
 extern const size_t cardan_account_layout[17];
 const size_t cardan_account_layout[17] = {
