@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 import pytest
@@ -13,7 +12,7 @@ from mechanisms.chain import chain
 from table import each
 
 SIZES = {"unrolled": 4, "loops over bodies": 60}
-Call = Callable[..., Any]
+Call = Callable[..., np.ndarray]
 
 
 @pytest.fixture(scope="module")
@@ -43,7 +42,7 @@ def test_results_in_place(size: str, models: dict[str, cd.CompiledModel]) -> Non
         assert np.isfinite(exact).all()
         for batch in (0, 1, 3, 70):
             shape = (batch,) if batch else ()
-            wanted = np.broadcast_to(exact, (*shape, *exact.shape))
+            expected = np.broadcast_to(exact, (*shape, *exact.shape))
             for k in range(len(arrays)):
                 # the same array, and one that begins an entry later or earlier
                 for shift in (0, 1, -1):
@@ -52,10 +51,10 @@ def test_results_in_place(size: str, models: dict[str, cd.CompiledModel]) -> Non
                     place = memory[1 : 1 + states[k].size]
                     place[:] = states[k].reshape(-1)
                     states[k] = place.reshape(states[k].shape)
-                    out = memory[1 + shift :][: wanted.size].reshape(wanted.shape)
+                    out = memory[1 + shift :][: expected.size].reshape(expected.shape)
                     result = call(*states, out=out)
                     assert result is out
-                    assert result.tobytes() == wanted.tobytes(), (name, batch, k, shift)
+                    assert result.tobytes() == expected.tobytes(), (name, batch, k, shift)
 
 
 def test_arguments_survive_a_result_that_is_not_finite(models: dict[str, cd.CompiledModel]) -> None:
