@@ -13,7 +13,7 @@ PYTHON ?= python3
 VENV ?= .venv
 PYTEST_ARGS ?=
 # what the benchmark compares with and draws with, where they do not install together
-PEERS := cmeel-boost cmeel-eigen pin example-robot-data casadi mujoco exudyn scikit-sundae pydy cython mpmath \
+PEERS := cmeel-boost cmeel-eigen pin example-robot-data casadi mujoco drake exudyn scikit-sundae pydy cython mpmath \
 	matplotlib
 # of each of the eight kinds of input
 CASES ?= 13000
@@ -82,7 +82,8 @@ $(VENV)/.installed-bench: $(VENV)/.installed-test
 	@touch $@
 
 # writes docs/performance, a page by each of these programs; QUICK=1 for a few rows and no page
-BENCHMARKS = bench runs flexible_runs superelement_runs large_loops paths gradients python_calls profiles
+BENCHMARKS = bench runs flexible_runs superelement_runs large_loops paths gradients python_calls profiles \
+	all_figures
 bench: $(VENV)/.installed-bench
 	@for program in $(BENCHMARKS); do \
 	  OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/$$program.py $(if $(QUICK),--quick) || exit 1; \

@@ -22,6 +22,7 @@ from rich.console import Console
 from rich.table import Table
 
 from benchmarks import page, pictures
+from benchmarks.all_figures import save
 from benchmarks.figures import Figure, figures
 from benchmarks.measure import Found, run
 from cardan.cli.terminal import progress
@@ -42,6 +43,7 @@ def main() -> int:
         os.environ.setdefault("CARDAN_CACHE", f"{private}/cache")
         found = run(quick, QUICK_ROUNDS if quick else ROUNDS, show)
     rows = figures(found)
+    save("README.md", [row.texts() for row in rows])
     if not quick:
         pictures.write(found, FOLDER)
         page.write(found, rows, FOLDER)
@@ -68,7 +70,7 @@ def tables(found: Found, rows: list[Figure], out: Console) -> None:
     for row in rows:
         table.add_row(*row.texts())
     out.print(table)
-    for line in page.left_out(found):
+    for line in (*page.slower(found), *page.left_out(found)):
         out.print(line)
 
 

@@ -104,7 +104,7 @@ def _cold(n: int) -> float:
     """Seconds of a new process with an empty cache but for the kernels, which serve every model."""
     with tempfile.TemporaryDirectory(prefix="cardan-cold-") as cache:
         given = os.environ | {"CARDAN_CACHE": cache}
-        kernels = "from cardan.runtime import kernels; kernels.library()"
+        kernels = "from cardan.runtime.build import kernels; kernels.library()"
         subprocess.run([sys.executable, "-c", kernels], env=given, check=True)
         start = time.perf_counter()
         subprocess.run([sys.executable, "-c", COLD, str(TESTS), str(n)], env=given, check=True)

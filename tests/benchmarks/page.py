@@ -143,6 +143,17 @@ def counts(found: Found) -> Section:
     return "operations of the C", ("mechanism", "function", *columns), lines
 
 
+def slower(found: Found) -> Iterator[str]:
+    """Where another program takes less time than ours for one state."""
+    for case, comparison in found.comparisons.items():
+        for row in comparison.rows:
+            ours = comparison.row(row.function, OURS)
+            if row.program in PEERS and ours and row.time.least < ours.time.least:
+                share = row.time.least / ours.time.least
+                what = f"{titles()[case]}, {row.function.replace('_', ' ')}"
+                yield f"{what}: {peer(row.program).name} takes {share:.2f} of our time"
+
+
 def left_out(found: Found) -> Iterator[str]:
     """Peers and cases that were not measured, each with the reason."""
     for name in PEERS:
@@ -191,9 +202,17 @@ def write(found: Found, rows: Sequence[Figure], folder: Path) -> None:
         "`cardan bench FILE` does the same for a scene or robot of yours. Whole motions, time",
         "against error: [runs.md](runs.md).",
         "",
+        "## Slower than another program",
+        "",
+        *([f"- {line}." for line in slower(found)] or ["Nothing, at one state."]),
+        "",
         "## Figures to reach",
         "",
-        *markdown(("figure", "target", "measured", ""), [row.texts() for row in rows], 4),
+        *markdown(
+            ("figure", "target", "measured", ""),
+            [row.texts() for row in sorted(rows, key=lambda row: row.reached)],
+            4,
+        ),
         "",
         "Operations are multiplications and additions of a call with symbolic parameters; what",
         "depends on parameters alone is counted under *prepare* below. The share of the peak",

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
+import pytest
+
+from benchmarks import all_figures
 from benchmarks.batches import Way
 from benchmarks.figures import MULTIPLE, Figure, figures, multiple, ratio
 from benchmarks.measure import Found
-from benchmarks.page import left_out, markdown, sections
+from benchmarks.page import left_out, markdown, sections, slower
 from cardan.peers.comparison import LANES, OURS, Comparison, Row
 from cardan.peers.contest import Time
 from cardan.peers.processor import Peak
@@ -82,3 +86,25 @@ def test_tables_have_as_many_cells_as_headings() -> None:
     for _, headings, lines in sections(found()):
         assert all(len(line) == len(headings) for line in lines)
         assert len(markdown(headings, lines)) == 2 + len(lines)
+
+
+def test_the_table_of_all_has_the_missed_first(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(all_figures, "SAVED", tmp_path / "out" / "figures")
+    all_figures.save("a.md", [("one", "≤ 1", "0.5", "reached"), ("two", "≤ 1", "2", "missed")])
+    all_figures.save("b.md", [("three", "≤ 1 us", "2 us", "no")])
+    assert all_figures.saved() == [
+        ("two", "≤ 1", "2", "no", "a.md"),
+        ("three", "≤ 1 us", "2 us", "no", "b.md"),
+        ("one", "≤ 1", "0.5", "yes", "a.md"),
+    ]
+
+
+def test_programs_that_are_faster_are_named() -> None:
+    measured = found()
+    assert list(slower(measured)) == []
+    quick = replace(measured.comparisons["panda"], rows=(row(OURS, 1e-7), row("casadi", 8e-8)))
+    assert list(slower(replace(measured, comparisons={"panda": quick}))) == [
+        "Panda, fingers fixed, forward dynamics: CasADi takes 0.80 of our time"
+    ]

@@ -51,6 +51,25 @@ def test_peers_agree(name: str, mechanism: str) -> None:
         assert relative(theirs, ours[function]) <= allowed, function
 
 
+@pytest.mark.parametrize("mechanism", ["branched", "double_pendulum"])
+@pytest.mark.parametrize("name", PEERS)
+def test_peers_agree_on_derivatives(name: str, mechanism: str) -> None:
+    model = cd.compile(ZOO[mechanism].build())
+    contenders, absent = taking_part(model, (name,))
+    if absent or "derivatives" not in contenders[name].functions:
+        pytest.skip(f"{peer(name).name}: {absent.get(name, 'no derivatives')}")
+    states = drawn(model, 10)
+    given = pushed(model, "derivatives", states)
+    slopes = model.derivative("forward_dynamics", wrt=("q", "u"))
+    rows = zip(given.q, given.u, given.third, strict=True)
+    ours = np.stack([slopes(q, u, tau=force) for q, u, force in rows])
+    theirs = contenders[name].results("derivatives", given)
+    condition = np.linalg.cond(model.mass_matrix(states.q)).max()
+    # MuJoCo takes differences of first order over 1e-6
+    allowed = 1e-4 if name == "mujoco" else 1000 * EPS * condition
+    assert relative(theirs, ours) <= allowed
+
+
 @each("how", [Convention(*row) for row in np.ndindex(2, 2, 2, 2)])
 def test_coordinates_of_others_and_back(how: Convention) -> None:
     model = compiled("satellite")
@@ -138,3 +157,11 @@ def test_functions_are_known_to_everybody() -> None:
 def test_a_peer_that_is_not_here_says_how_to_get_it() -> None:
     assert installed("no_such_module", "thing") == "not installed: pip install thing"
     assert installed("numpy", "numpy") == ""
+
+
+def test_a_peer_without_the_functions_asked_for_is_named() -> None:
+    found = compare(compiled("branched"), ("mass_matrix",), ("casadi", "drake", "pydy"), rounds=1)
+    expected = {"drake": "derivatives", "pydy": "forward_dynamics"}
+    for name, function in expected.items():
+        if not peer(name).missing():
+            assert found.absent[name] == f"it is compared in {function}"

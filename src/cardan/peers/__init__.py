@@ -11,7 +11,13 @@ from importlib import import_module
 from .peer import Peer
 
 # peer -> module of this package
-PEERS = {"pinocchio": ".pinocchio", "casadi": ".casadi", "mujoco": ".mujoco", "pydy": ".pydy"}
+PEERS = {
+    "pinocchio": ".pinocchio",
+    "casadi": ".casadi",
+    "mujoco": ".mujoco",
+    "pydy": ".pydy",
+    "drake": ".drake",
+}
 
 
 def peer(name: str) -> Peer:

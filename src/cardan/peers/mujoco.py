@@ -32,6 +32,7 @@ STEPS = {
     "forward_dynamics": (*PLACE, "mj_makeM", "mj_factorM", "mj_comVel"),
     "inverse_dynamics": (*PLACE, "mj_comVel"),
     "mass_matrix": (*PLACE, "mj_makeM"),
+    "derivatives": (*PLACE, "mj_makeM", "mj_factorM", "mj_comVel"),
 }
 # loops: what makes their rows, and the solver that follows the accelerations
 CONSTRAIN = ("mj_makeConstraint", "mj_projectConstraint", "mj_comVel", "mj_referenceConstraint")
@@ -50,7 +51,9 @@ class Program(ctypes.Structure):
         *((name, ctypes.c_void_p) for name in ("model", "data")),
         ("steps", STEP * len(STEPS)),
         *((name, ctypes.c_void_p) for name in ("accelerate", "constrain", "rne", "full")),
+        *((name, ctypes.c_void_p) for name in ("slopes", "solve")),
         *((name, ctypes.c_void_p) for name in ("qpos", "qvel", "force", "qacc", "bias", "result")),
+        ("slope", ctypes.c_void_p),
         ("nq", ctypes.c_int),
         ("nv", ctypes.c_int),
     )
@@ -189,21 +192,23 @@ def _contender(
     rows = [STEP(*(at(name) for name in steps.get(function, ()))) for function in STEPS]
     result = data.qacc if connections else data.qacc_smooth
     arrays = (data.qpos, data.qvel, data.qfrc_applied, data.qacc, data.qfrc_bias, result)
+    slope = np.empty(4 * model.nv**2)
     program = Program(
         model._address,
         data._address,
         (STEP * len(STEPS))(*rows),
         at("mj_fwdAcceleration"),
         at("mj_fwdConstraint") if connections else None,
-        *(at(name) for name in ("mj_rne", "mj_fullM")),
+        *(at(name) for name in ("mj_rne", "mj_fullM", "mjd_inverseFD", "mj_solveM")),
         *(array.ctypes.data for array in arrays),
+        slope.ctypes.data,
         model.nq,
         model.nv,
     )
     coordinate_map = coordinates.coordinates(scene, MUJOCO.convention, places)
     loop = Loop(peer_loop(adapter), ctypes.byref(program), coordinate_map)
     title = f"MuJoCo {importlib.metadata.version('mujoco')}"
-    references = (model, data, program, adapter, shared)
+    references = (model, data, slope, program, adapter, shared)
     return Contender(title, tuple(steps), loop.start, loop.results, references)
 
 
