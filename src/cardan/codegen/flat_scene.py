@@ -216,7 +216,7 @@ def _poses(system: System) -> tuple[list[Function], list[int]]:
     joints: tuple[Joint | Cut, ...] = (*system.joints, *system.closing)
     for joint in joints:
         element = _closer(joint) if isinstance(joint, Cut) else declared(joint)
-        form = (element, tuple(joint.data.items()))
+        form = _form(element, joint)
         if form in alike:
             used.append(alike[form])
             continue
@@ -236,6 +236,15 @@ def _poses(system: System) -> tuple[list[Function], list[int]]:
         name, about = f"scene_pose_{len(functions)}", f"pose of a {element.kind} joint"
         functions.append(Function(name, graph, (coordinates, block), outputs, about=about))
     return functions, used
+
+
+def _form(element: Element, joint: Joint | Cut) -> object:
+    """Equal for joints of equal elements and data."""
+    try:
+        hash(element)
+    except TypeError:  # equations that a user brings hold dictionaries
+        return id(element)
+    return (element, tuple(joint.data.items()))
 
 
 def _rotors(system: System, graph: Graph) -> list[int]:
