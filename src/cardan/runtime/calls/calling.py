@@ -139,7 +139,7 @@ class Caller:
         self.arguments = tuple(arguments)
         self.shape = shape
         self.size = prod(shape)
-        self.entries = tuple(entries)
+        self.entries = entries
         self.work_size = work_size
         self.w = w
         self.operations = operations
@@ -319,7 +319,7 @@ class Caller:
         if not len(rows):
             return
         first = int(rows[0])
-        names = [self.entries[j] for j in np.flatnonzero(bad[first])]
+        names = [self.entries[int(j)] for j in np.flatnonzero(bad[first])]
         more = ", ..." if len(names) > MAX_PRINTED else ""
         what = f"{self.name} has no finite result for {', '.join(names[:MAX_PRINTED])}{more}"
         why = (

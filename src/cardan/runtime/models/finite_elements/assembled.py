@@ -121,7 +121,7 @@ class Assembled(Source):
         # runs call these from C: closures over the mesh
         if name in NEEDED:
             address, work = mesh.closure(name), mesh.work
-        row = ResultRow(name=name, shape=list(shape), entries=list(entries))
+        row = ResultRow(name=name, shape=list(shape), entries=entries)
         entry = FunctionRow(
             file="",
             symbol=name,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Sequence
 from functools import partial
 from math import prod
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
 import numpy as np
 
@@ -27,6 +27,30 @@ LARGEST = 600
 LATEST = 8
 T = TypeVar("T")
 Inputs = dict[str, Array]
+
+
+class NumberedNames(Sequence[str]):
+    """Names ``name[0]``, ``name[1]``, ... of the numbers of a result, made when they are asked for:
+    those of balances of many elements take as much memory as the elements."""
+
+    def __init__(self, name: str, count: int) -> None:
+        """Of so many numbers."""
+        self._name = name
+        self._places = range(count)
+
+    @overload
+    def __getitem__(self, place: int) -> str: ...
+
+    @overload
+    def __getitem__(self, place: slice) -> list[str]: ...
+
+    def __getitem__(self, place: int | slice) -> str | list[str]:
+        if isinstance(place, slice):
+            return [f"{self._name}[{k}]" for k in self._places[place]]
+        return f"{self._name}[{self._places[place]}]"
+
+    def __len__(self) -> int:
+        return len(self._places)
 
 
 class Results:
@@ -79,14 +103,13 @@ class Results:
         on_node = of is not None and of not in self.in_trees
         return on_node and name in {"pose", "velocity", "acceleration"}
 
-    def shape(self, name: str) -> tuple[tuple[int, ...], list[str]]:
+    def shape(self, name: str) -> tuple[tuple[int, ...], Sequence[str]]:
         """Shape of a result, and names of its numbers."""
         row, names = FUNCTIONS[name], self._names
-        shape = row.sizes(self._counts)
-        entries = [entry for block in row.like.split() for entry in names[block]]
-        if len(entries) != prod(shape):
-            entries = [f"{name}[{k}]" for k in range(prod(shape))]
-        return shape, entries
+        shape, blocks = row.sizes(self._counts), row.like.split()
+        if sum(len(names[block]) for block in blocks) != prod(shape):
+            return shape, NumberedNames(name, prod(shape))
+        return shape, tuple(entry for block in blocks for entry in names[block])
 
     # what elements are asked at
 
