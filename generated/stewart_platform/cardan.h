@@ -17,7 +17,8 @@
  * and element j of an entry to state j. Parameters are then shared by the states, or one set per
  * state with -DCARDAN_LANE_PARAMETERS. A status tells of any of the states.
  *
- * An export in single precision has float where it says double, and defines CARDAN_FLOAT.
+ * In single precision the text has float where it says double here, and CARDAN_FLOAT is defined; lanes
+ * are then twice as many.
  *
  * Self-contained: C99 and its mathematical library; no memory is allocated, no state is kept.
  */
@@ -41,9 +42,17 @@
 #else
 #define CARDAN_PACK 1
 #endif
+/* integers of the size of a number, and the size of a `real` */
+#ifdef CARDAN_FLOAT
+typedef uint32_t cardan_word;
+#define CARDAN_BYTES (4 * CARDAN_LANES)
+#else
+typedef uint64_t cardan_word;
+#define CARDAN_BYTES (8 * CARDAN_LANES)
+#endif
 #if CARDAN_PACK > 1
-typedef double cardan_pack __attribute__((vector_size(8 * CARDAN_PACK)));
-typedef uint64_t cardan_mask __attribute__((vector_size(8 * CARDAN_PACK)));
+typedef double cardan_pack __attribute__((vector_size(sizeof(double) * CARDAN_PACK)));
+typedef cardan_word cardan_mask __attribute__((vector_size(sizeof(double) * CARDAN_PACK)));
 #endif
 
 /* numbers: `real` of a state, `wreal` of a prepared parameter; macros make them of numbers */
@@ -71,7 +80,7 @@ typedef double wreal;
 
 #ifdef CARDAN_FLOAT
 /* -DCARDAN_FLOAT alone makes no floats: export the model with precision="single" */
-typedef char cardan_numbers_are_float[sizeof(real) == sizeof(float) ? 1 : -1];
+typedef char cardan_numbers_are_float[sizeof(real) == CARDAN_BYTES ? 1 : -1];
 #endif
 
 /* status codes, may be or-ed together */
@@ -153,7 +162,7 @@ CARDAN_INLINE double cardan_pow(double x, double y) { return pow(x, y); }
 CARDAN_INLINE double cardan_floor(double x) { return floor(x); }
 CARDAN_INLINE double cardan_abs(double x) { return fabs(x); }
 
-#ifdef CARDAN_FLOAT
+#if defined CARDAN_FLOAT && CARDAN_PACK == 1
 /* sines and cosines of n angles, of the library for single precision */
 #define CARDAN_PADDED(n) (n)
 CARDAN_INLINE void cardan_sincos(int n, const double *x, double *sine, double *cosine)
@@ -165,15 +174,15 @@ CARDAN_INLINE void cardan_sincos(int n, const double *x, double *sine, double *c
 }
 #else
 /* one number as its bits, the first of which is the sign */
-#define CARDAN_SIGN ((uint64_t)1 << 63)
-CARDAN_INLINE uint64_t cardan_bits(double x)
+#define CARDAN_SIGN ((cardan_word)1 << (8 * sizeof(cardan_word) - 1))
+CARDAN_INLINE cardan_word cardan_bits(double x)
 {
-    uint64_t bits;
+    cardan_word bits;
     memcpy(&bits, &x, sizeof bits);
     return bits;
 }
 
-CARDAN_INLINE double cardan_of_bits(uint64_t bits)
+CARDAN_INLINE double cardan_of_bits(cardan_word bits)
 {
     double x;
     memcpy(&x, &bits, sizeof x);
@@ -181,10 +190,10 @@ CARDAN_INLINE double cardan_of_bits(uint64_t bits)
 }
 
 /* sine and cosine, where the reduction of sincos.h holds: of one number, of a vector */
-#define CARDAN_SINCOS_RANGE 1e5
+#define CARDAN_SINCOS_RANGE CARDAN_ROUNDING(1e5, 100.0)
 #define CARDAN_SINCOS cardan_sincos_one
 #define CARDAN_NUMBER double
-#define CARDAN_BITS uint64_t
+#define CARDAN_BITS cardan_word
 #define CARDAN_AS_BITS(x) cardan_bits(x)
 #define CARDAN_AS_NUMBER(x) cardan_of_bits(x)
 #include "sincos.h"
@@ -209,29 +218,18 @@ CARDAN_INLINE void cardan_sincos_any(double x, double *sine, double *cosine)
 }
 
 #if CARDAN_PACK > 1
-/* the entries of a vector one by one: loops over them would go through memory */
-#if CARDAN_PACK == 8
-#define CARDAN_LIST(x) (x)[0], (x)[1], (x)[2], (x)[3], (x)[4], (x)[5], (x)[6], (x)[7]
-#define CARDAN_ANY(x) ((x)[0] | (x)[1] | (x)[2] | (x)[3] | (x)[4] | (x)[5] | (x)[6] | (x)[7])
-#elif CARDAN_PACK == 4
-#define CARDAN_LIST(x) (x)[0], (x)[1], (x)[2], (x)[3]
-#define CARDAN_ANY(x) ((x)[0] | (x)[1] | (x)[2] | (x)[3])
-#else
-#define CARDAN_LIST(x) (x)[0], (x)[1]
-#define CARDAN_ANY(x) ((x)[0] | (x)[1])
-#endif
-
 /* whether a mask is set anywhere */
 CARDAN_INLINE int cardan_some(const cardan_mask *mask)
 {
-#if defined __AVX512F__ && CARDAN_PACK == 8
+#if defined __AVX512F__ && CARDAN_BYTES == 64
     int some;
-    __asm__("vptestmq %1, %1, %%k1\n\tkmovw %%k1, %0" : "=r"(some) : "v"(*mask) : "k1");
+    __asm__("vptestmd %1, %1, %%k1\n\tkmovw %%k1, %0" : "=r"(some) : "v"(*mask) : "k1");
     return some != 0;
 #else
-    uint64_t each[CARDAN_PACK];
+    cardan_word each[CARDAN_PACK], any = 0;
     memcpy(each, mask, sizeof each);
-    return CARDAN_ANY(each) != 0;
+    for (int k = 0; k < CARDAN_PACK; ++k) any |= each[k];
+    return any != 0;
 #endif
 }
 
@@ -275,8 +273,12 @@ CARDAN_INLINE void cardan_sincos(int n, const double *x, double *sine, double *c
     }
 #if CARDAN_PACK > 1
     for (int i = 0; i < n; i += CARDAN_PACK) {
-        const cardan_pack angle = {CARDAN_LIST(x + i)};
-        cardan_pack s, c;
+        cardan_pack angle, s, c;
+#if CARDAN_PACK == 2
+        angle = (cardan_pack){x[i], x[i + 1]}; /* it would wait for memory */
+#else
+        memcpy(&angle, x + i, sizeof angle);
+#endif
         cardan_sincos_pack(&angle, &s, &c);
         memcpy(sine + i, &s, sizeof s);
         memcpy(cosine + i, &c, sizeof c);
@@ -292,7 +294,7 @@ CARDAN_INLINE void cardan_sincos(int n, const double *x, double *sine, double *c
  * do in lanes, and the last bit would differ. */
 CARDAN_INLINE double cardan_choice(int holds, double then, double otherwise)
 {
-    const uint64_t mask = (uint64_t)0 - (uint64_t)(holds != 0);
+    const cardan_word mask = (cardan_word)0 - (cardan_word)(holds != 0);
     return cardan_of_bits((mask & cardan_bits(then)) | (~mask & cardan_bits(otherwise)));
 }
 #else

@@ -67,6 +67,26 @@ static int simulate(const cardan_export *model)
 }
 #endif
 
+#ifdef CARDAN_MOTION_GRADIENT_H
+/* The cost of that second, and its gradient by the start, the parameters and the inputs. */
+static int show_gradient(const cardan_export *model)
+{
+    cardan_gradient of = {.run = {.end = 1, .step = STEP}};
+    void *memory = malloc(cardan_gradient_size(model, &of));
+    const int status = memory ? cardan_gradient_of(model, &of, memory) : 1;
+
+    if (status == 0) {
+        show("cost", &of.cost, 1);
+        show("by_x", of.by_x, model->nq + model->nu + model->nz);
+        show("by_p", of.by_p, model->cost->np);
+        show("by_r", of.by_r, model->nr);
+    } else if (status == CARDAN_NO_GRADIENT)
+        printf("no gradient: %s%s%s\n", of.event ? of.event : "", of.event ? ": " : "", of.refused);
+    free(memory);
+    return status == CARDAN_NO_GRADIENT ? 0 : status;
+}
+#endif
+
 int main(void)
 {
     int status = show_function(&cardan_scene);
@@ -74,6 +94,10 @@ int main(void)
 #ifdef CARDAN_SIMULATE_H
     if (status == 0)
         status = simulate(&cardan_scene);
+#endif
+#ifdef CARDAN_MOTION_GRADIENT_H
+    if (status == 0)
+        status = show_gradient(&cardan_scene);
 #endif
     if (status != 0)
         fprintf(stderr, "status %d; run.h says what that is\n", status);

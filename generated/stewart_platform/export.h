@@ -38,7 +38,19 @@ typedef struct cardan_exported_method {
     double rtol, atol; /* where none are asked for */
     double step;       /* where none is asked for [s]; 0: as the tolerances ask for */
     ptrdiff_t charted; /* 1: it takes quaternions by their increments */
+    /* of gradients: nodes, weights and matrix of its stages, NULL without; how those that depend on each
+     * other are solved, NULL where none do */
+    ptrdiff_t (*tableau)(real *nodes, real *weights, real *matrix);
+    const struct cardan_coupled *coupled;
 } cardan_exported_method;
+
+/* A cost of motions: numbers of functions, -1: there is none. A product is weights times the derivative
+ * along coordinates, u, z, s, r and p. */
+typedef struct cardan_exported_cost {
+    ptrdiff_t np; /* parameters */
+    ptrdiff_t final, final_product, integrand, integrand_product;
+    ptrdiff_t rates, close_position, close_velocity; /* products */
+} cardan_exported_cost;
 
 typedef struct cardan_elements cardan_elements;
 typedef struct cardan_export cardan_export;
@@ -78,6 +90,7 @@ struct cardan_export {
     ptrdiff_t event_count;
     const cardan_exported_tick *ticks;
     ptrdiff_t tick_count;
+    const cardan_exported_cost *cost; /* NULL: no gradients were asked for */
 };
 
 /* Bytes of what is prepared for all functions; fill them in at parameters p. Returns a status. */

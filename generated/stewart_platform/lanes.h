@@ -38,14 +38,21 @@ CARDAN_APART void cardan_piecewise_lanes(int pieces, int order, const double *br
 }
 
 /* the square root of the hardware; compilers offer none for vectors of their own */
+#ifdef CARDAN_FLOAT
+#define CARDAN_SQRT(prefix) prefix "sqrtps"
+#define CARDAN_SQRT_OF_ARM "fsqrt %0.4s, %1.4s"
+#else
+#define CARDAN_SQRT(prefix) prefix "sqrtpd"
+#define CARDAN_SQRT_OF_ARM "fsqrt %0.2d, %1.2d"
+#endif
 CARDAN_INLINE void cardan_sqrt_lanes(const real *x, real *y)
 {
-#if defined __AVX512F__ || (defined __AVX__ && CARDAN_LANES < 8)
-    __asm__("vsqrtpd %1, %0" : "=v"(*y) : "v"(*x));
-#elif defined __SSE2__ && CARDAN_LANES == 2
-    __asm__("sqrtpd %1, %0" : "=x"(*y) : "x"(*x));
-#elif defined __aarch64__ && CARDAN_LANES == 2
-    __asm__("fsqrt %0.2d, %1.2d" : "=w"(*y) : "w"(*x));
+#if defined __AVX512F__ || (defined __AVX__ && CARDAN_BYTES <= 32)
+    __asm__(CARDAN_SQRT("v") " %1, %0" : "=v"(*y) : "v"(*x));
+#elif defined __SSE2__ && CARDAN_BYTES == 16
+    __asm__(CARDAN_SQRT("") " %1, %0" : "=x"(*y) : "x"(*x));
+#elif defined __aarch64__ && CARDAN_BYTES == 16
+    __asm__(CARDAN_SQRT_OF_ARM : "=w"(*y) : "w"(*x));
 #else
     cardan_each(cardan_sqrt, x, y);
 #endif

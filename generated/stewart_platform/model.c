@@ -208,4 +208,5 @@ const cardan_export cardan_scene = {
     .rates = 15,
     .size = 1.0,
     .columns = NULL,
+    .cost = NULL,
 };

@@ -262,9 +262,11 @@ CARDAN_INLINE int cardan_solve_symmetric_indefinite(int n, int m, double *a, dou
     }
 CARDAN_SUBSTITUTE(cardan_substitute_1, double)
 #if defined(__GNUC__)
-typedef double cardan_columns_2 __attribute__((vector_size(16), aligned(8), may_alias));
-typedef double cardan_columns_4 __attribute__((vector_size(32), aligned(8), may_alias));
-typedef double cardan_columns_8 __attribute__((vector_size(64), aligned(8), may_alias));
+#define CARDAN_COLUMNS(n)                                                                          \
+    __attribute__((vector_size(n * sizeof(double)), aligned(sizeof(double)), may_alias))
+typedef double cardan_columns_2 CARDAN_COLUMNS(2);
+typedef double cardan_columns_4 CARDAN_COLUMNS(4);
+typedef double cardan_columns_8 CARDAN_COLUMNS(8);
 CARDAN_SUBSTITUTE(cardan_substitute_2, cardan_columns_2)
 CARDAN_SUBSTITUTE(cardan_substitute_4, cardan_columns_4)
 CARDAN_SUBSTITUTE(cardan_substitute_8, cardan_columns_8)

@@ -8,9 +8,16 @@ are (w, x, y, z), 6-vectors have the angular part first, units are SI and radian
 is a mapping of names to new values, or None for those of the model.
 """
 
+from cpython.buffer cimport PyBUF_C_CONTIGUOUS, PyBUF_FORMAT, PyBuffer_Release
+from cpython.exc cimport PyErr_Clear
 from libc.stdlib cimport free, malloc
+from libc.string cimport memset
 
 import numpy as np
+
+cdef extern from "Python.h":
+    int PyObject_GetBuffer(object exporter, Py_buffer *view, int flags) noexcept
+
 
 cdef extern from "functions.h" nogil:
     ctypedef struct cardan_in:
@@ -71,6 +78,7 @@ _SIZES = {'q': 22,
  'wrench': 78,
  'u': 21,
  'udot': 21,
+ 'lam': 15,
  'tau': 21,
  'du': 21,
  'z': 0,
@@ -98,6 +106,14 @@ _VECTORS = {}
 
 cdef enum:
     BLOCKS = 17
+    # of all blocks, and those of a state
+    PLACES = 19
+    W = 7
+    SMALL_WORK = 512
+
+cdef object ndarray = np.ndarray
+cdef object empty = np.empty
+cdef int NUMBERS = PyBUF_C_CONTIGUOUS | PyBUF_FORMAT
 
 
 class SingularError(ArithmeticError):
@@ -139,64 +155,185 @@ def _defaults(block):
 _NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}
 
 
-def _array(name, block, value):
+# numbers that the state is made of, in their order
+_STATE = ("q", "u", "z")
+
+
+def _array(block, value, Py_ssize_t size):
     """A block (..., n) of a function as contiguous numbers."""
     if block == "t":
         return np.asarray(value, dtype=float)[..., None]
-    if block == "v":
-        found, size = np.asarray(value, dtype=float), _VECTORS[name]
+    if block in ("v", "x"):
+        found = np.asarray(value, dtype=float)
     else:
         found = _entries(block, value, _NAMES.get(block, ()), _defaults(block))
-        size = _SIZES[block]
     if found.ndim == 0 or found.shape[-1] != size:
         raise ValueError(f"{block} must have shape (..., {size}), not {found.shape}")
     return found
 
 
-cdef object _call(bytes name, tuple blocks, tuple values, object parameters, tuple shape):
-    """Run a function at every state."""
-    cdef const cardan_exported_function *f = cardan_scene.functions
-    while name != <bytes>f.name:
-        f += 1
-    arrays = [_array(name.decode(), block, value) for block, value in zip(blocks, values)]
-    lead = np.broadcast_shapes(*(a.shape[:-1] for a in arrays))
-    cdef Py_ssize_t count = int(np.prod(lead, dtype=np.intp)), i, k
-    given = _entries("parameters", parameters, PARAMETERS, _defaults("p"))
-    if given.shape != (len(PARAMETERS),):
-        raise ValueError(f"parameters must have shape ({len(PARAMETERS)},), not {given.shape}")
-    cdef double[::1] p = np.append(given, 0.0)
-    cdef double[::1] w = np.zeros(f.w + 1)
-    f.prepare(&p[0], &w[0])
-    result = np.empty((count, f.out))
-    cdef double[::1] out = result.reshape(-1) if count * f.out else np.empty(1)
-    cdef const double *at[BLOCKS]
-    cdef Py_ssize_t step[BLOCKS]
-    cdef double[::1] flat
-    for k in range(BLOCKS):
-        at[k], step[k] = NULL, 0
-    held = []
-    for block, array in zip(blocks, arrays):
-        wide = np.broadcast_to(array, lead + array.shape[-1:])
-        flat = np.append(np.ascontiguousarray(wide).reshape(-1), 0.0)
-        held.append(flat)
-        k = _SLOTS[block]
-        at[k], step[k] = &flat[0], array.shape[-1]
-    at[_SLOTS["w"]] = &w[0]
-    cdef double *work = <double *>malloc((f.work + 1) * sizeof(double))
-    cdef int status = 0, one
-    if work == NULL:
-        raise MemoryError()
-    with nogil:
-        for i in range(count):
-            one = f.function(<const cardan_in *>at, &out[0] + i * f.out, work)
-            status |= one
-            for k in range(BLOCKS):
-                if at[k] != NULL:
-                    at[k] += step[k]
-    free(work)
-    if status:
-        raise SingularError(f"a linear system has no solution (status {status})")
-    return result.reshape(lead + shape)
+cdef class _Function:
+    """A function of the model: for one state in plain arrays by pointers, else for all states."""
+
+    cdef const cardan_exported_function *f
+    cdef tuple arguments, shape
+    cdef list held
+    cdef int count
+    cdef int first[BLOCKS]
+    cdef int last[BLOCKS]
+    cdef int slot[PLACES]
+    cdef Py_ssize_t offset[PLACES]
+    cdef Py_ssize_t size[BLOCKS]
+    cdef bint scalar[BLOCKS]
+    cdef const double *start[BLOCKS]
+    cdef const double *w
+
+    def __init__(self, bytes name, tuple arguments, tuple shape):
+        cdef int i, place = 0
+        cdef Py_ssize_t at
+        self.f = cardan_scene.functions
+        while name != <bytes>self.f.name:
+            self.f += 1
+        self.arguments, self.shape, self.count, self.held = arguments, shape, len(arguments), []
+        for i, argument in enumerate(arguments):
+            self.first[i], at = place, 0
+            for block in _STATE if argument == "x" else (argument,):
+                self.slot[place], self.offset[place] = _SLOTS[block], at
+                at += _VECTORS[name.decode()] if block == "v" else _SIZES.get(block, 1)
+                place += 1
+            self.last[i], self.size[i] = place, at
+            self.scalar[i], self.start[i] = argument == "t", NULL
+            if argument not in ("t", "v", "x"):
+                self.start[i] = self.hold(_defaults(argument))
+        self.w = self.prepared(_defaults("p"))
+
+    cdef const double *hold(self, numbers):
+        """Where numbers start that live as long as the function."""
+        cdef const double[::1] flat = np.append(np.asarray(numbers, dtype=float), 0.0)
+        self.held.append(flat)
+        return &flat[0]
+
+    cdef const double *prepared(self, parameters):
+        """What the function has of parameters."""
+        cdef double[::1] p = np.append(parameters, 0.0)
+        cdef double[::1] w = np.zeros(self.f.w + 1)
+        self.f.prepare(&p[0], &w[0])
+        self.held.append(w)
+        return &w[0]
+
+    cdef object call(self, tuple values, parameters):
+        result = self.at_one_state(values) if parameters is None else None
+        return self.at_states(values, parameters) if result is None else result
+
+    cdef object at_one_state(self, tuple values):
+        """The result at one state; None where that takes a closer look."""
+        cdef const double *at[BLOCKS]
+        cdef double number[BLOCKS]
+        cdef Py_buffer views[BLOCKS + 1]
+        cdef double small[SMALL_WORK]
+        cdef double *work = small
+        cdef int used = 0, i, status
+        cdef bint plain = True
+        memset(at, 0, sizeof(at))
+        at[W] = self.w
+        for i in range(self.count):
+            value = values[i]
+            if value is None:
+                plain = self.start[i] != NULL
+                self.point(at, i, self.start[i])
+            elif self.scalar[i]:
+                plain = type(value) is float
+                if plain:
+                    number[i] = value
+                    self.point(at, i, &number[i])
+            elif type(value) is ndarray and PyObject_GetBuffer(value, &views[used], NUMBERS) == 0:
+                used += 1
+                plain = self.fits(&views[used - 1], self.size[i])
+                self.point(at, i, <const double *>views[used - 1].buf)
+            else:
+                PyErr_Clear()
+                plain = False
+            if not plain:
+                break
+        status = 0
+        result = empty(self.shape) if plain else None
+        if plain and self.f.work > SMALL_WORK:
+            work = <double *>malloc(self.f.work * sizeof(double))
+        if plain and work != NULL and PyObject_GetBuffer(result, &views[used], NUMBERS) == 0:
+            used += 1
+            with nogil:
+                status = self.f.function(<const cardan_in *>at, <double *>views[used - 1].buf, work)
+        if work != small:
+            free(work)
+        for i in range(used):
+            PyBuffer_Release(&views[i])
+        if plain and work == NULL:
+            raise MemoryError()
+        if status:
+            raise SingularError(f"a linear system has no solution (status {status})")
+        return result
+
+    cdef inline void point(self, const double **at, int i, const double *start) noexcept:
+        """Let the blocks of argument i start there."""
+        cdef int k
+        for k in range(self.first[i], self.last[i]):
+            at[self.slot[k]] = start + self.offset[k]
+
+    cdef inline bint fits(self, const Py_buffer *view, Py_ssize_t size) noexcept:
+        """Whether a buffer is a vector of so many doubles."""
+        return (view.ndim == 1 and view.shape[0] == size and view.itemsize == 8
+                and view.format[0] == c"d" and view.format[1] == 0)
+
+    cdef object at_states(self, tuple values, parameters):
+        """The results at states of any leading shape."""
+        cdef const cardan_exported_function *f = self.f
+        cdef Py_ssize_t count, i, k
+        cdef const double *at[BLOCKS]
+        cdef Py_ssize_t step[BLOCKS]
+        cdef double[::1] flat
+        arrays = [
+            _array(argument, value, self.size[i])
+            for i, (argument, value) in enumerate(zip(self.arguments, values))
+        ]
+        lead = np.broadcast_shapes(*(a.shape[:-1] for a in arrays))
+        count = int(np.prod(lead, dtype=np.intp))
+        given = _entries("parameters", parameters, PARAMETERS, _defaults("p"))
+        if given.shape != (len(PARAMETERS),):
+            raise ValueError(f"parameters must have shape ({len(PARAMETERS)},), not {given.shape}")
+        cdef double[::1] p = np.append(given, 0.0)
+        cdef double[::1] w = np.zeros(f.w + 1)
+        f.prepare(&p[0], &w[0])
+        result = np.empty((count, f.out))
+        cdef double[::1] out = result.reshape(-1) if count * f.out else np.empty(1)
+        for k in range(BLOCKS):
+            at[k], step[k] = NULL, 0
+        held = []
+        for i, array in enumerate(arrays):
+            wide = np.broadcast_to(array, lead + array.shape[-1:])
+            flat = np.append(np.ascontiguousarray(wide).reshape(-1), 0.0)
+            held.append(flat)
+            self.point(at, <int>i, &flat[0])
+            for k in range(self.first[i], self.last[i]):
+                step[self.slot[k]] = array.shape[-1]
+        at[W] = &w[0]
+        cdef double *work = <double *>malloc((f.work + 1) * sizeof(double))
+        cdef int status = 0, one
+        if work == NULL:
+            raise MemoryError()
+        with nogil:
+            for i in range(count):
+                one = f.function(<const cardan_in *>at, &out[0] + i * f.out, work)
+                status |= one
+                for k in range(BLOCKS):
+                    if at[k] != NULL:
+                        at[k] += step[k]
+        free(work)
+        if status:
+            raise SingularError(f"a linear system has no solution (status {status})")
+        return result.reshape(lead + self.shape)
+
+
+cdef _Function _forward_dynamics = _Function(b"forward_dynamics", ("t", "q", "u", "r", "tau", ), (21,))
 
 
 def forward_dynamics(q, u, *, t=0.0, r=None, tau=None, parameters=None):
@@ -212,9 +349,10 @@ def forward_dynamics(q, u, *, t=0.0, r=None, tau=None, parameters=None):
     Returns:
         Array (..., 21)
     """
-    return _call(
-        b"forward_dynamics", ("t", "q", "u", "r", "tau",), (t, q, u, r, tau,), parameters, (21,),
-    )
+    return _forward_dynamics.call((t, q, u, r, tau, ), parameters)
+
+
+cdef _Function _inverse_dynamics = _Function(b"inverse_dynamics", ("t", "q", "u", "udot", "r", ), (21,))
 
 
 def inverse_dynamics(q, u, udot, *, t=0.0, r=None, parameters=None):
@@ -230,9 +368,10 @@ def inverse_dynamics(q, u, udot, *, t=0.0, r=None, parameters=None):
     Returns:
         Array (..., 21)
     """
-    return _call(
-        b"inverse_dynamics", ("t", "q", "u", "udot", "r",), (t, q, u, udot, r,), parameters, (21,),
-    )
+    return _inverse_dynamics.call((t, q, u, udot, r, ), parameters)
+
+
+cdef _Function _mass_matrix = _Function(b"mass_matrix", ("t", "q", "r", ), (21, 21))
 
 
 def mass_matrix(q, *, t=0.0, r=None, parameters=None):
@@ -246,6 +385,4 @@ def mass_matrix(q, *, t=0.0, r=None, parameters=None):
     Returns:
         Array (..., 21, 21)
     """
-    return _call(
-        b"mass_matrix", ("t", "q", "r",), (t, q, r,), parameters, (21, 21),
-    )
+    return _mass_matrix.call((t, q, r, ), parameters)

@@ -139,9 +139,10 @@ def _read(path: Path) -> _Entry | None:
     """An entry of the cache; None where there is none, or a damaged one."""
     try:
         entry = _Entry(**json.loads(regular_file.content(path, MOST)))
-        names = () if entry.available is None else entry.available
-        sound = FOLDER.match(entry.folder) and all(isinstance(name, str) for name in names)
-    except (OSError, TypeError, ValueError):
+        names = [] if entry.available is None else entry.available
+        sound = isinstance(names, list) and all(isinstance(name, str) for name in names)
+        sound = sound and FOLDER.match(entry.folder) is not None
+    except (OSError, TypeError, ValueError, RecursionError):
         return None
     return entry if sound else None
 

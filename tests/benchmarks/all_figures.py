@@ -21,7 +21,6 @@ from rich.table import Table
 
 from benchmarks.page import markdown
 from benchmarks.provenance import signed
-from cardan.peers.processor import name as processor
 
 ROOT = Path(__file__).parents[2]
 SAVED = ROOT / "out" / "figures"
@@ -33,7 +32,7 @@ TEXT = """# Figures to reach
 
 Every figure that is to be reached, those that are missed first. The page of a row has the peers
 beside it, the errors and, of what is missed, where the time goes. Written by the end of `make
-bench`: {processor}, Python {python}.
+bench`.
 """
 Row = tuple[str, str, str, str]
 
@@ -72,8 +71,7 @@ def show(rows: Sequence[Sequence[str]]) -> None:
 def write(rows: Sequence[Sequence[str]]) -> None:
     """On its page."""
     linked = [(*row[:-1], f"[{row[-1]}]({row[-1]})") for row in rows]
-    head = TEXT.format(processor=processor(), python=sys.version.split()[0])
-    PAGE.write_text(signed(f"{head}\n" + "\n".join(markdown(HEADINGS, linked, 5))), "utf-8")
+    PAGE.write_text(signed(f"{TEXT}\n" + "\n".join(markdown(HEADINGS, linked, 5))), "utf-8")
 
 
 def main() -> None:

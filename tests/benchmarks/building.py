@@ -1,11 +1,13 @@
 """Derivation, cold compilation, loading, size and memory of one mechanism, in a new process.
 
-usage: building.py NAME | building.py --long BODIES | building.py --load FOLDER; prints JSON.
+usage: building.py NAME | building.py --long BODIES | building.py --load FOLDER |
+building.py --prepare KIND BODIES; prints JSON.
 """
 
 from __future__ import annotations
 
 import json
+import os
 import resource
 import subprocess
 import sys
@@ -113,6 +115,27 @@ def long(bodies: int) -> dict[str, Any]:
     return found | {name: 1e9 * time.least / bodies for name, time in times.items()}
 
 
+def prepare(kind: str, bodies: int) -> dict[str, Any]:
+    """Seconds of all processors from a scene to its first accelerations, the compiler of C among
+    them: a "chain", a random "tree", or a chain in "absolute" coordinates.
+    """
+    import cardan as cd
+    from mechanisms.chain import chain
+    from mechanisms.random_trees import large_tree
+
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    # the first model of a process loads the compiler half, and finds the compiler
+    warm = cd.compile(chain(2), functions=(FUNCTION,))
+    warm.forward_dynamics(*warm.split(warm.initial()))
+    begin = sum(os.times()[:4])
+    scene = large_tree(bodies) if kind == "tree" else chain(bodies)
+    options = {"coordinates": "absolute"} if kind == "absolute" else {}
+    model = cd.compile(cd.derive(scene, **options), functions=(FUNCTION,))
+    q, u = model.split(model.initial())
+    assert np.isfinite(model.forward_dynamics(q, u)).all()
+    return {"prepared": sum(os.times()[:4]) - begin}
+
+
 def main() -> None:
     # the zoo stands beside this folder
     sys.path.insert(0, str(Path(__file__).parents[1]))
@@ -121,6 +144,8 @@ def main() -> None:
         found = load(rest[0])
     elif first == "--long":
         found = long(int(rest[0]))
+    elif first == "--prepare":
+        found = prepare(rest[0], int(rest[1]))
     else:
         found = standard(first)
     print(json.dumps(found))

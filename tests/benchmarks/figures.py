@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from benchmarks.cases import CASES, DERIVATIVES, FORWARD, INVERSE, MASS
-from benchmarks.measure import Found
+from benchmarks.measure import MANY, PREPARED, Found
 from cardan.peers import PEERS, peer
 from cardan.peers.comparison import LANES, OURS, Comparison
 
@@ -194,6 +194,8 @@ def building(found: Found) -> Iterator[Figure]:
     ):
         yield Figure(f"derivatives written and compiled, {title}", 1, value(case, "slopes"), "s")
     yield Figure("cold compile, chain of 1,000, loops", 0.4, value("1000", "compiled"), "s")
+    for kind, title in PREPARED.items():
+        yield Figure(f"prepare {MANY:,} bodies, {title}", 5, found.prepared.get(kind), "s")
     far, near = value("100000", "call"), value("1000", "call")
     growth = far / near if far and near else None
     yield Figure("100,000 bodies, per body and state, of the time at 1,000", 1.3, growth)

@@ -24,6 +24,11 @@ from cardan.peers.peer import States
 from cardan.peers.processor import Peak, peak
 from cardan.schema.functions import STANDARD
 
+# what is prepared from a scene to its first accelerations, and of how many bodies
+PREPARED, MANY = (
+    {"chain": "chain", "tree": "random tree", "absolute": "chain in absolute coordinates"},
+    10_000,
+)
 BUILDING = Path(__file__).with_name("building.py")
 COUNTS = Path(__file__).parents[1] / "golden" / "counts.json"
 SECONDS = 300
@@ -46,6 +51,7 @@ class Found:
         batches: Case -> ways of a batch to lie in memory, in doubles and floats.
         threads: Case -> time of a batch in one thread over that in two; None where other work
             kept it from being measured.
+        prepared: Kind of scene -> seconds of all processors until its bodies have accelerations.
     """
 
     comparisons: dict[str, Comparison]
@@ -58,6 +64,7 @@ class Found:
     ensembles: dict[str, tuple[float, float]] = field(default_factory=dict)
     batches: dict[str, list[Way]] = field(default_factory=dict)
     threads: dict[str, float | None] = field(default_factory=dict)
+    prepared: dict[str, float] = field(default_factory=dict)
 
 
 def undamped(model: cd.CompiledModel) -> cd.CompiledModel:
@@ -156,9 +163,27 @@ def run(quick: bool, rounds: int, show: Callable[[str], None]) -> Found:
             buildings[str(bodies)] = building(["--long", str(bodies)], limit)
         except (TimeoutError, RuntimeError) as problem:
             lacking[f"chain of {bodies:,}"] = str(problem)
+    prepared: dict[str, float] = {}
+    for kind, title in {} if quick else PREPARED.items():
+        show(f"preparing a {title} of {MANY:,}")
+        try:
+            row = building(["--prepare", kind, str(MANY)], SECONDS)
+            prepared[kind] = row["prepared"]
+        except (TimeoutError, RuntimeError) as problem:
+            lacking[f"preparing a {title} of {MANY:,}"] = str(problem)
     peaks.append(peak())
     best = max(peaks, key=lambda found: found.vector)
     counts = json.loads(COUNTS.read_text("utf-8"))
     return Found(
-        comparisons, buildings, counts, lacking, best, lanes, by_formulas, many, batches, threads
+        comparisons,
+        buildings,
+        counts,
+        lacking,
+        best,
+        lanes,
+        by_formulas,
+        many,
+        batches,
+        threads,
+        prepared,
     )

@@ -50,6 +50,15 @@ def test_an_ensemble_is_measured_against_our_own_loop() -> None:
     assert (line.value, line.reached) == (4.0, False)
 
 
+def test_preparing_many_bodies() -> None:
+    measured = replace(found(), prepared={"chain": 4.0, "tree": 44.0})
+    lines = {figure.name: figure for figure in figures(measured)}
+    assert lines["prepare 10,000 bodies, chain"].texts()[1:] == ("≤ 5 s", "4 s", "reached")
+    assert not lines["prepare 10,000 bodies, random tree"].reached
+    absolute = lines["prepare 10,000 bodies, chain in absolute coordinates"]
+    assert absolute.texts()[2] == "not measured"
+
+
 def test_ways_of_a_batch_and_a_second_thread() -> None:
     ways = [Way("rows", 3e-8, 0.0), Way("structure of arrays, float32", 1e-8, 4e-7)]
     measured = replace(found(), batches={"panda": ways}, threads={"panda": None})

@@ -36,6 +36,21 @@ def random_tree(seed: int) -> cd.Scene:
     return scene
 
 
+def large_tree(n: int, seed: int = 1) -> cd.Scene:
+    """n bodies, hinged about x, y or z anywhere on one of the 20 bodies before."""
+    rng = np.random.default_rng(seed)
+    scene = cd.Scene(f"large_tree_{n}", gravity=(0, 0, -9.81))
+    bodies: list[Any] = []
+    for k in range(n):
+        mass = round(float(rng.uniform(0.5, 2.0)), 3)
+        body = scene.body(f"b{k}", mass=mass, com=_numbers(rng, 3, 0.2), inertia=(0.2, 0.3, 0.25))
+        parent = bodies[int(rng.integers(max(0, k - 20), k))] if bodies else scene.ground
+        axis = "xyz"[int(rng.integers(3))]
+        scene.joint(f"j{k}", cd.Revolute(axis), parent.at(*_numbers(rng, 3, 0.5)), body)
+        bodies.append(body)
+    return scene
+
+
 def _numbers(rng: np.random.Generator, count: int, reach: float) -> list[float]:
     return [round(float(x), 3) for x in rng.uniform(-reach, reach, count)]
 

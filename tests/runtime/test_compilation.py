@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -139,14 +140,15 @@ def test_damage_is_mended(cache_directory: Path, derivations: list[str]) -> None
 
 
 @each("content", ["", "{", "[]", '{"folder": "../other", "available": null}',
-                  '{"folder": 3, "available": []}', '{"folder": "00", "more": 1}'])  # fmt: skip
+                  '{"folder": 3, "available": []}', '{"folder": "00", "more": 1}',
+                  '{"folder": "FOLDER", "available": {"energy": 1}}', "[" * 100_000,
+                  '{"folder": "FOLDER", "available": "energy"}'])  # fmt: skip
 def test_an_entry_of_the_cache_is_not_believed(
     content: str, cache_directory: Path, derivations: list[str]
 ) -> None:
     cd.compile(pendulum())
     (entry,) = (cache_directory / "models").glob("*.json")
-    assert json.loads(entry.read_text())["folder"]
-    entry.write_text(content)
+    entry.write_text(content.replace("FOLDER", json.loads(entry.read_text())["folder"]))
     derivations.clear()
     cd.compile(pendulum()).forward_dynamics([0.3], [0.1])
     assert derivations == ["pendulum"]
@@ -262,6 +264,12 @@ class Heavier(cd.JointForce):
 )
 def test_what_may_hold_more_than_it_shows_has_no_hash(part: object) -> None:
     assert content_hash({"a": [1, part]}) is None
+
+
+def test_long_numbers_have_hashes() -> None:
+    """Python writes no numbers of more than 4300 digits in decimals."""
+    longest = [10**5000, 10**5000 + 1, Fraction(1, 10**5000), -(10**5000), 1, True, Fraction(1)]
+    assert len({content_hash(number) for number in longest} - {None}) == len(longest)
 
 
 def test_hashes_are_those_of_other_processes() -> None:

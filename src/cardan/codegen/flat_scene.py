@@ -12,7 +12,7 @@ from typing import Any
 
 from ..elements.joints.joint import Joint as Element
 from ..elements.joints.joint import Reversed
-from ..equations.functions.blocks import blocks
+from ..equations.functions.blocks import blocks, parameters
 from ..equations.kinematics.kinematics import Kinematics
 from ..equations.kinematics.loads import places
 from ..ir.function import Block, Function, Output, live
@@ -208,18 +208,24 @@ def rotation_of(joint: Joint | Cut) -> str | None:
 
 def _poses(system: System) -> tuple[list[Function], list[int]]:
     """Every pose once, and which of them each joint has."""
-    graph, parameters = system.graph.fork(), blocks(system)["p"]
+    graph, block = system.graph.fork(), parameters(system)
     numbers: dict[tuple[int, ...], int] = {}
+    # joints of equal elements and data have equal expressions: these are made once
+    alike: dict[object, int] = {}
     functions, used = list[Function](), list[int]()
     joints: tuple[Joint | Cut, ...] = (*system.joints, *system.closing)
     for joint in joints:
         element = _closer(joint) if isinstance(joint, Cut) else declared(joint)
+        form = _form(element, joint)
+        if form in alike:
+            used.append(alike[form])
+            continue
         count = len(element.coordinates)
         q = Matrix(graph, count, 1, [graph.var("q", i) for i in range(count)])
         data = {name: Matrix(graph, *entry) for name, entry in joint.data.items()}
         rotation, position = element.pose(q, **data)
         key = (count, *rotation.nodes, *position.nodes)
-        used.append(numbers.setdefault(key, len(functions)))
+        used.append(alike.setdefault(form, numbers.setdefault(key, len(functions))))
         if used[-1] < len(functions):
             continue
         outputs = (
@@ -228,8 +234,17 @@ def _poses(system: System) -> tuple[list[Function], list[int]]:
         )
         coordinates = Block("q", tuple(c.name for c in element.coordinates), ("",) * count)
         name, about = f"scene_pose_{len(functions)}", f"pose of a {element.kind} joint"
-        functions.append(Function(name, graph, (coordinates, parameters), outputs, about=about))
+        functions.append(Function(name, graph, (coordinates, block), outputs, about=about))
     return functions, used
+
+
+def _form(element: Element, joint: Joint | Cut) -> object:
+    """Equal for joints of equal elements and data."""
+    try:
+        hash(element)
+    except TypeError:  # equations that a user brings hold dictionaries
+        return id(element)
+    return (element, tuple(joint.data.items()))
 
 
 def _rotors(system: System, graph: Graph) -> list[int]:
@@ -274,7 +289,8 @@ def _function(
     """A Function that declares the blocks it reads."""
     roots = [node for output in outputs for node in output.nodes]
     read = {graph.nodes[i][1] for i in live(graph, roots) if graph.nodes[i][0] == "var"}
-    all_blocks = blocks(system)
+    # names of coordinates and speeds take a while, and the scene alone reads parameters
+    all_blocks = {"p": parameters(system)} if read <= {"p"} else blocks(system)
     return Function(
         name, graph, tuple(all_blocks[b] for b in all_blocks if b in read), outputs, about=about
     )

@@ -23,7 +23,7 @@ from ..processes import collector_paused
 from ..schema import kernel_files
 from ..schema.c_functions import FunctionRow
 from ..schema.fields import dumped
-from ..schema.manifest import Manifest, from_file
+from ..schema.manifest import Manifest, from_file, remember
 from ..schema.seal import sealed, unsealed
 from ..version import ABI
 from . import header
@@ -271,8 +271,10 @@ def _write_manifest(directory: Path, manifest: Manifest) -> None:
     # one entry per line for readers; of thousands of bodies nobody reads, and lines take a minute
     rows = max(len(ordered.frames), len(ordered.joints))
     indent = 1 if rows <= READ else None
-    text = sealed(vars(ordered), indent=indent, ensure_ascii=False, allow_nan=False)
-    _write(directory / MANIFEST, text)
+    content = sealed(vars(ordered), indent=indent, ensure_ascii=False, allow_nan=False).encode()
+    _write(directory / MANIFEST, content)
+    # who opens the model now need not read what was a record a moment ago
+    remember(content, ordered)
 
 
 def _line(name: str, saved: dict[str, Any]) -> str:

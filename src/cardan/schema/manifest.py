@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from functools import lru_cache
 
 from ..errors import ModelError
 from ..version import ABI, MANIFEST, Format
@@ -322,7 +321,11 @@ def checked_manifest(plain: object, where: str) -> Manifest:
         raise ModelError(f"{where}: {misfit}. Compile the model again") from None
 
 
-@lru_cache(maxsize=4)
+# manifests by the content of their files, those that were read or written last
+_CONTENTS: dict[bytes, Manifest] = {}
+REMEMBERED = 4
+
+
 def from_file(content: bytes, where: str) -> Manifest:
     """The manifest in a file, read once as long as that stays as it is.
 
@@ -334,7 +337,24 @@ def from_file(content: bytes, where: str) -> Manifest:
         ValueError: it is damaged.
         ModelError: as :func:`checked_manifest`.
     """
-    return checked_manifest(unsealed(content), where)
+    manifest = _CONTENTS.get(content)
+    if manifest is None:
+        manifest = checked_manifest(unsealed(content), where)
+        remember(content, manifest)
+    return manifest
+
+
+def remember(content: bytes, manifest: Manifest) -> None:
+    """Let a manifest be known by the content of its file, which need not be read then.
+
+    Args:
+        content: Exactly what was written of this manifest, or what it was read from.
+        manifest: Its parts are checked.
+    """
+    while len(_CONTENTS) >= REMEMBERED:
+        # threads may drop the same one
+        _CONTENTS.pop(next(iter(_CONTENTS), b""), None)
+    _CONTENTS[content] = manifest
 
 
 def json_schema() -> str:

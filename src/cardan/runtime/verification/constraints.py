@@ -34,6 +34,7 @@ ROUGH = 1e-4
 TRUSTED = 10.0
 # Smaller terms of a row, in parts of the largest of all rows, are rounding of its differences.
 SMALL = 1e-5
+EPS = float(np.finfo(float).eps)
 TIME, MOVE, INPUT = 0.3, 0.3, 0.3
 
 
@@ -87,13 +88,19 @@ class Levels:
     gamma: Level | None = None
 
 
-def slope(f: Callable[[Array], Array]) -> tuple[Array, Array]:
-    """Derivative (m,) at 0 of a function of times (n,) with values (n, m); how well it is known."""
+def slope(f: Callable[[Array], Array], rounding: float = 0.0) -> tuple[Array, Array]:
+    """Derivative (m,) at 0 of a function of times (n,) with values (n, m); how well it is known.
+
+    Args:
+        f: The function.
+        rounding: Of its values: the difference of two of them a step apart is known no better.
+    """
     before = _difference(f, STEPS[0])
     derivative, doubt = before, np.full(before.shape, np.inf)
     for h in STEPS[1:]:
         now = _difference(f, h)
-        change = np.abs(now - before)
+        # two steps may agree by chance: of many rows some do
+        change = np.maximum(np.abs(now - before), rounding / h)
         better = change < doubt
         derivative, doubt = np.where(better, now, derivative), np.where(better, change, doubt)
         if np.all(doubt <= ENOUGH * np.maximum(1.0, np.abs(derivative))):
@@ -116,7 +123,9 @@ def errors(levels: Levels, at: Motion) -> dict[str, Array]:
     rates, still = levels.rates(now)[0], levels.rates(replace(now, u=0 * now.u))[0]
     moved, largest = levels.product(at, at.u)
     size = np.maximum(largest, np.abs(still))
-    exact, doubt = slope(lambda h: levels.position(at.after(h)))
+    # constraints are differences of places, which round by their distance from the origin
+    far = EPS * np.abs(at.q).max(initial=1.0)
+    exact, doubt = slope(lambda h: levels.position(at.after(h)), far)
     mp = len(exact)
     terms = np.maximum(size[:mp], np.abs(exact))
     result = {

@@ -20,20 +20,20 @@ if TYPE_CHECKING:
 
 def unknown(model: LoadedModel) -> str:
     """Why the scene of a model cannot be judged; "" if it can."""
-    manifest = model.manifest
+    manifest, saved = model.manifest, frozenset(model.saved)
     scene = manifest.scene
-    if "scene" not in model.saved:
+    if "scene" not in saved:
         return "not checked: the directory holds no scene"
     reasons = list(scene.unknown)
     for joint, rotation in zip(manifest.joints, scene.rotations, strict=True):
         if rotation is not None and rotation not in PARAMETERS:
             reasons.append(f"joint '{joint.name}' is described by {rotation}")
-    if not all(name in model.saved for name in scene.poses):
+    if not all(name in saved for name in scene.poses):
         reasons.append("the poses of its joints are not saved")
     moved = any(joint.prescribed for joint in manifest.joints)
-    if moved and "scene_motion" not in model.saved:
+    if moved and "scene_motion" not in saved:
         reasons.append("the motion of prescribed joints is not saved")
-    if any(joint.solved for joint in manifest.joints) and "dependents" not in model.saved:
+    if any(joint.solved for joint in manifest.joints) and "dependents" not in saved:
         reasons.append("the joints that loops determine are not saved")
     return "not checked: " + "; ".join(reasons[:3]) if reasons else ""
 

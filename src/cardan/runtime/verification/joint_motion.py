@@ -205,18 +205,32 @@ def joint_pose(joint: JointData, q: Array) -> tuple[Array, Array]:
     return back, -times(back, position)
 
 
-def joint_motions(
-    joints: Sequence[JointData], q: Sequence[Array], u: Sequence[Array]
-) -> list[JointMotion]:
+# numbers of joints that are alike, their motions, and two rows of their speeds, (..., joints, n)
+JointGroup = tuple[list[int], JointMotion, Array, Array]
+
+
+def joint_groups(
+    joints: Sequence[JointData], q: Sequence[Array], u: Sequence[Array], udot: Sequence[Array]
+) -> list[JointGroup]:
     """Motions of joints, as :func:`joint_motion`; those that are alike in one evaluation."""
     alike: dict[JointData, list[int]] = {}
     for i, joint in enumerate(joints):
         alike.setdefault(joint, []).append(i)
-    motions: dict[int, JointMotion] = {}
+    groups = list[JointGroup]()
     for joint, which in alike.items():
-        rows = (np.stack(np.broadcast_arrays(*(x[i] for i in which)), axis=-2) for x in (q, u))
-        several = joint_motion(joint, *rows)
-        motions |= {i: several.of(k) for k, i in enumerate(which)}
+        here, rates, accelerations = (
+            np.stack(np.broadcast_arrays(*(x[i] for i in which)), axis=-2) for x in (q, u, udot)
+        )
+        groups.append((which, joint_motion(joint, here, rates), rates, accelerations))
+    return groups
+
+
+def joint_motions(
+    joints: Sequence[JointData], q: Sequence[Array], u: Sequence[Array]
+) -> list[JointMotion]:
+    """Motions of joints by number."""
+    groups = joint_groups(joints, q, u, u)
+    motions = {i: x.of(k) for which, x, _, _ in groups for k, i in enumerate(which)}
     return [motions[i] for i in range(len(joints))]
 
 
