@@ -1,8 +1,8 @@
-"""Compile scenes. What was written of an equal scene before is used without deriving it again.
+"""Compile scenes. C that was written for an equal scene is used without deriving equations again.
 
-The cache says by a hash of the scene, of what is asked of it and of this version of cardan in
-which folder its C is. Then neither the equations nor the rooms that derive them are loaded, until a
-function is called that was never written.
+An entry of the cache names the folder of that C. Its key is a hash of the scene, of the arguments
+of ``compile`` and of this version of cardan. Equations, and the rooms that derive them, are loaded
+when a function is called whose C was never written.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def compile(
         "independent": independent, "plane": plane,
     }  # fmt: skip
 
-    # how many threads share a batch, and how their C is compiled, is nothing to the equations
+    # threads, and how C is compiled, change no equations: they are not part of the key
     how: dict[str, Any] = {"threads": threads, "reproducible": reproducible, "dtype": dtype}
 
     def derived(of: SceneRecord | EquationRecord | FiniteElementRecord) -> CompiledModel:
@@ -169,7 +169,7 @@ def _earlier(
         return derive(as_written)
 
     def provide(keys: Sequence[tuple[str, str | None]]) -> list[str]:
-        """C names of functions; of those that nobody has asked for yet after deriving them."""
+        """C names of functions; those whose C is missing are derived and written first."""
         objects = model._objects
         names = [objects.stored(*one) for one in keys if one[0] in (objects.available or (one[0],))]
         files = [objects.manifest.functions[name].file for name in filter(None, names)]

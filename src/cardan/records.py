@@ -3,8 +3,8 @@
 ``dataclass`` of the standard library writes six functions as text for every class and has Python
 compile them; a process that imports hundreds of records and makes few of them waits for that most
 of all. Here a class waits for its first use: until then descriptors stand in the place of what the
-standard library writes. What it then is, is the same dataclass: to ``fields``, ``replace``,
-``pickle``, ``match`` and type checkers.
+standard library writes. From then on ``fields``, ``replace``, ``pickle``, ``match`` and type
+checkers see the dataclass that the standard library makes.
 """
 
 from __future__ import annotations
@@ -124,7 +124,7 @@ class _Waiting:
 
 
 def _freeze(cls: type[object]) -> None:
-    """Refuse to set and to delete fields as frozen dataclasses do, by functions without text."""
+    """Refuse to set and delete fields as frozen dataclasses do; nothing is compiled for it."""
 
     set_of_bases, delete_of_bases = cls.__setattr__, cls.__delattr__
 

@@ -18,7 +18,10 @@ import sympy
 
 import cardan as cd
 from cardan import pipeline
+from cardan.errors import NoteOnFiles
 from cardan.scene.content import content_hash
+from cardan.scene.files.yaml import layout
+from cardan.version import RUN as VERSIONS
 from mechanisms import ZOO
 from table import each
 
@@ -225,6 +228,22 @@ def test_every_attribute_counts() -> None:
                 count += 1
     assert count > 25
     assert content_hash(scene) == before
+
+
+@each(
+    "one, other",
+    [
+        (NoteOnFiles("a"), NoteOnFiles("b")),
+        (layout.Number("1"), layout.Number("2")),
+        (layout.Row([1]), layout.Row([2])),
+        (layout.Flow(a=1), layout.Flow(a=2)),
+        (VERSIONS, VERSIONS._replace(word="others")),
+    ],
+)
+def test_classes_derived_of_built_in_ones_show_what_they_hold(one: object, other: object) -> None:
+    assert type(one) is type(other)
+    assert content_hash(one) == content_hash(copy.deepcopy(one))
+    assert content_hash(one) != content_hash(other)
 
 
 class Heavier(cd.JointForce):

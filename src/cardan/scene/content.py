@@ -114,19 +114,32 @@ def _of_cardan(content: _Content, value: object) -> None:
     elif points is not None:
         # a measured function of a term: its class is made for its points
         content.each("table", (points, value.cardan_derivative, *value.args))  # type: ignore[attr-defined]
-    elif isinstance(value, tuple):
-        content.each("fields", value)
     else:
+        _as_built_in(content, value)
         slots = [name for one in type(value).__mro__ for name in vars(one).get("__slots__", ())]
         content.entries("slots", {k: getattr(value, k) for k in slots if hasattr(value, k)})
         content.entries("attributes", getattr(value, "__dict__", {}))
+
+
+def _as_built_in(content: _Content, value: object) -> None:
+    """What an object holds as a text, number, row or table, where its class is derived of one."""
+    for kind in (str, bytes, int, float):
+        if isinstance(value, kind):
+            content.say(kind.__name__, kind.__repr__(value))
+    if isinstance(value, tuple | list):
+        content.each("fields", value)
+    elif isinstance(value, dict):
+        content.entries("dict", value)
+    elif isinstance(value, set | frozenset | bytearray):
+        raise _Unnamed(value)
 
 
 def _of_numpy(content: _Content, value: object) -> None:
     """An array or a number of NumPy."""
     import numpy as np
 
-    if isinstance(value, type) or not isinstance(value, np.ndarray | np.generic):
+    # subclasses of arrays hold more, such as a mask
+    if type(value) is not np.ndarray and not isinstance(value, np.generic):
         raise _Unnamed(value)
     if value.dtype.kind not in NUMBERS:
         raise _Unnamed(value)
