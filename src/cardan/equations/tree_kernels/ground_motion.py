@@ -1,8 +1,11 @@
-"""Motion of a tree in axes of the ground, with the origin of its first body as origin.
+"""Motion of a tree in axes of the ground, with the origin of its base as origin.
 
-What bodies hand on in these axes adds up as it stands. Positions count from the first body of the
-tree and velocities from its own, so that no number depends on where the tree is or how fast it
-travels.
+What bodies hand on in these axes adds up as it stands. Positions count from the base of the tree
+and velocities from its own, so that no number depends on where the tree is or how fast it travels.
+The base is the first body that rotates: a vehicle or a gantry on slides may be far from where its
+slides begin, and numbers about that place would leave few digits of what the arm on it does.
+Bodies that only slide against the ground count from themselves. That is enough for them: along a
+slide nothing is read of what stands inboard but mass and force, which have no origin.
 """
 
 from __future__ import annotations
@@ -28,8 +31,9 @@ class GroundMotion:
 
     Attributes:
         orientation: R from body axes to ground axes (3, 3).
-        position: Origin of the body, from that of the first one (3, 1).
-        omega, v: Angular velocity, velocity of the origin less that of the first body (3, 1).
+        slides: Whether only translations lead from the ground to the body.
+        position: Origin of the body, from that of the base (3, 1).
+        omega, v: Angular velocity, velocity of the origin less that of the base (3, 1).
         alpha, a: Accelerations at udot = 0, less gravity (3, 1).
         field: U = [alpha] + [omega][omega] (3, 3).
     """
@@ -37,6 +41,7 @@ class GroundMotion:
     def __init__(self, k: Kinematics, gravity: Matrix, cuts: Cuts | None, moving: bool) -> None:
         self.k, self.gravity, self.cuts = k, gravity, cuts
         self.orientation, self.position = list[Matrix](), list[Matrix]()
+        self.slides = list[bool]()
         self.omega, self.v = list[Matrix](), list[Matrix]()
         self.alpha, self.a, self.field = list[Matrix](), list[Matrix](), list[Matrix]()
         for i in range(len(k.system.bodies)):
@@ -51,6 +56,11 @@ class GroundMotion:
             return x
         return Matrix(self.k.graph, x.rows, x.columns, self.cuts.cut(i, quantity, x.nodes))
 
+    def _begins(self, i: int) -> bool:
+        """Whether positions count from a body: whatever is inboard of it only slides."""
+        parent = self.k.system.bodies[i].parent
+        return parent < 0 or self.slides[parent]
+
     def _place(self, i: int) -> None:
         k, parent = self.k, self.k.system.bodies[i].parent
         with k.graph.made_by(k.owner(i), "orientation"):
@@ -60,13 +70,15 @@ class GroundMotion:
             for turn in turns[1:]:
                 r = r @ turn
             p = Matrix.zeros(k.graph, 3)
-            if parent >= 0:
+            if not self._begins(i):
                 p = self.position[parent] + self.orientation[parent] @ at.position
+        turning = at.modes.block(slice(0, 3))
+        self.slides.append(self._begins(i) and turning.columns > 0 and turning.is_zero)
         self.orientation.append(self._carry(i, "orientation", r, CELLS))
         self.position.append(self._carry(i, "from_base", p))
 
     def _move(self, i: int) -> None:
-        k, parent, joint = self.k, self.k.system.bodies[i].parent, self.k.joints[i]
+        k, joint = self.k, self.k.joints[i]
         twist = self.in_ground_axes(i, joint.velocity)
         relative = self.in_ground_axes(i, joint.drift)
         w, v = twist.block(slice(0, 3)), twist.block(slice(3, 6))
@@ -77,7 +89,7 @@ class GroundMotion:
             relative_w = relative_w + omega.cross(w)
             relative_v = relative_v + omega.cross(v) * 2
             self.omega.append(self._carry(i, "ground_omega", omega + w))
-            velocity = zero if parent < 0 else at + v
+            velocity = zero if self._begins(i) else at + v
             self.v.append(self._carry(i, "ground_v", velocity))
             self.alpha.append(self._carry(i, "ground_alpha", alpha + relative_w))
             self.a.append(self._carry(i, "ground_a", a + relative_v))

@@ -3,7 +3,7 @@
  *
  * Generated files include it where states may stand side by side: `real` is one number or several.
  *
- * The axes are those of the ground and the origin is that of the first body of the tree, so that
+ * The axes are those of the ground and the origin is that of the first body that rotates, so that
  * what bodies hand to their parents adds up without a change of axes or origin, and no result
  * depends on where the tree stands. Bodies stand depth first, each behind its parent; so do the
  * speeds of their joints. The level of a speed is the number of speeds between it and the ground:
