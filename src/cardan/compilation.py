@@ -139,9 +139,10 @@ def _read(path: Path) -> _Entry | None:
     """An entry of the cache; None where there is none, or a damaged one."""
     try:
         entry = _Entry(**json.loads(regular_file.content(path, MOST)))
-        names = () if entry.available is None else entry.available
-        sound = FOLDER.match(entry.folder) and all(isinstance(name, str) for name in names)
-    except (OSError, TypeError, ValueError):
+        names = [] if entry.available is None else entry.available
+        sound = isinstance(names, list) and all(isinstance(name, str) for name in names)
+        sound = sound and FOLDER.match(entry.folder) is not None
+    except (OSError, TypeError, ValueError, RecursionError):
         return None
     return entry if sound else None
 
@@ -157,8 +158,11 @@ def _earlier(
     entry = _read(path)
     if entry is None:
         return None
-    # whoever changes the scene afterwards does not change what was compiled
-    as_written = _copied(scene)
+    try:
+        # whoever changes the scene afterwards, or what it refers to, changes nothing here
+        as_written = copy.deepcopy(scene)
+    except RecursionError:
+        return None
 
     @cache
     def derived() -> CompiledModel:
@@ -192,12 +196,3 @@ def _intact(folder: Path, name: str, model: CompiledModel) -> bool:
     except OSError:
         return False
     return hashlib.sha256(content).hexdigest() == model.manifest.sha256.get(name)
-
-
-def _copied(scene: SceneRecord) -> SceneRecord:
-    """The scene as it is now: its records are frozen, its tables are not."""
-    other = copy.copy(scene)
-    for name, table in vars(scene).items():
-        if isinstance(table, dict | list):
-            setattr(other, name, table.copy())
-    return other

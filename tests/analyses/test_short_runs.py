@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import _thread
+import threading
 import warnings
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
@@ -12,7 +14,7 @@ import sympy
 
 import cardan as cd
 from analyses.conftest import double_scene
-from cardan.analyses.simulation.short_runs import ShortRuns
+from cardan.analyses.simulation.short_runs import AT_ONCE, ShortRuns
 from cardan.errors import ArgumentError, ModelError, SolveError
 from table import each
 
@@ -76,6 +78,30 @@ def test_steps_end_where_the_model_jumps() -> None:
     x = model.random_state(1, (3,))
     assert model.step(x, DT).tobytes() == by_stepper(model, x, DT).tobytes()
     assert model.step(x, DT, t=1.0).tobytes() == by_stepper(model, x, DT, t=1.0).tobytes()
+
+
+@each("count", [1, 3])
+def test_ctrl_c_is_heard_in_the_midst_of_a_run(count: int) -> None:
+    """Of one state, or of one after the other; each would take minutes."""
+    model, x = example("double_pendulum")
+    x = x[1 : 1 + count]
+    expected = model.step(x, DT)
+    timer = threading.Timer(0.1, _thread.interrupt_main)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        model.step(x[0] if count == 1 else x, 1e7)
+    timer.join()
+    # what was under way is not what the next call goes on with
+    assert model.step(x, DT).tobytes() == expected.tobytes()
+
+
+def test_runs_of_many_steps_have_the_bits_of_steppers() -> None:
+    """More than one call of the kernels does, in each of several states."""
+    model, x = example("double_pendulum")
+    fine: Any = {"method": "RK4", "step": 1e-4}
+    assert 1.0 / fine["step"] > 2 * AT_ONCE
+    expected = by_stepper(model, x[:3], 1.0, **fine)
+    assert model.step(x[:3], 1.0, **fine).tobytes() == expected.tobytes()
 
 
 def test_results_are_nobody_elses() -> None:

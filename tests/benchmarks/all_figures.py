@@ -21,10 +21,9 @@ from rich.table import Table
 
 from benchmarks.page import markdown
 from benchmarks.provenance import signed
-from cardan.peers.processor import name as processor
 
 ROOT = Path(__file__).parents[2]
-KEPT = ROOT / "out" / "figures"
+SAVED = ROOT / "out" / "figures"
 PAGE = ROOT / "docs" / "performance" / "figures.md"
 HEADINGS = ("figure", "to reach", "measured", "reached", "page")
 REACHED = {"reached": "yes", "missed": "no", "time": "no"}
@@ -33,26 +32,26 @@ TEXT = """# Figures to reach
 
 Every figure that is to be reached, those that are missed first. The page of a row has the peers
 beside it, the errors and, of what is missed, where the time goes. Written by the end of `make
-bench`: {processor}, Python {python}.
+bench`.
 """
 Row = tuple[str, str, str, str]
 
 
-def keep(page: str, rows: Iterable[Row]) -> None:
+def save(page: str, rows: Iterable[Row]) -> None:
     """Leave figures for the table of all.
 
     Args:
         page: Where they stand, ``python_calls.md``.
         rows: Name, what is to be reached, what was measured and ``yes`` or ``no`` each.
     """
-    KEPT.mkdir(parents=True, exist_ok=True)
-    (KEPT / page).with_suffix(".json").write_text(json.dumps([*rows]), "utf-8")
+    SAVED.mkdir(parents=True, exist_ok=True)
+    (SAVED / page).with_suffix(".json").write_text(json.dumps([*rows]), "utf-8")
 
 
-def kept() -> list[tuple[str, ...]]:
+def saved() -> list[tuple[str, ...]]:
     """Rows of all programs with their pages, the missed ones first."""
     rows = []
-    for file in sorted(KEPT.glob("*.json")):
+    for file in sorted(SAVED.glob("*.json")):
         page = file.with_suffix(".md").name
         for name, target, measured, reached in json.loads(file.read_text("utf-8")):
             rows.append((name, target, measured, REACHED.get(reached, reached), page))
@@ -72,8 +71,7 @@ def show(rows: Sequence[Sequence[str]]) -> None:
 def write(rows: Sequence[Sequence[str]]) -> None:
     """On its page."""
     linked = [(*row[:-1], f"[{row[-1]}]({row[-1]})") for row in rows]
-    head = TEXT.format(processor=processor(), python=sys.version.split()[0])
-    PAGE.write_text(signed(f"{head}\n" + "\n".join(markdown(HEADINGS, linked, 5))), "utf-8")
+    PAGE.write_text(signed(f"{TEXT}\n" + "\n".join(markdown(HEADINGS, linked, 5))), "utf-8")
 
 
 def main() -> None:
@@ -81,7 +79,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="write no page")
     quick = parser.parse_args().quick
-    rows = kept()
+    rows = saved()
     show(rows)
     if not quick:
         write(rows)

@@ -22,7 +22,7 @@ from rich.console import Console
 from rich.table import Table
 
 from benchmarks import page, pictures
-from benchmarks.all_figures import keep
+from benchmarks.all_figures import save
 from benchmarks.figures import Figure, figures
 from benchmarks.measure import Found, run
 from cardan.cli.terminal import progress
@@ -43,7 +43,7 @@ def main() -> int:
         os.environ.setdefault("CARDAN_CACHE", f"{private}/cache")
         found = run(quick, QUICK_ROUNDS if quick else ROUNDS, show)
     rows = figures(found)
-    keep("README.md", [row.texts() for row in rows])
+    save("README.md", [row.texts() for row in rows])
     if not quick:
         pictures.write(found, FOLDER)
         page.write(found, rows, FOLDER)

@@ -24,7 +24,7 @@ import cardan as cd
 from benchmarks import flexible_exudyn as exudyn
 from benchmarks import flexible_page as page
 from benchmarks import flexible_problem as problem
-from benchmarks.all_figures import keep
+from benchmarks.all_figures import save
 from benchmarks.flexible_figures import figures
 from benchmarks.flexible_page import Found, Point
 
@@ -112,7 +112,7 @@ def main() -> int:
         list(figures(quick)),
     )
     page.show(found)
-    keep("flexible.md", page.figures(found))
+    save("flexible.md", page.figures(found))
     if not quick:
         page.write(found, FOLDER)
     return 0

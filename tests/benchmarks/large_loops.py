@@ -27,7 +27,7 @@ from rich.console import Console
 from rich.table import Table
 
 import cardan as cd
-from benchmarks.all_figures import keep
+from benchmarks.all_figures import save
 from benchmarks.cold import cold, cold_process
 from benchmarks.figures import Figure
 from benchmarks.page import markdown
@@ -230,7 +230,7 @@ def main() -> int:
     cases = ("chain 20", "chain 200", "A02 32")
     starts = {case: cold_process(case) for case in (cases[:1] if given.quick else cases)}
     reached = [row.texts() for row in figures(runs, chains, starts)]
-    keep("large_loops.md", reached)
+    save("large_loops.md", reached)
     tables = (
         (("figure", "target", "measured", ""), reached, TEXT),
         (HEADINGS, rows(runs), FOUR_BARS),

@@ -17,12 +17,21 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 import cardan as cd
+from benchmarks.provenance import signed
 from cardan.view.packing import text_of
 from mechanisms import robots
 from view.test_live import LOAD, NODE
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "performance" / "live.md"
 SECONDS, FRAMES = 10, 60
+TEXT = """# Pages in which models run
+
+Written by `tests/benchmarks/live.py`, node {node}. Ten seconds of motion at rtol 1e-6 in frames of
+a sixtieth of a second, each of which starts the integrator anew; compiled C runs them in one piece.
+A frame with a hand pulls a body: it takes the mass that is felt, the generalized forces, the step
+and the places of all bodies.
+
+"""
 RUN = f"""
 const frames = {SECONDS * FRAMES}, best = {{ run: Infinity, frame: Infinity }};
 let status = 0, x;
@@ -103,15 +112,7 @@ def main() -> None:
     print(text)
     if "--quick" not in sys.argv:
         version = subprocess.run([str(NODE), "--version"], capture_output=True, text=True).stdout
-        PAGE.write_text(
-            "# Pages in which models run\n\n"
-            f"Written by `tests/benchmarks/live.py`, node {version.strip()}. Ten seconds of motion "
-            "at rtol 1e-6 in frames of a sixtieth of a second, each of which starts the integrator "
-            "anew; compiled C runs them in one piece. A frame with a hand pulls a body: it takes "
-            "the mass that is felt, the generalized forces, the step and the places of all "
-            "bodies.\n\n" + text,
-            "utf-8",
-        )
+        PAGE.write_text(signed(TEXT.format(node=version.strip()) + text), "utf-8")
 
 
 if __name__ == "__main__":

@@ -217,16 +217,12 @@ def main() -> None:
         return
     from benchmarks.page import markdown
     from benchmarks.provenance import signed
-    from cardan.peers.processor import name as processor
-    from cardan.runtime.build import cache
 
     rows = [measured(name) for name in (["call", "tree"] if options.quick else WORK)]
     table = "\n".join(markdown(HEADINGS, rows, 1))
     print(table)
     if not options.quick:
-        compiler = cache.compiler().identity.splitlines()[0]
-        machine = f"{processor()}, {compiler}, Python {sys.version.split()[0]}."
-        PAGE.write_text(signed(f"{TEXT}\n{machine}\n\n{table}\n"), "utf-8")
+        PAGE.write_text(signed(f"{TEXT}\n{table}\n"), "utf-8")
 
 
 if __name__ == "__main__":

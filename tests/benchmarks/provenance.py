@@ -1,4 +1,4 @@
-"""Pages of measurements name the source that was measured and say when the code has changed since.
+"""Pages of measurements name the machine and the source, and say when the code has changed since.
 
 ``python tests/benchmarks/provenance.py`` adds that sentence, below the title, to the pages that are
 older.
@@ -7,7 +7,10 @@ older.
 from __future__ import annotations
 
 import hashlib
+import platform
 import re
+from contextlib import suppress
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -16,7 +19,12 @@ DOCS = ROOT / "docs"
 # what the figures do not depend on
 APART = ("cli", "view", "explain")
 KINDS = (".py", ".pyx", ".pxi", ".pxd", ".c", ".h")
-MEASURED = re.compile(r"\nMeasured with the source of fingerprint `([0-9a-f]{12})`\.\n")
+MEASURED = re.compile(r"\nMeasured .*with the source of fingerprint `([0-9a-f]{12})`\.\n")
+# whose versions are named where they are installed
+PACKAGES = (
+    "numpy", "scipy", "sympy", "brax", "casadi", "drake", "exudyn", "jax", "mujoco", "mujoco-mjx",
+    "pin", "pydy", "scikit-sundae",
+)  # fmt: skip
 OLDER = (
     "**Measured with an earlier version of the code: steps, errors and times may differ now. "
     "`make hard` (this takes a quarter of an hour) and `make bench` measure them anew.**"
@@ -44,7 +52,21 @@ def fingerprint() -> str:
 
 def signed(text: str) -> str:
     """A page that was measured now."""
-    return f"{text.rstrip()}\n\nMeasured with the source of fingerprint `{fingerprint()}`.\n"
+    source = f"with the source of fingerprint `{fingerprint()}`"
+    return f"{text.rstrip()}\n\nMeasured on {machine()}, {source}.\n"
+
+
+def machine() -> str:
+    """Processor, compiler, and versions of what takes part."""
+    from cardan.peers.processor import name
+    from cardan.runtime.build import cache
+
+    found = [name(), platform.system(), f"Python {platform.python_version()}"]
+    found.append(cache.compiler().identity.splitlines()[0])
+    for package in PACKAGES:
+        with suppress(PackageNotFoundError):
+            found.append(f"{package} {version(package)}")
+    return ", ".join(found)
 
 
 def current(text: str) -> bool:

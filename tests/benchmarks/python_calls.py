@@ -28,7 +28,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 import numpy as np
 
 import cardan as cd
-from benchmarks.all_figures import keep
+from benchmarks.all_figures import save
 from benchmarks.page import markdown
 from benchmarks.provenance import signed
 from cardan.analyses.simulation.driving import runner_of
@@ -376,7 +376,7 @@ def main() -> int:
         for row in missed
     ] or ["Every figure to reach is reached."]
     print(*notes, table, sep="\n")
-    keep("python_calls.md", aims(rows, times))
+    save("python_calls.md", aims(rows, times))
     if not quick:
         head = TEXT.format(
             processor=processor(), compiler=cache.compiler().identity.splitlines()[0],

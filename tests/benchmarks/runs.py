@@ -23,7 +23,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from rich.console import Console
 from rich.table import Table
 
-from benchmarks.all_figures import keep
+from benchmarks.all_figures import save
 from benchmarks.motion import own, page, pictures
 from benchmarks.motion.contest import Outcome, measure
 from benchmarks.motion.figures import Measured, figures
@@ -59,7 +59,7 @@ def main() -> int:
             show("ensemble of Panda runs")
             found = replace(found, gain=own.gain(), steps=own.saved_steps())
     rows = figures(found)
-    keep("runs.md", [row.texts() for row in rows])
+    save("runs.md", [row.texts() for row in rows])
     if whole:
         pictures.write(dict(found.outcomes), FOLDER / "runs")
         page.write(found, rows, FOLDER)

@@ -100,10 +100,10 @@ def test_tables_have_as_many_cells_as_headings() -> None:
 def test_the_table_of_all_has_the_missed_first(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(all_figures, "KEPT", tmp_path / "out" / "figures")
-    all_figures.keep("a.md", [("one", "≤ 1", "0.5", "reached"), ("two", "≤ 1", "2", "missed")])
-    all_figures.keep("b.md", [("three", "≤ 1 us", "2 us", "no")])
-    assert all_figures.kept() == [
+    monkeypatch.setattr(all_figures, "SAVED", tmp_path / "out" / "figures")
+    all_figures.save("a.md", [("one", "≤ 1", "0.5", "reached"), ("two", "≤ 1", "2", "missed")])
+    all_figures.save("b.md", [("three", "≤ 1 us", "2 us", "no")])
+    assert all_figures.saved() == [
         ("two", "≤ 1", "2", "no", "a.md"),
         ("three", "≤ 1 us", "2 us", "no", "b.md"),
         ("one", "≤ 1", "0.5", "yes", "a.md"),

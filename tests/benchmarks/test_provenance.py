@@ -8,6 +8,7 @@ import pytest
 
 from benchmarks import provenance
 from benchmarks.provenance import OLDER, current, mark, pages, signed
+from cardan.peers.processor import name
 
 
 @pytest.mark.parametrize("page", pages(), ids=lambda page: page.name)
@@ -39,6 +40,7 @@ def test_a_change_of_the_source_is_seen(tmp_path: Path, monkeypatch: pytest.Monk
     assert page.read_text().startswith(f"# Runs\n\n{OLDER}\n\nFigures.\n")
     assert mark() == []
     # measured again
+    assert f"Measured on {name()}, " in signed("# Runs\n")
     page.write_text(signed("# Runs\n"))
     assert OLDER not in page.read_text()
     assert mark() == []

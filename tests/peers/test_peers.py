@@ -157,3 +157,11 @@ def test_functions_are_known_to_everybody() -> None:
 def test_a_peer_that_is_not_here_says_how_to_get_it() -> None:
     assert installed("no_such_module", "thing") == "not installed: pip install thing"
     assert installed("numpy", "numpy") == ""
+
+
+def test_a_peer_without_the_functions_asked_for_is_named() -> None:
+    found = compare(compiled("branched"), ("mass_matrix",), ("casadi", "drake", "pydy"), rounds=1)
+    expected = {"drake": "derivatives", "pydy": "forward_dynamics"}
+    for name, function in expected.items():
+        if not peer(name).missing():
+            assert found.absent[name] == f"it is compared in {function}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import subprocess
 import sys
@@ -13,6 +14,7 @@ from typing import Any
 
 import pytest
 
+from cardan import processes
 from cardan.errors import BuildError
 from cardan.runtime.build import limited_subprocess
 from cardan.runtime.build.parallel_build import in_parallel
@@ -154,3 +156,21 @@ def test_time_is_limited_where_there_is_no_shell(monkeypatch: pytest.MonkeyPatch
     assert answer == limited_subprocess.Answer(3, "a\n", "b\n")
     with pytest.raises(FileNotFoundError):
         limited_subprocess.run(["no such compiler"], limits, os.environ)
+
+
+def test_threads_that_pause_the_collector_let_it_go_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A second one looks while the first has paused it, which goes on before it does more."""
+    first, is_enabled = processes.collector_paused(), gc.isenabled
+    first.__enter__()
+
+    def looked() -> bool:
+        answer = is_enabled()
+        first.__exit__(None, None, None)
+        return answer
+
+    with monkeypatch.context() as patched:
+        patched.setattr(processes.gc, "isenabled", looked)
+        second = processes.collector_paused()
+        second.__enter__()
+    second.__exit__(None, None, None)
+    assert gc.isenabled()

@@ -11,8 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+import cardan as cd
 from cardan.errors import ArgumentError, ModelError, SolveError
 from laws.cases import compiled, states
+from mechanisms import ZOO
 from table import each
 
 FUNCTIONS = ("forward_dynamics", "mass_matrix", "energy")
@@ -104,6 +106,37 @@ def test_results_are_nobody_elses(model: Any) -> None:
             x[...] = np.nan
         function(*[x + 0.1 for x in at], *handed)
         assert all(np.array_equal(x, y) for x, y in zip(first, kept, strict=True)), name
+
+
+def test_requests_may_come_as_any_list_of_names(model: Any) -> None:
+    for ask in (model.derivative, model.jvp, model.vjp, model.hessian):
+        expected = ask("forward_dynamics", wrt=("u", "q")).wrt
+        for wrt in (["u", "q"], np.array(["u", "q"]), iter(["u", "q"]), {"u": 1, "q": 2}.keys()):
+            assert ask("forward_dynamics", wrt=wrt).wrt == expected
+        for names in ({"u", "q"}, frozenset(["u", "q"])):
+            with pytest.raises(ArgumentError, match="a set has none"):
+                ask("forward_dynamics", wrt=names)
+
+
+@each("name, options", [("springs", {}), ("springs", {"coordinates": "absolute"})])
+def test_results_may_go_where_arguments_are(name: str, options: dict[str, Any]) -> None:
+    """The array of results begins with an argument, or some numbers behind its first."""
+    model: Any = cd.compile(ZOO[name].build(), **options)
+    for shape in ((), (3,), (40,)):
+        q, u = model.split(model.random_state(1, shape))
+        for function in ("qdot", "forward_dynamics", "momentum", "mass_matrix"):
+            call = getattr(model, function)
+            at = [q] if function == "mass_matrix" else [q, u]
+            expected = call(*[x.copy() for x in at])
+            for k, argument in enumerate(at):
+                for shift in (0, 1, argument.size // 2):
+                    shared = np.zeros(shift + max(argument.size, expected.size))
+                    values = [x.copy() for x in at]
+                    values[k] = shared[: argument.size].reshape(argument.shape)
+                    values[k][...] = argument
+                    out = shared[shift : shift + expected.size].reshape(expected.shape)
+                    assert call(*values, out=out) is out
+                    assert np.array_equal(out, expected), (function, shape, k, shift)
 
 
 def test_threads_get_their_own_results(model: Any) -> None:

@@ -257,17 +257,17 @@ class CompiledModel(LoadedModel):
                 alike also ``(times, values)`` or ``f(t, x)``, which ``sample`` [s] holds.
             events: As of ``simulate``; runs with them, loops or Python on the way take no lanes.
             runs, seed: How many, where nothing else says so; of the distributions.
-            reduce: What to keep beside the last states: ``"max of elbow"``, ``"mean of elbow"``, ...;
-                several; or name -> words or a function of t (nt,) and states (runs, nt, nx) of some
-                runs. By default the states at output times; reductions take 201 where there are none.
+            reduce: What to keep beside the last states: ``"max of elbow"``, several, or name -> words
+                or a function of t (nt,) and states (runs, nt, nx) of some runs. By default the states
+                at output times; reductions take 201 where there are none.
             sensitivity: Starts, parameters and inputs, as :meth:`gradient` takes them, by which
                 ``runs.sensitivity["m"]``, (runs, nt, nx), are derivatives; done one after the other.
             method, rtol, atol, step, max_step: As of ``simulate``; ``"auto"`` looks at the first run.
             threads: By default ``$CARDAN_THREADS``, else the cores of this process.
             lanes: 1: no lanes. By default as many as vectors have, once they pay.
             client: Computes instead of threads: of ``dask.distributed``, or an executor.
-            part: ``(k, n)``: only part k of n, from 1 on, such as ``part=(3, 8)`` in job 3 of 8 that
-                share a disk. ``cd.Ensemble.join`` makes the whole of them, to the bit.
+            part: ``(k, n)``: only part k of n, from 1 on: ``part=(3, 8)`` in job 3 of 8 that share a
+                disk. ``cd.Ensemble.join`` makes the whole of them, to the bit.
             checkpoint: A file of finished blocks; the same call goes on from there. One per part.
             check, progress: As of ``simulate``.
 

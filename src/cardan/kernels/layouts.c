@@ -45,8 +45,8 @@ const size_t cardan_lane_method_layout[4] = {
 #include "position.h"
 #include "solids.h"
 #include "wasm_calls.h"
-extern const size_t cardan_run_layout[145];
-const size_t cardan_run_layout[145] = {
+extern const size_t cardan_run_layout[146];
+const size_t cardan_run_layout[146] = {
     sizeof(cardan_run), offsetof(cardan_run, init), offsetof(cardan_run, step), offsetof(cardan_run,
     dense), offsetof(cardan_run, length), offsetof(cardan_run, rhs.function), offsetof(cardan_run,
     rhs.w), offsetof(cardan_run, power.function), offsetof(cardan_run, power.w),
@@ -81,25 +81,26 @@ const size_t cardan_run_layout[145] = {
     offsetof(cardan_run, next_stop), offsetof(cardan_run, t), offsetof(cardan_run, t_old),
     offsetof(cardan_run, t_start), offsetof(cardan_run, segment), offsetof(cardan_run, until),
     offsetof(cardan_run, early), offsetof(cardan_run, late), offsetof(cardan_run, jumps),
-    offsetof(cardan_run, in_segment), offsetof(cardan_run, rtol), offsetof(cardan_run, atol),
-    offsetof(cardan_run, max_step), offsetof(cardan_run, h), offsetof(cardan_run, moment),
-    offsetof(cardan_run, correction), offsetof(cardan_run, fresh), offsetof(cardan_run, is_dense),
-    offsetof(cardan_run, rejected), offsetof(cardan_run, on_grid), offsetof(cardan_run,
-    rank_margin), offsetof(cardan_run, best_rank_margin), offsetof(cardan_run, pass_start),
-    offsetof(cardan_run, pass_length), offsetof(cardan_run, constraint_rank), offsetof(cardan_run,
-    ranks), offsetof(cardan_run, pass_points), offsetof(cardan_run, pass_part), offsetof(cardan_run,
-    pass_parts), offsetof(cardan_run, passes), offsetof(cardan_run, pass_capacity),
-    offsetof(cardan_run, pass_count), offsetof(cardan_run, rows), offsetof(cardan_run, nlam),
-    offsetof(cardan_run, spreads), offsetof(cardan_run, times), offsetof(cardan_run, time_count),
-    offsetof(cardan_run, next_time), offsetof(cardan_run, capacity), offsetof(cardan_run, count),
-    offsetof(cardan_run, row_open), offsetof(cardan_run, log), offsetof(cardan_run, log_capacity),
-    offsetof(cardan_run, log_count), offsetof(cardan_run, event_pending), offsetof(cardan_run,
-    at_once), offsetof(cardan_run, occurred), offsetof(cardan_run, steps), offsetof(cardan_run,
-    rejections), offsetof(cardan_run, evaluations), offsetof(cardan_run, budget),
-    offsetof(cardan_run, culprit), offsetof(cardan_run, model_status), offsetof(cardan_run,
-    open_row), offsetof(cardan_run, projections), offsetof(cardan_run, passed), offsetof(cardan_run,
-    looked), offsetof(cardan_run, limited), offsetof(cardan_run, jacobians), offsetof(cardan_run,
-    factorizations), offsetof(cardan_run, stop)
+    offsetof(cardan_run, in_segment), offsetof(cardan_run, begun), offsetof(cardan_run, rtol),
+    offsetof(cardan_run, atol), offsetof(cardan_run, max_step), offsetof(cardan_run, h),
+    offsetof(cardan_run, moment), offsetof(cardan_run, correction), offsetof(cardan_run, fresh),
+    offsetof(cardan_run, is_dense), offsetof(cardan_run, rejected), offsetof(cardan_run, on_grid),
+    offsetof(cardan_run, rank_margin), offsetof(cardan_run, best_rank_margin), offsetof(cardan_run,
+    pass_start), offsetof(cardan_run, pass_length), offsetof(cardan_run, constraint_rank),
+    offsetof(cardan_run, ranks), offsetof(cardan_run, pass_points), offsetof(cardan_run, pass_part),
+    offsetof(cardan_run, pass_parts), offsetof(cardan_run, passes), offsetof(cardan_run,
+    pass_capacity), offsetof(cardan_run, pass_count), offsetof(cardan_run, rows),
+    offsetof(cardan_run, nlam), offsetof(cardan_run, spreads), offsetof(cardan_run, times),
+    offsetof(cardan_run, time_count), offsetof(cardan_run, next_time), offsetof(cardan_run,
+    capacity), offsetof(cardan_run, count), offsetof(cardan_run, row_open), offsetof(cardan_run,
+    log), offsetof(cardan_run, log_capacity), offsetof(cardan_run, log_count), offsetof(cardan_run,
+    event_pending), offsetof(cardan_run, at_once), offsetof(cardan_run, occurred),
+    offsetof(cardan_run, steps), offsetof(cardan_run, rejections), offsetof(cardan_run,
+    evaluations), offsetof(cardan_run, budget), offsetof(cardan_run, culprit), offsetof(cardan_run,
+    model_status), offsetof(cardan_run, open_row), offsetof(cardan_run, projections),
+    offsetof(cardan_run, passed), offsetof(cardan_run, looked), offsetof(cardan_run, limited),
+    offsetof(cardan_run, jacobians), offsetof(cardan_run, factorizations), offsetof(cardan_run,
+    stop)
 };
 extern const size_t cardan_method_layout[8];
 const size_t cardan_method_layout[8] = {
@@ -118,14 +119,14 @@ const size_t cardan_tick_layout[6] = {
     sizeof(cardan_tick), offsetof(cardan_tick, event), offsetof(cardan_tick, period),
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
 };
-extern const size_t cardan_short_runs_layout[14];
-const size_t cardan_short_runs_layout[14] = {
+extern const size_t cardan_short_runs_layout[15];
+const size_t cardan_short_runs_layout[15] = {
     sizeof(cardan_short_runs), offsetof(cardan_short_runs, run), offsetof(cardan_short_runs, begun),
     offsetof(cardan_short_runs, length), offsetof(cardan_short_runs, r), offsetof(cardan_short_runs,
     s), offsetof(cardan_short_runs, t), offsetof(cardan_short_runs, far),
     offsetof(cardan_short_runs, stops), offsetof(cardan_short_runs, stop_count),
     offsetof(cardan_short_runs, x), offsetof(cardan_short_runs, ends), offsetof(cardan_short_runs,
-    count), offsetof(cardan_short_runs, done)
+    count), offsetof(cardan_short_runs, done), offsetof(cardan_short_runs, going)
 };
 extern const size_t cardan_account_layout[17];
 const size_t cardan_account_layout[17] = {
@@ -299,31 +300,30 @@ const size_t cardan_mesh_product_layout[26] = {
     offsetof(cardan_mesh_product, change), offsetof(cardan_mesh_product, curvature),
     offsetof(cardan_mesh_product, data_rows)
 };
-extern const size_t cardan_sparse_layout[27];
-const size_t cardan_sparse_layout[27] = {
+extern const size_t cardan_sparse_layout[25];
+const size_t cardan_sparse_layout[25] = {
     sizeof(cardan_sparse), offsetof(cardan_sparse, n), offsetof(cardan_sparse, blocks),
     offsetof(cardan_sparse, values), offsetof(cardan_sparse, supernodes), offsetof(cardan_sparse,
     factors), offsetof(cardan_sparse, widest), offsetof(cardan_sparse, first),
     offsetof(cardan_sparse, row), offsetof(cardan_sparse, column), offsetof(cardan_sparse, at),
     offsetof(cardan_sparse, stride), offsetof(cardan_sparse, order), offsetof(cardan_sparse,
     multiplier), offsetof(cardan_sparse, start), offsetof(cardan_sparse, panel),
-    offsetof(cardan_sparse, width), offsetof(cardan_sparse, later), offsetof(cardan_sparse,
-    transposed), offsetof(cardan_sparse, open_start), offsetof(cardan_sparse, open),
-    offsetof(cardan_sparse, load_start), offsetof(cardan_sparse, load), offsetof(cardan_sparse,
-    run_start), offsetof(cardan_sparse, run), offsetof(cardan_sparse, target_start),
-    offsetof(cardan_sparse, target)
+    offsetof(cardan_sparse, later), offsetof(cardan_sparse, open_start), offsetof(cardan_sparse,
+    open), offsetof(cardan_sparse, load_start), offsetof(cardan_sparse, load),
+    offsetof(cardan_sparse, run_start), offsetof(cardan_sparse, run), offsetof(cardan_sparse,
+    target_start), offsetof(cardan_sparse, target)
 };
-extern const size_t cardan_sparse_factors_layout[17];
-const size_t cardan_sparse_factors_layout[17] = {
+extern const size_t cardan_sparse_factors_layout[18];
+const size_t cardan_sparse_factors_layout[18] = {
     sizeof(cardan_sparse_factors), offsetof(cardan_sparse_factors, values),
     offsetof(cardan_sparse_factors, scale), offsetof(cardan_sparse_factors, work),
     offsetof(cardan_sparse_factors, shift), offsetof(cardan_sparse_factors, pivot),
     offsetof(cardan_sparse_factors, exchanged), offsetof(cardan_sparse_factors, replaced),
     offsetof(cardan_sparse_factors, rows), offsetof(cardan_sparse_factors, columns),
-    offsetof(cardan_sparse_factors, hidden), offsetof(cardan_sparse_factors, compliance),
-    offsetof(cardan_sparse_factors, count), offsetof(cardan_sparse_factors, weak),
-    offsetof(cardan_sparse_factors, singular), offsetof(cardan_sparse_factors, positive),
-    offsetof(cardan_sparse_factors, negative)
+    offsetof(cardan_sparse_factors, certainty), offsetof(cardan_sparse_factors, hidden),
+    offsetof(cardan_sparse_factors, compliance), offsetof(cardan_sparse_factors, count),
+    offsetof(cardan_sparse_factors, weak), offsetof(cardan_sparse_factors, singular),
+    offsetof(cardan_sparse_factors, positive), offsetof(cardan_sparse_factors, negative)
 };
 extern const size_t cardan_target_layout[10];
 const size_t cardan_target_layout[10] = {

@@ -87,6 +87,9 @@ def compare(
     """
     ours = Ours(model)
     contenders, absent = taking_part(model, chosen, show)
+    for name, contender in contenders.items():
+        if not {*contender.functions} & {*functions}:
+            absent[name] = f"it is compared in {', '.join(contender.functions)}"
     rows: list[Row] = []
     for function in functions:
         able = {name: c for name, c in contenders.items() if function in c.functions}

@@ -12,7 +12,7 @@ from __future__ import annotations
 import importlib.metadata
 from collections.abc import Callable, Sequence
 from time import perf_counter
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,6 +21,10 @@ from ..arrays import Array
 from . import coordinates
 from .peer import Contender, Peer, States, installed
 from .tree import central, directions
+
+if TYPE_CHECKING:
+    from pydrake.multibody.plant import MultibodyPlant
+    from pydrake.multibody.tree import Joint, SpatialInertia
 
 
 def missing() -> str:
@@ -33,7 +37,7 @@ def refusal(scene: Scene, joints: Sequence[str]) -> str:
     return coordinates.refusal(scene, joints, ("revolute", "prismatic"))
 
 
-def _plant(scene: Scene) -> tuple[Any, list[Any]]:
+def _plant(scene: Scene) -> tuple[MultibodyPlant, list[Joint]]:
     """The tree, and its joints by our bodies."""
     from pydrake.math import RigidTransform, RotationMatrix
     from pydrake.multibody import plant as plants
@@ -58,7 +62,7 @@ def _plant(scene: Scene) -> tuple[Any, list[Any]]:
     return plant, joints
 
 
-def _inertia(mass: float, com: Array, central_inertia: Array) -> Any:
+def _inertia(mass: float, com: Array, central_inertia: Array) -> SpatialInertia:
     """Spatial inertia about the origin of a body; its reader would refuse bodies without mass."""
     from pydrake.multibody.tree import SpatialInertia, UnitInertia
 
@@ -97,24 +101,24 @@ def contender(scene: Scene) -> Contender:
         forces.FixValue(context, force)
         dual.SetPositionsAndVelocities(context, InitializeAutoDiff(x)[:, 0])
         rates = dual.EvalTimeDerivatives(context).CopyToVector()
-        found: Array = ExtractGradient(rates[nu:])
-        return found
+        gradient: Array = ExtractGradient(rates[nu:])
+        return gradient
 
     def start(function: str, states: States) -> Callable[[int], float]:
-        given = rows(states)
+        inputs = rows(states)
 
         def run(repeats: int) -> float:
             began = perf_counter()
             for _ in range(repeats):
-                for x, force in given:
+                for x, force in inputs:
                     slopes(x, force)
-            return (perf_counter() - began) / repeats / len(given)
+            return (perf_counter() - began) / repeats / len(inputs)
 
         return run
 
     def results(function: str, states: States) -> Array:
-        found = np.array([slopes(x, force) for x, force in rows(states)])
-        split = found.reshape(-1, nu, 2, nu).transpose(0, 2, 1, 3)
+        gradients = np.array([slopes(x, force) for x, force in rows(states)])
+        split = gradients.reshape(-1, nu, 2, nu).transpose(0, 2, 1, 3)
         return split[:, :, back][:, :, :, back]
 
     title = f"Drake {importlib.metadata.version('drake')}, called from Python"

@@ -16,7 +16,7 @@ from fractions import Fraction
 from pathlib import PurePath
 from types import MappingProxyType, NoneType
 
-PLAIN = (NoneType, bool, int, str, bytes, Fraction)
+PLAIN = (NoneType, bool, str, bytes)
 NUMBERS = "biufc"  # kinds of arrays whose bytes say everything
 
 
@@ -55,6 +55,9 @@ class _Content:
         kind = type(value)
         if kind is float:
             self.say("float", value.hex())  # type: ignore[attr-defined]
+        elif kind in (int, Fraction):
+            # in decimals Python refuses to write numbers of many digits
+            self.say(kind.__name__, *map(hex, value.as_integer_ratio()))  # type: ignore[attr-defined]
         elif kind in PLAIN:
             self.say(kind.__name__, repr(value))
         elif kind in (tuple, list):

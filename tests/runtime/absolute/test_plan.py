@@ -51,8 +51,10 @@ def test_elements_add_in_place() -> None:
 def test_every_number_goes_to_its_own_place(name: str) -> None:
     made = STRUCTURES[name].plan()
     taken = np.zeros(made.factors, int)
-    width = np.repeat(made.width, np.diff(made.load_start))
-    for (_, _, to, rows, columns, _, _, turned), stride in zip(made.load, width, strict=True):
+    per = np.diff(made.load_start)
+    panel, n, later = (np.repeat(x, per) for x in (made.panel, np.diff(made.start), made.later))
+    strides = np.where(made.load[:, 2] < panel + n * n, n, later)
+    for (_, _, to, rows, columns, _, _, turned), stride in zip(made.load, strides, strict=True):
         down, across = (1, stride) if turned else (stride, 1)
         np.add.at(taken, to + down * np.arange(rows)[:, None] + across * np.arange(columns), 1)
     assert taken.max() == 1
@@ -63,8 +65,8 @@ def test_every_number_goes_to_its_own_place(name: str) -> None:
 def test_chains_keep_their_order_and_do_not_fill() -> None:
     made = chain(50)
     assert (made.order == np.arange(300)).all()
-    # D of every node, U and Lt between neighbours, each padded to fours; the last two are one
-    assert made.factors == 48 * 6 * (12 + 8) + 12 * 12
+    # D of every node, U and Lt between neighbours; the last two are one
+    assert made.factors == 48 * 3 * 36 + 12 * 12
 
 
 @pytest.mark.parametrize(("name", "added"), [("branches", 0), ("ring of beams", 2 * 9)])

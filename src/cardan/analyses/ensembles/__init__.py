@@ -98,17 +98,17 @@ def ensemble(
             alike also ``(times, values)`` or ``f(t, x)``, which ``sample`` [s] holds.
         events: As of ``simulate``; runs with them, loops or Python on the way take no lanes.
         runs, seed: How many, where nothing else says so; of the distributions.
-        reduce: What to keep beside the last states: ``"max of elbow"``, ``"mean of elbow"``, ...;
-            several; or name -> words or a function of t (nt,) and states (runs, nt, nx) of some
-            runs. By default the states at output times; reductions take 201 where there are none.
+        reduce: What to keep beside the last states: ``"max of elbow"``, several, or name -> words
+            or a function of t (nt,) and states (runs, nt, nx) of some runs. By default the states
+            at output times; reductions take 201 where there are none.
         sensitivity: Starts, parameters and inputs, as :meth:`gradient` takes them, by which
             ``runs.sensitivity["m"]``, (runs, nt, nx), are derivatives; done one after the other.
         method, rtol, atol, step, max_step: As of ``simulate``; ``"auto"`` looks at the first run.
         threads: By default ``$CARDAN_THREADS``, else the cores of this process.
         lanes: 1: no lanes. By default as many as vectors have, once they pay.
         client: Computes instead of threads: of ``dask.distributed``, or an executor.
-        part: ``(k, n)``: only part k of n, from 1 on, such as ``part=(3, 8)`` in job 3 of 8 that
-            share a disk. ``cd.Ensemble.join`` makes the whole of them, to the bit.
+        part: ``(k, n)``: only part k of n, from 1 on: ``part=(3, 8)`` in job 3 of 8 that share a
+            disk. ``cd.Ensemble.join`` makes the whole of them, to the bit.
         checkpoint: A file of finished blocks; the same call goes on from there. One per part.
         check, progress: As of ``simulate``.
 
@@ -124,8 +124,7 @@ def ensemble(
     rtol = default_rtol(rtol, sensitivity)
     over, event_table = span(t, t_eval), event_table_of(model, events)
     event_table.forward(over.start, over.end)
-    if method == "auto" and sensitivity:
-        method = exact_method(model)
+    method = exact_method(model) if method == "auto" and sensitivity else method
     how = settings(method, rtol, atol, step, max_step, over.length)
     variations, input_signals = varied(
         model, x0=x0, q=q, u=u, z=z, parameters=parameters, inputs=inputs, sample_time=sample,
@@ -133,8 +132,7 @@ def ensemble(
     )  # fmt: skip
     how = watched(how, input_signals, over.length, max_step)
     job = Job(model, how, input_signals, event_table, over, variations, {})
-    job = _with_results(job, reduce, sensitivity, inputs)
-    job = _settled(job, rtol) if method == "auto" else job
+    job = _settled(_with_results(job, reduce, sensitivity, inputs), method, rtol)
     portion, executor, file = part_of(part), _executor(client, threads), _file(checkpoint)
     return reported(*_computed(_sized(job, lanes), portion, executor, file, progress), check)
 
@@ -190,8 +188,10 @@ def _observed(over: Span, with_reductions: bool) -> Span:
     return replace(over, times=usual)
 
 
-def _settled(job: Job, rtol: float) -> Job:
-    """With the method that ``simulate`` takes for the first run, for all of them."""
+def _settled(job: Job, method: str, rtol: float) -> Job:
+    """Where no method is named, with the one that ``simulate`` takes for the first run."""
+    if method != "auto":
+        return job
     case = case_of(job.model, rtol, job.over, job.input_signals, job.event_table)
     how, first = chosen(job.how, case), job.varied.part(0, 1)
     try:

@@ -11,7 +11,7 @@ from ...arrays import Array
 from ...errors import SolveError
 from ...runtime.trajectory.dense_output import Dense
 from ...runtime.trajectory.event_log import EventLog
-from ...runtime.trajectory.solver_info import SolverInfo
+from ...runtime.trajectory.solver_info import NamedValues, SolverInfo
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from .method_choice import JACOBIAN, remark
 from .run import Runner
@@ -127,19 +127,18 @@ class Recorder:
     ) -> SolverInfo:
         runner, run, how = self.runner, self.runner.record, self.runner.settings
         counts: dict[str, Any] = {name: getattr(run, name) for name in COUNTED}
-        inputs = table[0, 1 + runner.n :].tolist()
-        initial = begin.named(runner.model)
-        initial.update(zip(runner.model.inputs, inputs, strict=False))
+        model, first = runner.model, 1 + runner.n
+        names = (model.coordinates, model.speeds, model.internals, model.inputs)
+        inputs = table[0, first : first + len(model.inputs)]
         return SolverInfo(
             method=how.method.name,
             settings=how.description,
-            initial=initial,
-            defaulted=(*begin.defaulted, *runner.signals.defaulted),
+            initial=NamedValues(names, np.concatenate([begin.x, inputs])),
+            defaulted=tuple(begin.defaulted) + tuple(runner.signals.defaulted),
             status=outcome[0],
             message=outcome[1],
             statistics={**counts, **more},
-            reason=remark(how.method.name, run, JACOBIAN in runner.model.manifest.available)
-            or how.reason,
+            reason=remark(how.method.name, run, JACOBIAN in model.manifest.available) or how.reason,
         )
 
     def _trajectory(

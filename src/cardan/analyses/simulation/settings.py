@@ -210,11 +210,6 @@ class Start:
     closure_tol: float = 0.0
     followers: Mapping[str, Values] = field(default_factory=dict)
 
-    def named(self, model: LoadedModel) -> dict[str, float]:
-        """Every entry by its name."""
-        names = (*model.coordinates, *model.speeds, *model.internals)
-        return dict(zip(names, self.x.tolist(), strict=True))
-
 
 def start_key(x: Array, q: object, u: object, t: float, r: Array) -> bytes:
     """What a start of a model follows from: equal ones follow from equal keys."""

@@ -25,13 +25,14 @@ from .alpha_methods import Alpha, GeneralizedAlpha
 from .discontinuities import FEW, stops_of
 from .driving import case_of, chosen, runner_of
 from .events import event_table_of
-from .run import SLICE, SOME_STEPS, Runner
+from .run import SLICE, Runner
 from .settings import Start, settings, start
 from .signals import signals
 from .starts.start import closed_start
 
 AHEAD = 1.0  # of a start that does not know how far the run goes [s]
 FIRST = 16  # states before the time of one is known
+AT_ONCE = 1 << 12  # steps of one call of the kernels: Ctrl-C is heard between two
 
 
 class Options(NamedTuple):
@@ -56,7 +57,7 @@ class ShortRuns:
         self._runner, self.model = runner, runner.model
         model, record = runner.model, Record()
         runner.want(None, dense=False)
-        runner.record.budget = SOME_STEPS
+        runner.record.budget = AT_ONCE
         self._begun = Run.from_buffer_copy(runner.record)
         self._record, self._run = record, runner.library.cardan_short_runs_go
         # of one state, whose addresses are looked up once
@@ -89,7 +90,7 @@ class ShortRuns:
         if self._turns and not self._closes:
             self._x[:] = self._normalized(x)
         record.x, record.ends, record.count = self._places[0], self._places[1], 1
-        return self._end.copy() if self._run(record) == run_record.DONE else None
+        return self._end.copy() if self._answer() == run_record.DONE else None
 
     def many(self, x: Array, ends: Array, first: int) -> int:
         """Fill in states (count, nx) at the end from row ``first`` on.
@@ -112,13 +113,22 @@ class ShortRuns:
             record.x, record.ends = x.ctypes.data + at * width, ends.ctypes.data + at * width
             record.count = min(size, count - at)
             before = time.perf_counter()
-            answer = self._run(record)
+            answer = self._answer()
             at += int(record.done)
             if answer != run_record.DONE:
                 return at
             spent = max(time.perf_counter() - before, 1e-6)
             size = max(1, min(8 * size, round(size * SLICE / spent)))
         return count
+
+    def _answer(self) -> int:
+        """What the kernels say in the end of the states that the record names."""
+        record, run, more = self._record, self._run, run_record.MORE
+        # an interrupted call has left a run under way
+        record.going = 0
+        while (answer := int(run(record))) == more:
+            pass
+        return answer
 
     def _normalized(self, x: Array) -> Array:
         """States (..., nx) with quaternions of length 1.

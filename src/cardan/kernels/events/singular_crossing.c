@@ -286,7 +286,7 @@ static int part(cardan_run *run)
         lay_dense(run, from, to);
     /* methods begin anew where the step ends */
     if (last) {
-        run->pass_parts = run->in_segment = 0;
+        run->pass_parts = run->in_segment = run->begun = 0;
         run->segment = run->t;
     }
     return status;

@@ -40,7 +40,9 @@ static void middle_of(const cardan_mesh *mesh, const real *q, real *middle)
         middle[i] = 0;
     for (ptrdiff_t k = 0; k < count; k++)
         for (int i = 0; i < wide(mesh, k); i++)
-            middle[i] += at(mesh, k, q)[i] / (real)count;
+            middle[i] += at(mesh, k, q)[i];
+    for (int i = 0; i < 3; i++)
+        middle[i] /= (real)count;
 }
 
 void cardan_mesh_extent(const cardan_run *run, const cardan_mesh *mesh, real *extent, int first)
@@ -72,7 +74,7 @@ real cardan_mesh_rounding(const cardan_run *run, const cardan_mesh *mesh, const 
 
     for (ptrdiff_t k = 0; k < mesh->nodes + mesh->flats; k++)
         for (int i = 0; i < wide(mesh, k); i++)
-            far = fmax(far, fabs(at(mesh, k, run->y)[i]));
+            far = cardan_most(far, fabs(at(mesh, k, run->y)[i]));
     return DBL_EPSILON * far / extent[0];
 }
 

@@ -45,6 +45,7 @@ ptrdiff_t cardan_mesh_lay(const cardan_mesh *mesh, real *block, cardan_mesh_syst
     factors->replaced = (int32_t *)(void *)cardan_reserve(block, &used, n);
     factors->rows = system->rows;
     factors->columns = system->units;
+    factors->certainty = cardan_reserve(block, &used, CARDAN_SPARSE_CERTAINTY);
     /* whoever has factors from earlier says how many of their pivots were replaced */
     factors->count = factors->weak = 0;
     factors->hidden = factors->compliance = 0;
@@ -63,7 +64,7 @@ static real most_of(const cardan_mesh *mesh, const cardan_mesh_system *system, p
     for (ptrdiff_t pair = plan->row[block]; pair < plan->row[block + 1]; pair++) {
         const int32_t column = plan->column[pair];
         for (ptrdiff_t j = plan->first[column]; j < plan->first[column + 1]; j++, row++)
-            most = fmax(most, fabs(*row) * (j < mesh->nu ? system->units[j] : 1));
+            most = cardan_most(most, fabs(*row) * (j < mesh->nu ? system->units[j] : 1));
     }
     return most;
 }
@@ -74,26 +75,33 @@ static real most_of(const cardan_mesh *mesh, const cardan_mesh_system *system, p
  */
 static void weigh(const cardan_mesh *mesh, cardan_mesh_system *system)
 {
-    real largest = 0, least = INFINITY;
+    real largest = 0, least = INFINITY, smallest = 1;
 
-    for (ptrdiff_t i = 0; i < mesh->nu; i++)
-        largest = fmax(largest, fabs(system->a[mesh->diagonal[i]]));
+    /* the diagonal stands in the place of the units until these are known */
     for (ptrdiff_t i = 0; i < mesh->nu; i++) {
-        const real entry = fabs(system->a[mesh->diagonal[i]]);
-        if (entry > LEAST * largest)
-            least = fmin(least, entry);
+        system->units[i] = fabs(system->a[mesh->diagonal[i]]);
+        largest = cardan_most(largest, system->units[i]);
+    }
+    for (ptrdiff_t i = 0; i < mesh->nu; i++) {
+        const real entry = system->units[i];
+        if (entry > LEAST * largest && entry < least)
+            least = entry;
     }
     if (!(least < INFINITY))
         least = 1;
-    for (ptrdiff_t i = 0; i < mesh->nu; i++)
-        system->rows[i] = system->units[i] =
-            1 / sqrt(fmax(least, fabs(system->a[mesh->diagonal[i]])));
-    for (ptrdiff_t block = 0; block < mesh->plan->blocks; block++) {
+    for (ptrdiff_t i = 0; i < mesh->nu; i++) {
+        const real entry = system->units[i];
+        if (!(entry >= smallest * least))
+            smallest = entry / least;
+        system->rows[i] = system->units[i] = 1 / sqrt(cardan_most(least, entry));
+    }
+    if (system->factors.certainty)
+        system->factors.certainty[CARDAN_SPARSE_DIAGONAL] = smallest * (1 - GOOD);
+    for (ptrdiff_t block = mesh->places; block < mesh->plan->blocks; block++) {
         const real *row = system->a + mesh->plan->at[block];
         for (ptrdiff_t k = mesh->plan->first[block]; k < mesh->plan->first[block + 1]; k++) {
-            const real most = k < mesh->nu ? 0 : most_of(mesh, system, block, row);
-            if (k >= mesh->nu)
-                system->rows[k] = system->units[k] = most > 0 ? 1 / most : sqrt(least);
+            const real most = most_of(mesh, system, block, row);
+            system->rows[k] = system->units[k] = most > 0 ? 1 / most : sqrt(least);
             row += mesh->plan->stride[block];
         }
     }
@@ -240,8 +248,11 @@ int cardan_mesh_solve(const cardan_mesh *mesh, cardan_mesh_system *system)
     system->unsettled = 0;
     if (factors->weak > 0)
         return solve_weak(mesh, system);
-    cardan_sparse_solve(plan, factors, 1, system->right, x);
-    /* pivots are looked for inside of a supernode alone: factors may have grown */
+    /* pivots are looked for inside of a supernode alone: where factors have grown, no bound tells */
+    if (!factors->certainty)
+        cardan_sparse_solve(plan, factors, 1, system->right, x);
+    else if (cardan_sparse_solve_certain(plan, factors, system->right, x) <= GOOD)
+        return 0;
     error = cardan_sparse_residual(plan, factors, system->a, system->right, x, room);
     if (error > GOOD && error < INFINITY)
         error = cardan_sparse_refine(plan, factors, system->a, system->right, GOOD, IMPROVE, x, room);

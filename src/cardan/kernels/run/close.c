@@ -85,7 +85,7 @@ int cardan_gaps_close(const cardan_run *run, const real *gaps, ptrdiff_t first, 
     real bound = adaptive ? run->atol + run->rtol * reach : OPEN * reach, far = reach;
 
     for (ptrdiff_t i = 0; i < run->nq; i++)
-        far = fmax(far, fabs(run->trial[i]));
+        far = cardan_most(far, fabs(run->trial[i]));
     bound += ROUNDED * DBL_EPSILON * far;
     for (ptrdiff_t k = 0; k < run->positions; k++)
         if (!(fabs(gaps[k]) <= bound))

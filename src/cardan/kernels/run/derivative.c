@@ -87,7 +87,7 @@ static real inside(real start, real end)
 void cardan_restart(cardan_run *run)
 {
     run->segment = run->t;
-    run->in_segment = 0;
+    run->in_segment = run->begun = 0;
     run->fresh = run->pass_parts = 0;
     run->until = run->stops[run->next_stop];
     for (ptrdiff_t i = 0; i < run->tick_count; i++)

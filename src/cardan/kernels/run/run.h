@@ -166,6 +166,7 @@ struct cardan_run {
     real early, late;
     ptrdiff_t jumps;  /* 1: the model jumps at times */
     ptrdiff_t in_segment; /* steps since then; 0: what a method remembers of the past is void */
+    ptrdiff_t begun; /* 1: but what it began at the present state, with `init` */
 
     /* step size control */
     real rtol, atol, max_step;
@@ -338,6 +339,12 @@ ptrdiff_t cardan_crossing_length(const cardan_run *run);
 int cardan_step(cardan_run *run);
 int cardan_near_singular(cardan_run *run, real t, const real *y, int kept);
 real cardan_finest(const cardan_run *run);
+
+/* The larger of two, the first where the second is not a number; without the call that fmax is. */
+static inline real cardan_most(real most, real x)
+{
+    return x > most ? x : most;
+}
 
 /* Size against which an error of entry i counts. */
 static inline real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i)

@@ -5,8 +5,8 @@
 #include "short_runs.h"
 #include <math.h>
 
-/* One run as if it were the first: nothing of those before it is left. */
-static int go(cardan_short_runs *runs, const real *x, real *end)
+/* Begin a run as if it were the first: nothing of those before it is left. */
+static int begin(cardan_short_runs *runs, const real *x)
 {
     cardan_run *run = runs->run;
     const real last = runs->stops[runs->stop_count - 1];
@@ -32,31 +32,35 @@ static int go(cardan_short_runs *runs, const real *x, real *end)
     run->stops = runs->stops, run->stop_count = runs->stop_count, run->next_stop = 0;
     run->t_start = run->t;
     status = cardan_segment(run);
-    if (status == 0)
-        status = CARDAN_MORE;
-
-    /* nobody reads the rows */
-    while (status == CARDAN_MORE || status == CARDAN_FULL) {
-        run->count = 0;
-        status = cardan_run_drive(run);
-    }
-    for (ptrdiff_t i = 0; i < run->nx; i++)
-        end[i] = run->y[i];
-    return status;
+    return status == 0 ? CARDAN_MORE : status;
 }
 
-/* All runs, until one does not come to its end; what was said of that one, or CARDAN_DONE. */
+/* All runs, until one does not come to its end; what was said of that one, or CARDAN_DONE.
+ * CARDAN_MORE: a run has spent its budget of steps, or its room for rows. Called again, it goes on.
+ */
 int cardan_short_runs_go(cardan_short_runs *runs)
 {
     const ptrdiff_t nx = runs->begun->nx;
     const real last = runs->stops[runs->stop_count - 1];
 
-    for (runs->done = 0; runs->done < runs->count; runs->done++) {
-        const int status = go(runs, runs->x + runs->done * nx, runs->ends + runs->done * nx);
+    if (!runs->going)
+        runs->done = 0;
+    for (; runs->done < runs->count; runs->done++) {
+        int status = runs->going ? CARDAN_MORE : begin(runs, runs->x + runs->done * nx);
+        if (status == CARDAN_MORE) {
+            /* nobody reads the rows: to have no room for more is no end */
+            runs->run->count = 0;
+            status = cardan_run_drive(runs->run);
+            if (status == CARDAN_FULL)
+                status = CARDAN_MORE;
+        }
+        runs->going = status == CARDAN_MORE;
+        if (status == CARDAN_DONE && runs->run->t != last)
+            status = CARDAN_STOPPED;
         if (status != CARDAN_DONE)
             return status;
-        if (runs->run->t != last)
-            return CARDAN_STOPPED;
+        for (ptrdiff_t i = 0; i < nx; i++)
+            runs->ends[runs->done * nx + i] = runs->run->y[i];
     }
     return CARDAN_DONE;
 }

@@ -22,6 +22,7 @@ typedef struct cardan_short_runs {
     real *ends;      /* (count, nx) states at the end */
     ptrdiff_t count;
     ptrdiff_t done;  /* states until one broke down, which stays in `run` */
+    ptrdiff_t going; /* 1: the run of state `done` is under way; 0 before the first call */
 } cardan_short_runs;
 
 int cardan_short_runs_go(cardan_short_runs *runs);

@@ -9,9 +9,11 @@
  *
  *   a      the assembled matrix in compressed rows: the rows of a block follow each other, and each
  *          holds the columns of all blocks coupled with it, ascending
- *   panel  a supernode in the factors: its rows [D | U | Lt]. D (n x n) couples its own unknowns,
- *          U its rows with later unknowns, Lt (transposed) the rows of later unknowns with its
- *          columns. Pivots are chosen among the rows of the supernode only
+ *   panel  a supernode in the factors: D, U and Lt, row by row, one behind the other. D (n x n) couples its
+ *          own unknowns, U (n x later) its rows with later unknowns, Lt (n x later, transposed) the rows
+ *          of later unknowns with its columns. Of long chains solutions take the time in which these
+ *          come from memory: D and Lt on the way forward, D and U on the way back. Pivots are chosen
+ *          among the rows of the supernode only
  *
  * Zero pivots that remain are replaced by small ones and recorded; where they are of multipliers, all
  * rows that close loops give way by as much. If the matrix is regular, or its constraints are redundant
@@ -63,9 +65,7 @@ typedef struct cardan_sparse {
     const int32_t *multiplier; /* n: 1 if that one is a multiplier, 2 of a loop, 0 for speeds */
     const int32_t *start;      /* supernodes + 1: its first unknown in that order */
     const int32_t *panel;      /* supernodes: where its panel begins */
-    const int32_t *width;      /* supernodes: numbers from one of its rows to the next */
     const int32_t *later;      /* supernodes: unknowns in U */
-    const int32_t *transposed;     /* supernodes: where Lt begins in a row */
     const int32_t *open_start; /* supernodes + 1: where its list begins in `open` */
     const int32_t *open;       /* supernodes: the panels to be filled when its turn comes */
     const int32_t *load_start; /* supernodes + 1: where its list begins in `load` */
@@ -75,6 +75,22 @@ typedef struct cardan_sparse {
     const int32_t *target_start; /* supernodes: where its list begins in `target` */
     const int32_t *target;       /* for run i, for run j: where their product goes */
 } cardan_sparse;
+
+/* A supernode and its numbers among the factors. */
+typedef struct cardan_panel {
+    ptrdiff_t first, n, later; /* its first unknown, in order of elimination; how many; unknowns of U */
+    double *d, *u, *lt;        /* (n, n), (n, later), (n, later) */
+} cardan_panel;
+
+static inline cardan_panel cardan_panel_of(const cardan_sparse *plan, ptrdiff_t s, double *values)
+{
+    cardan_panel panel = {plan->start[s], plan->start[s + 1] - plan->start[s], plan->later[s],
+                          values + plan->panel[s], NULL, NULL};
+
+    panel.u = panel.d + panel.n * panel.n;
+    panel.lt = panel.u + panel.n * panel.later;
+    return panel;
+}
 
 /* The numbers of a factorization. The caller provides the arrays and may read the results. */
 typedef struct cardan_sparse_factors {
@@ -88,6 +104,8 @@ typedef struct cardan_sparse_factors {
                               its pivot, and all rows that close loops if one of them did */
     const double *rows;    /* n: what equations are multiplied with, NULL for 1 */
     const double *columns; /* n: the units of unknowns, NULL for 1 */
+    double *certainty;     /* CARDAN_SPARSE_CERTAINTY numbers, see cardan_sparse_solve_certain; NULL: not
+                              wanted */
     double hidden;         /* loop constraints count as redundant if the squared sine of their
                               angle to the other rows is below this */
     double compliance;     /* what rows that close loops give way where multipliers lose their pivots,
@@ -99,6 +117,10 @@ typedef struct cardan_sparse_factors {
     int32_t negative;
 } cardan_sparse_factors;
 
+/* What is known of all solutions by the factors: what rounding leaves of a right-hand side at most, of
+ * the largest unknown; the smallest diagonal entry of speeds, which the caller fills in; both scaled. */
+enum { CARDAN_SPARSE_LEFT, CARDAN_SPARSE_DIAGONAL, CARDAN_SPARSE_CERTAINTY };
+
 /* How many numbers of work memory a factorization needs. */
 ptrdiff_t cardan_sparse_work(const cardan_sparse *plan);
 
@@ -109,6 +131,19 @@ int cardan_sparse_factor(const cardan_sparse *plan, const double *a, cardan_spar
 /* x = a^-1 b for `count` right-hand sides of n numbers, one behind the other; x may be b. */
 void cardan_sparse_solve(const cardan_sparse *plan, const cardan_sparse_factors *f, ptrdiff_t count,
                          const double *b, double *x);
+
+/* One of them by factors with `certainty` and no replaced pivots. Returns a bound of the backward error that
+ * cardan_sparse_residual would find: of a solution below it nothing needs to be multiplied out. */
+double cardan_sparse_solve_certain(const cardan_sparse *plan, const cardan_sparse_factors *f,
+                                   const double *b, double *x);
+
+/* Fill a panel with the numbers of the matrix, before any supernode is subtracted from it. */
+void cardan_sparse_fill(const cardan_sparse *plan, ptrdiff_t s, const double *a,
+                        cardan_sparse_factors *f);
+
+/* What a supernode adds to CARDAN_SPARSE_LEFT; sums (supernodes, 2) are zeros before the first. */
+void cardan_sparse_bound(const cardan_sparse *plan, ptrdiff_t s, const cardan_panel *panel, double *sums,
+                         double *left);
 
 /* The same with the transposed matrix. */
 void cardan_sparse_solve_transposed(const cardan_sparse *plan, const cardan_sparse_factors *f,
@@ -152,8 +187,7 @@ void cardan_sparse_substitute(const cardan_sparse *plan, const cardan_sparse_fac
 
 /* Count the signs of the eigenvalues of a symmetric D (n x n) of a panel in f. work: n thresholds up
  * to which diagonal entries count as zero, then n n numbers of scratch. */
-void cardan_sparse_signs(ptrdiff_t n, const double *d, ptrdiff_t width, double *work,
-                         cardan_sparse_factors *f);
+void cardan_sparse_signs(ptrdiff_t n, const double *d, double *work, cardan_sparse_factors *f);
 
 /* Whether the rows and columns that factors name exist, as they may come from a file; `weak` is how many
  * pivots were replaced, as a number. Memory that is zero is sound. */

@@ -109,6 +109,23 @@ static inline void cardan_larger(ptrdiff_t n, const double *x, double *y)
     }
 }
 
+/* the sum of |x|, n numbers */
+static inline double cardan_sum_of_sizes(ptrdiff_t n, const double *x)
+{
+    double sum = 0;
+    ptrdiff_t j = 0;
+
+#if CARDAN_PACK > 1
+    cardan_four total = {0};
+    for (; j + 4 <= n; j += 4)
+        total += (cardan_four)(*(const cardan_four_bits *)(x + j) & ~CARDAN_SIGN);
+    sum = (total[0] + total[2]) + (total[1] + total[3]);
+#endif
+    for (; j < n; j++)
+        sum += fabs(x[j]);
+    return sum;
+}
+
 /* the sum of x y, n numbers */
 static inline double cardan_dot(ptrdiff_t n, const double *x, const double *y)
 {

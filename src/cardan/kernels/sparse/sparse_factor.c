@@ -44,39 +44,6 @@
  * that the multiplier comes out as nearly zero and carries no force */
 #define BEYOND 1e4
 
-/* Copy a block of the matrix into its panel, scaled by the units of its rows and columns. */
-static void load(const cardan_sparse_load *item, const double *a, const cardan_sparse_factors *f,
-                 ptrdiff_t width)
-{
-    const double *columns = f->columns ? f->columns + item->column : NULL, *from = a + item->from;
-    double *to = f->values + item->to;
-
-    for (ptrdiff_t i = 0; i < item->rows; i++, from += item->stride) {
-        const double row = f->rows ? f->rows[item->row + i] : 1;
-        if (item->transposed)
-            for (ptrdiff_t j = 0; j < item->columns; j++)
-                to[j * width] = row * from[j] * (columns ? columns[j] : 1);
-        else if (columns)
-            cardan_scaled(item->columns, row, from, columns, to);
-        else
-            for (ptrdiff_t j = 0; j < item->columns; j++)
-                to[j] = row * from[j];
-        to += item->transposed ? 1 : width;
-    }
-}
-
-/* Fill a panel with the numbers of the matrix, before any supernode is subtracted from it. */
-static void fill(const cardan_sparse *plan, ptrdiff_t s, const double *a, cardan_sparse_factors *f)
-{
-    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
-    const ptrdiff_t width = plan->width[s];
-
-    memset(f->values + plan->panel[s], 0, (size_t)(n * width) * sizeof(double));
-    memset(f->scale + first, 0, (size_t)n * sizeof(double));
-    for (ptrdiff_t i = plan->load_start[s]; i < plan->load_start[s + 1]; i++)
-        load(plan->load + i, a, f, width);
-}
-
 /* Size up to which a pivot is only rounding error; compliance: of rows that close loops. */
 static double noise_of(const cardan_sparse *plan, const cardan_sparse_factors *f, ptrdiff_t k,
                        double compliance)
@@ -89,27 +56,25 @@ static double noise_of(const cardan_sparse *plan, const cardan_sparse_factors *f
 }
 
 /* Let rows of a supernode that close loops give way, and record that. */
-static void comply(const cardan_sparse *plan, ptrdiff_t s, double compliance, double *panel,
+static void comply(const cardan_sparse *plan, const cardan_panel *panel, double compliance,
                    cardan_sparse_factors *f)
 {
-    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
-
-    for (ptrdiff_t k = 0; k < n; k++) {
-        const double scale = f->scale[first + k];
+    for (ptrdiff_t k = 0; k < panel->n; k++) {
+        const double scale = f->scale[panel->first + k];
         const double shift = -compliance * (scale > 0 ? scale : 1);
-        if (plan->multiplier[first + k] != CLOSES)
+        if (plan->multiplier[panel->first + k] != CLOSES)
             continue;
-        panel[k * plan->width[s] + k] += shift;
+        panel->d[k * panel->n + k] += shift;
         f->shift[f->weak] = shift;
-        f->replaced[f->weak++] = (int32_t)(first + k);
+        f->replaced[f->weak++] = (int32_t)(panel->first + k);
     }
 }
 
 /* Count the signs of the eigenvalues of D; what rows give way counts as zero. */
-static void count(const cardan_sparse *plan, ptrdiff_t s, double compliance, const double *panel,
+static void count(const cardan_sparse *plan, const cardan_panel *panel, double compliance,
                   cardan_sparse_factors *f)
 {
-    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
+    const ptrdiff_t first = panel->first, n = panel->n;
     double *noise = f->work, largest = 0;
 
     for (ptrdiff_t k = 0; k < n; k++)
@@ -117,21 +82,23 @@ static void count(const cardan_sparse *plan, ptrdiff_t s, double compliance, con
     for (ptrdiff_t k = 0; k < n; k++)
         noise[k] = noise_of(plan, f, first + k, 0)
                    + (plan->multiplier[first + k] ? YIELDING * compliance * largest : 0);
-    cardan_sparse_signs(n, panel, plan->width[s], noise, f);
+    cardan_sparse_signs(n, panel->d, noise, f);
 }
 
 /* The row with the smallest entries: column k has no pivot left, and the other rows are still needed
  * as pivots of later columns. */
-static ptrdiff_t emptiest(ptrdiff_t k, ptrdiff_t n, ptrdiff_t all, const double *panel,
-                          ptrdiff_t width)
+static ptrdiff_t emptiest(ptrdiff_t k, const cardan_panel *panel)
 {
+    const ptrdiff_t n = panel->n, later = panel->later;
     ptrdiff_t smallest = k;
     double least = -1;
 
     for (ptrdiff_t i = k; i < n; i++) {
         double most = 0;
-        for (ptrdiff_t j = k; j < all; j++)
-            most = fmax(most, fabs(panel[i * width + j]));
+        for (ptrdiff_t j = k; j < n; j++)
+            most = fmax(most, fabs(panel->d[i * n + j]));
+        for (ptrdiff_t j = 0; j < later; j++)
+            most = fmax(most, fabs(panel->u[i * later + j]));
         if (least < 0 || most < least)
             least = most, smallest = i;
     }
@@ -146,17 +113,18 @@ static ptrdiff_t emptiest(ptrdiff_t k, ptrdiff_t n, ptrdiff_t all, const double 
  * rows before it, its pivot in a multiplier row shrinks by s^2, but in a speed row only by s. The
  * latter is squared, so that one threshold on s^2 serves both. is_multiplier: kind of each row.
  */
-static ptrdiff_t pivot_of(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, const double *panel,
+static ptrdiff_t pivot_of(const cardan_sparse *plan, const cardan_panel *panel, ptrdiff_t k,
                           const cardan_sparse_factors *f, double *size)
 {
-    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
+    const ptrdiff_t first = panel->first, n = panel->n;
+    const double *column = panel->d + k;
     const int type = plan->multiplier[first + k] != 0;
     const double *is_multiplier = f->work;
     double most[2] = {-1, -1}, scale = f->scale[first + k];
     ptrdiff_t row[2] = {k, k};
 
     for (ptrdiff_t i = k; i < n; i++) {
-        const double here = fabs(panel[i * plan->width[s] + k]);
+        const double here = fabs(column[i * n]);
         const int kind = is_multiplier[i] != 0;
         if (here > most[kind])
             most[kind] = here, row[kind] = i;
@@ -164,7 +132,7 @@ static ptrdiff_t pivot_of(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, c
     *size = most[type];
     if (!(most[type] < EARLY * most[1 - type])) {
         const ptrdiff_t mate = f->exchanged[first + k];
-        const double here = fabs(panel[mate * plan->width[s] + k]);
+        const double here = fabs(column[mate * n]);
         /* rows go with their columns unless one is much larger */
         return (is_multiplier[mate] != 0) == type && here >= PREFER * most[type] ? (*size = here, mate)
                                                                                  : row[type];
@@ -186,50 +154,48 @@ static void exchange(ptrdiff_t n, double *a, double *b)
  * left of its original size. If column k has lost much more than another one, exchange the two. So
  * the rows that are most dependent come last and count as redundant; otherwise rows at a small angle
  * to each other would be kept and would magnify rounding errors. */
-static void choose(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *panel,
+static void choose(const cardan_sparse *plan, const cardan_panel *panel, ptrdiff_t k,
                    cardan_sparse_factors *f)
 {
-    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
-    const ptrdiff_t width = plan->width[s];
-    double *scale = f->scale + first, *lt = panel + plan->transposed[s];
-    double most = fabs(panel[k * width + k]) / (PREFER * scale[k]);
+    const ptrdiff_t first = panel->first, n = panel->n, later = panel->later;
+    double *scale = f->scale + first, *d = panel->d;
+    double most = fabs(d[k * n + k]) / (PREFER * scale[k]);
     const int32_t kind = plan->multiplier[first + k];
     ptrdiff_t best = k;
 
     for (ptrdiff_t j = k + 1; j < n && plan->multiplier[first + j] == kind; j++)
-        if (fabs(panel[j * width + j]) > most * scale[j])
-            most = fabs(panel[j * width + j]) / scale[j], best = j;
+        if (fabs(d[j * n + j]) > most * scale[j])
+            most = fabs(d[j * n + j]) / scale[j], best = j;
     if (best == k)
         return;
     f->exchanged[first + k] = (int32_t)best;
     for (ptrdiff_t i = 0; i < n; i++)
-        exchange(1, panel + i * width + k, panel + i * width + best);
-    exchange(plan->later[s], lt + k * width, lt + best * width);
+        exchange(1, d + i * n + k, d + i * n + best);
+    exchange(later, panel->lt + k * later, panel->lt + best * later);
     exchange(1, scale + k, scale + best);
 }
 
 /* Original column, before the exchanges of `choose`, of the one that now has pivot k. */
-static ptrdiff_t column_of(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k,
-                           const cardan_sparse_factors *f)
+static ptrdiff_t column_of(const cardan_panel *panel, ptrdiff_t k, const cardan_sparse_factors *f)
 {
     for (ptrdiff_t j = k; j >= 0; j--) {
-        const ptrdiff_t other = f->exchanged[plan->start[s] + j];
+        const ptrdiff_t other = f->exchanged[panel->first + j];
         k = k == j ? other : k == other ? j : k;
     }
     return k;
 }
 
-/* Replace a pivot that is only rounding error by a small number of known sign, negative for
+/* Replace a pivot that is only rounding error, in a row of D, by a small number of known sign, negative for
  * multipliers as in a regular saddle-point matrix, and record the change. */
-static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *row, double size,
-                   cardan_sparse_factors *f)
+static int replace(const cardan_sparse *plan, const cardan_panel *panel, ptrdiff_t column,
+                   ptrdiff_t row, double size, cardan_sparse_factors *f)
 {
-    const ptrdiff_t column = k - plan->start[s], n = plan->start[s + 1] - plan->start[s];
-    double *pivot = row + column, scale = f->scale[k], small, replacement;
+    const ptrdiff_t k = panel->first + column;
+    double *pivot = panel->d + row * panel->n + column, scale = f->scale[k], small, replacement;
 
     /* if D had only zeros there, take the size from the rest of the row */
-    for (ptrdiff_t j = 0; scale == 0 && j < plan->later[s]; j++)
-        scale = fmax(fabs(row[n + j]), fabs(row[plan->transposed[s] + j]));
+    for (ptrdiff_t j = row * panel->later; scale == 0 && j < (row + 1) * panel->later; j++)
+        scale = fmax(fabs(panel->u[j]), fabs(panel->lt[j]));
     /* a constraint that no motion changes: its equation is empty, and any multiplier does */
     if (scale == 0 && plan->multiplier[k])
         scale = 1;
@@ -240,7 +206,7 @@ static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *
         return CARDAN_SINGULAR;
     }
     f->shift[f->weak] = replacement - *pivot;
-    f->replaced[f->weak++] = (int32_t)(plan->start[s] + column_of(plan, s, column, f));
+    f->replaced[f->weak++] = (int32_t)(panel->first + column_of(panel, column, f));
     *pivot = replacement;
     return CARDAN_OK;
 }
@@ -248,76 +214,84 @@ static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *
 /* Factor D with row exchanges P: P D = L R with unit lower L, and U becomes L^-1 P U. L and R replace
  * D; its diagonal keeps the reciprocals of the pivots. compliance: of rows that close loops, 0 as long
  * as no multiplier has lost its pivot. */
-static int eliminate(const cardan_sparse *plan, ptrdiff_t s, double compliance, double *panel,
+static int eliminate(const cardan_sparse *plan, const cardan_panel *panel, double compliance,
                      cardan_sparse_factors *f)
 {
-    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
-    const ptrdiff_t width = plan->width[s], all = n + plan->later[s];
+    const ptrdiff_t n = panel->n, later = panel->later;
     double *is_multiplier = f->work;
 
     for (ptrdiff_t k = 0; k < n; k++)
-        is_multiplier[k] = plan->multiplier[first + k];
+        is_multiplier[k] = plan->multiplier[panel->first + k];
     for (ptrdiff_t k = 0; k < n; k++) {
-        double *row = panel + k * width, *below = row + width;
-        const ptrdiff_t place = first + k;
+        double *row = panel->d + k * n, *below = row + n, *u = panel->u + k * later, *u_below = u + later;
+        const ptrdiff_t place = panel->first + k;
         double most, inverse;
         ptrdiff_t pivot;
 
         f->exchanged[place] = (int32_t)k;
         if (plan->multiplier[place] == CLOSES)
-            choose(plan, s, k, panel, f);
-        pivot = pivot_of(plan, s, k, panel, f, &most);
+            choose(plan, panel, k, f);
+        pivot = pivot_of(plan, panel, k, f, &most);
         if (!(most > noise_of(plan, f, place, compliance))) {
             if (plan->multiplier[place] && compliance == 0)
                 return REDUNDANT;
-            pivot = emptiest(k, n, all, panel, width);
-            if (replace(plan, s, place, panel + pivot * width, most, f))
+            pivot = emptiest(k, panel);
+            if (replace(plan, panel, k, pivot, most, f))
                 return CARDAN_SINGULAR;
         }
         f->pivot[place] = (int32_t)pivot;
-        if (pivot != k)
-            exchange(all, row, panel + pivot * width), exchange(1, is_multiplier + k, is_multiplier + pivot);
+        if (pivot != k) {
+            exchange(n, row, panel->d + pivot * n);
+            exchange(later, u, panel->u + pivot * later);
+            exchange(1, is_multiplier + k, is_multiplier + pivot);
+        }
         inverse = 1 / row[k];
         row[k] = inverse;
         if (!(inverse - inverse == 0)) {
             f->singular = plan->order[place];
             return CARDAN_SINGULAR;
         }
-        for (ptrdiff_t i = k + 1; i < n; i++, below += width) {
+        for (ptrdiff_t i = k + 1; i < n; i++, below += n, u_below += later) {
             const double factor = below[k] * inverse;
             below[k] = factor;
-            cardan_minus(all - k - 1, factor, row + k + 1, below + k + 1);
+            cardan_minus(n - k - 1, factor, row + k + 1, below + k + 1);
+            cardan_minus(later, factor, u, u_below);
         }
     }
     return CARDAN_OK;
 }
 
 /* Lt = R^-T Lt with the upper factor R of D */
-static void turn(ptrdiff_t n, ptrdiff_t later, const double *panel, ptrdiff_t width, double *lt)
+static void turn(const cardan_panel *panel)
 {
+    const ptrdiff_t n = panel->n, later = panel->later;
+
     for (ptrdiff_t k = 0; k < n; k++) {
-        const double *row = panel + k * width;
-        double *lt_row = lt + k * width;
+        const double *row = panel->d + k * n;
+        double *lt = panel->lt + k * later;
         for (ptrdiff_t j = 0; j < later; j++)
-            lt_row[j] *= row[k];
+            lt[j] *= row[k];
         for (ptrdiff_t i = k + 1; i < n; i++)
-            cardan_minus(later, row[i], lt_row, lt + i * width);
+            cardan_minus(later, row[i], lt, panel->lt + i * later);
     }
 }
 
 /* Subtract L U from the panels of later unknowns. */
-static void hand_on(const cardan_sparse *plan, ptrdiff_t s, const double *panel,
+static void hand_on(const cardan_sparse *plan, ptrdiff_t s, const cardan_panel *panel,
                     cardan_sparse_factors *f)
 {
-    const ptrdiff_t n = plan->start[s + 1] - plan->start[s], width = plan->width[s];
-    const double *u = panel + n, *lt = panel + plan->transposed[s];
+    const ptrdiff_t n = panel->n, later = panel->later;
+    const double *u = panel->u, *lt = panel->lt;
     const cardan_sparse_run *end = plan->run + plan->run_start[s + 1];
     const int32_t *target = plan->target + plan->target_start[s];
 
     for (const cardan_sparse_run *i = plan->run + plan->run_start[s]; i < end; i++)
         for (const cardan_sparse_run *j = plan->run + plan->run_start[s]; j < end; j++) {
             const int transposed = i->owner > j->owner;
-            const ptrdiff_t stride = plan->width[transposed ? j->owner : i->owner];
+            const ptrdiff_t owner = transposed ? j->owner : i->owner;
+            /* of D within a supernode, of U or Lt between two */
+            const ptrdiff_t stride = i->owner == j->owner ? plan->start[owner + 1] - plan->start[owner]
+                                                          : plan->later[owner];
             double *to = f->values + *target++;
             /* the size of a diagonal entry before subtraction shows how much cancels */
             if (i == j)
@@ -327,61 +301,64 @@ static void hand_on(const cardan_sparse *plan, ptrdiff_t s, const double *panel,
                     *scale = size > *scale ? size : *scale;
                 }
             if (transposed)
-                cardan_product(j->size, i->size, n, u + j->at, width, lt + i->at, width, to,
-                               stride);
+                cardan_product(j->size, i->size, n, u + j->at, later, lt + i->at, later, to, stride);
             else
-                cardan_product(i->size, j->size, n, lt + i->at, width, u + j->at, width, to,
-                               stride);
+                cardan_product(i->size, j->size, n, lt + i->at, later, u + j->at, later, to, stride);
         }
 }
 
 /* Note how large rows that close loops are where they meet the unknowns of a supernode: what is left
  * of one at its own pivot may be the rounding of numbers that canceled on the way there. */
-static void note_closing(const cardan_sparse *plan, ptrdiff_t s, const double *panel,
+static void note_closing(const cardan_sparse *plan, ptrdiff_t s, const cardan_panel *panel,
                          cardan_sparse_factors *f)
 {
-    const ptrdiff_t n = plan->start[s + 1] - plan->start[s], width = plan->width[s];
     const cardan_sparse_run *end = plan->run + plan->run_start[s + 1];
 
     for (const cardan_sparse_run *i = plan->run + plan->run_start[s]; i < end; i++)
         for (ptrdiff_t j = 0; j < i->size; j++) {
-            const double *column = panel + n + i->at + j;
+            const double *column = panel->u + i->at + j;
             double *scale = f->scale + i->place + j;
-            for (ptrdiff_t k = 0; k < n && plan->multiplier[i->place + j] == CLOSES; k++)
-                *scale = fmax(*scale, fabs(column[k * width]));
+            for (ptrdiff_t k = 0; k < panel->n && plan->multiplier[i->place + j] == CLOSES; k++)
+                *scale = fmax(*scale, fabs(column[k * panel->later]));
         }
 }
 
 ptrdiff_t cardan_sparse_work(const cardan_sparse *plan)
 {
-    return plan->n + plan->widest * plan->widest;
+    return plan->n + plan->widest * plan->widest + 2 * plan->supernodes;
 }
 
 static int factor(const cardan_sparse *plan, const double *a, double compliance,
                   cardan_sparse_factors *f)
 {
+    double *sums = f->work + plan->n + plan->widest * plan->widest;
+
     f->weak = f->positive = f->negative = 0;
     f->singular = -1;
+    if (f->certainty)
+        f->certainty[CARDAN_SPARSE_LEFT] = 0;
+    memset(sums, 0, 2 * (size_t)plan->supernodes * sizeof(double));
     for (ptrdiff_t s = 0; s < plan->supernodes; s++) {
-        const ptrdiff_t n = plan->start[s + 1] - plan->start[s], width = plan->width[s];
-        double *panel = f->values + plan->panel[s];
+        const cardan_panel panel = cardan_panel_of(plan, s, f->values);
 
         for (ptrdiff_t i = plan->open_start[s]; i < plan->open_start[s + 1]; i++)
-            fill(plan, plan->open[i], a, f);
+            cardan_sparse_fill(plan, plan->open[i], a, f);
         /* original size of each pivot: the largest entry in its column of D, at least the size noted
          * when earlier supernodes were subtracted */
-        for (ptrdiff_t i = 0; i < n; i++)
-            cardan_larger(n, panel + i * width, f->scale + plan->start[s]);
-        note_closing(plan, s, panel, f);
+        for (ptrdiff_t i = 0; i < panel.n; i++)
+            cardan_larger(panel.n, panel.d + i * panel.n, f->scale + panel.first);
+        note_closing(plan, s, &panel, f);
         if (compliance > 0)
-            comply(plan, s, compliance, panel, f);
+            comply(plan, &panel, compliance, f);
         if (f->count)
-            count(plan, s, compliance, panel, f);
-        const int status = eliminate(plan, s, compliance, panel, f);
+            count(plan, &panel, compliance, f);
+        const int status = eliminate(plan, &panel, compliance, f);
         if (status != CARDAN_OK)
             return status;
-        turn(n, plan->later[s], panel, width, panel + plan->transposed[s]);
-        hand_on(plan, s, panel, f);
+        turn(&panel);
+        if (f->certainty)
+            cardan_sparse_bound(plan, s, &panel, sums, f->certainty + CARDAN_SPARSE_LEFT);
+        hand_on(plan, s, &panel, f);
     }
     return CARDAN_OK;
 }

@@ -35,7 +35,7 @@ static sizes sizes_of(const cardan_sparse *plan)
 
 /* the tables that double */
 enum {
-    FIRST, AT, STRIDE, ORDER, MULTIPLIER, START, PANEL, WIDTH, LATER, TRANSPOSED, LOADS, RUNS, TARGETS,
+    FIRST, AT, STRIDE, ORDER, MULTIPLIER, START, PANEL, LATER, LOADS, RUNS, TARGETS,
     TABLES
 };
 
@@ -45,8 +45,7 @@ static ptrdiff_t lay(const cardan_sparse *plan, int32_t *room, int32_t **at, car
     const sizes n = sizes_of(plan);
     const ptrdiff_t lengths[TABLES] = {plan->blocks + 1, plan->blocks, plan->blocks, 2 * plan->n, 2 * plan->n,
                                  plan->supernodes + 1, plan->supernodes, plan->supernodes,
-                                 plan->supernodes, plan->supernodes, LOAD * n.loads, RUN * n.runs,
-                                 n.targets};
+                                 LOAD * n.loads, RUN * n.runs, n.targets};
     ptrdiff_t used = 0;
 
     for (int k = 0; k < TABLES; k++) {
@@ -60,8 +59,7 @@ static ptrdiff_t lay(const cardan_sparse *plan, int32_t *room, int32_t **at, car
     pair->widest = 2 * plan->widest;
     pair->first = at[FIRST], pair->at = at[AT], pair->stride = at[STRIDE];
     pair->order = at[ORDER], pair->multiplier = at[MULTIPLIER];
-    pair->start = at[START], pair->panel = at[PANEL], pair->width = at[WIDTH];
-    pair->later = at[LATER], pair->transposed = at[TRANSPOSED];
+    pair->start = at[START], pair->panel = at[PANEL], pair->later = at[LATER];
     pair->load = (const cardan_sparse_load *)(const void *)at[LOADS];
     pair->run = (const cardan_sparse_run *)(const void *)at[RUNS];
     pair->target = at[TARGETS];
@@ -87,9 +85,12 @@ void cardan_sparse_pair(const cardan_sparse *plan, double *memory, cardan_sparse
 /* Where a number of a panel is that stands at `place` among the factors. */
 static int32_t in_panel(const cardan_sparse *plan, ptrdiff_t s, int32_t place)
 {
-    const int32_t width = plan->width[s], offset = place - plan->panel[s];
+    const int32_t n = plan->start[s + 1] - plan->start[s], later = plan->later[s];
+    const int32_t offset = place - plan->panel[s], part = offset < n * n ? 0 : n * n;
+    const int32_t width = part == 0 ? n : later, row = (offset - part) / width, column = (offset - part) % width;
 
-    return 4 * plan->panel[s] + 4 * (offset / width) * width + 2 * (offset % width);
+    /* of D, or of U and Lt: rows of Lt follow those of U */
+    return 4 * (plan->panel[s] + part + row * width) + 2 * column;
 }
 
 static void multiply(const int32_t *from, ptrdiff_t n, int32_t factor, int32_t *to)
@@ -155,9 +156,7 @@ void cardan_sparse_pair_fill(const cardan_sparse *plan, double *memory)
     }
     multiply(plan->start, ns + 1, 2, at[START]);
     multiply(plan->panel, ns, 4, at[PANEL]);
-    multiply(plan->width, ns, 2, at[WIDTH]);
     multiply(plan->later, ns, 2, at[LATER]);
-    multiply(plan->transposed, ns, 2, at[TRANSPOSED]);
     double_loads(plan, (cardan_sparse_load *)(void *)at[LOADS]);
     for (ptrdiff_t k = 0; k < runs; k++) {
         const cardan_sparse_run *run = plan->run + k;

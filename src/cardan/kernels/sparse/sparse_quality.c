@@ -131,7 +131,8 @@ double cardan_sparse_determinant(const cardan_sparse *plan, const cardan_sparse_
     for (ptrdiff_t s = 0; s < plan->supernodes; s++)
         for (ptrdiff_t k = 0; k < plan->start[s + 1] - plan->start[s]; k++) {
             /* the diagonal holds the reciprocals of pivots */
-            const double inverse = f->values[plan->panel[s] + k * plan->width[s] + k];
+            const ptrdiff_t n = plan->start[s + 1] - plan->start[s];
+            const double inverse = f->values[plan->panel[s] + k * n + k];
             if ((inverse < 0) != (f->pivot[plan->start[s] + k] != k))
                 *sign = -*sign;
             if (f->exchanged[plan->start[s] + k] != k)

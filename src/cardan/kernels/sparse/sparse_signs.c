@@ -100,13 +100,11 @@ static int choose(const reduced_block *x)
     return 2;
 }
 
-void cardan_sparse_signs(ptrdiff_t n, const double *d, ptrdiff_t width, double *work,
-                         cardan_sparse_factors *f)
+void cardan_sparse_signs(ptrdiff_t n, const double *d, double *work, cardan_sparse_factors *f)
 {
     reduced_block x = {n, 0, work + n, work};
 
-    for (ptrdiff_t i = 0; i < n; i++)
-        memcpy(x.m + i * n, d + i * width, (size_t)n * sizeof(double));
+    memcpy(x.m, d, (size_t)(n * n) * sizeof(double));
     while (x.k < n) {
         const int rows = choose(&x);
         if (rows == 2) {

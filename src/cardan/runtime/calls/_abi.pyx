@@ -6,7 +6,9 @@ build serves every Python from 3.11 on: of Python.h it uses the limited API alon
 """
 
 cimport cython
-from cpython.buffer cimport PyBUF_C_CONTIGUOUS, PyBUF_FORMAT, PyBUF_WRITABLE, PyBuffer_Release
+from cpython.buffer cimport (
+    PyBUF_C_CONTIGUOUS, PyBUF_FORMAT, PyBUF_STRIDES, PyBUF_WRITABLE, PyBuffer_Release
+)
 from cpython.exc cimport PyErr_Clear, PyErr_Occurred
 from libc.stdint cimport uintptr_t
 from libc.stdlib cimport free, malloc
@@ -49,14 +51,20 @@ cdef enum:
     LONG = 20000
     # numbers of lists that are not worth more ado
     LISTED = 128
+    # states from which on lanes are worth it
+    VECTORS = 16
 
 cdef object ndarray = np.ndarray
 cdef object empty = np.empty
+cdef object double_number = np.float64
+cdef object single_number = np.float32
 cdef int NUMBERS = PyBUF_C_CONTIGUOUS | PyBUF_FORMAT
+cdef int STRIDED = PyBUF_STRIDES | PyBUF_FORMAT
 
 
-cdef inline bint is_double(const Py_buffer *view) noexcept:
-    return view.itemsize == 8 and view.format[0] == c"d" and view.format[1] == 0
+cdef inline bint is_number(const Py_buffer *view, char kind) noexcept:
+    """Whether a buffer has doubles (d) or floats (f)."""
+    return view.format[0] == kind and view.format[1] == 0
 
 
 cdef double *memory(Py_ssize_t size) except NULL:
@@ -115,11 +123,12 @@ def first_bad(x):
     return answer
 
 
+include "_results.pxi"
 include "_fast.pxi"
 
 
 def fast(caller):
-    """The quickest way to call one function for one state."""
+    """The quickest way to call one function for one state or a batch."""
     if len(caller.arguments) > ARGUMENTS:
         return caller
-    return Fast(caller, caller.w_slot)
+    return Fast(caller)

@@ -1,4 +1,5 @@
-# of _abi.pyx, which includes it: functions called for one state or a few, numbers from Python
+# of _abi.pyx, which includes it: functions called for one state or a batch of them with as little
+# Python as possible
 
 cdef inline bint read(value, double *number) noexcept:
     """Whether a value is a finite number, and the number."""
@@ -15,22 +16,18 @@ cdef inline bint read(value, double *number) noexcept:
 
 
 @cython.final
-cdef class Fast:
-    """One function for one state or a few of them; everything else goes to the caller.
+cdef class Fast(Results):
+    """One function for one state or a batch; whatever is not plain goes to the caller.
 
     What is handed over may come in an order of its own, one argument of it by components, and results
     may be wanted as several arrays, as a derivative gives them: see :class:`.calling.Arrangement`.
     """
 
-    cdef function f
-    cdef int count
-    cdef int places[ARGUMENTS]
-    cdef int slot[ARGUMENTS][PLACES]
     cdef Py_ssize_t offset[ARGUMENTS][PLACES]
     cdef Py_ssize_t size[ARGUMENTS]
     cdef int axes[ARGUMENTS]
     cdef Py_ssize_t length[ARGUMENTS][AXES]
-    cdef const double *fallback[ARGUMENTS]
+    cdef bint required[ARGUMENTS]
     # where the caller has every argument, -1 for one that is left out
     cdef int place[ARGUMENTS]
     cdef Py_ssize_t handed
@@ -39,30 +36,12 @@ cdef class Fast:
     cdef Py_ssize_t component_first[PARTS]
     cdef Py_ssize_t component_size[PARTS]
     cdef bint component_single[PARTS]
-    # results as several arrays, 0 for one
-    cdef int parts
-    cdef Py_ssize_t part_first[PARTS]
-    cdef Py_ssize_t part_size[PARTS]
-    cdef tuple part_shapes
-    cdef const double *w
-    cdef int w_slot
-    cdef Py_ssize_t operations, few
-    cdef Py_ssize_t out_size, work_size
-    cdef object caller, shape, held
-    cdef tuple empty_arguments
 
-    def __init__(self, caller, int w_slot, arrangement=None):
+    def __init__(self, caller, arrangement=None):
         cdef int i, k
-        self.caller, self.held = caller, []
-        self.f = <function><uintptr_t>caller.address
-        self.count, self.w_slot = len(caller.arguments), w_slot
-        self.out_size, self.work_size, self.shape = caller.size, caller.work_size, caller.shape
-        self.empty_arguments = (self.shape,)
-        self.operations = caller.operations
-        self.few = caller.few
-        self.w = self.hold(caller.w)
+        Results.__init__(self, caller)
         shapes = [argument.shape for argument in caller.arguments]
-        self.handed, self.joined, self.components, self.parts = self.count, -1, 0, 0
+        self.handed, self.joined, self.components = self.count, -1, 0
         for i in range(self.count):
             self.place[i] = i
         if arrangement is not None:
@@ -71,12 +50,9 @@ cdef class Fast:
             self.size[i], self.axes[i] = argument.size, len(shapes[i])
             for k in range(min(self.axes[i], AXES)):
                 self.length[i][k] = shapes[i][k]
-            self.fallback[i] = NULL
-            if argument.default is not None:
-                self.fallback[i] = self.hold(argument.default)
-            self.places[i] = len(argument.blocks)
-            for k, (slot, first) in enumerate(argument.blocks):
-                self.slot[i][k], self.offset[i][k] = slot, first
+            self.required[i] = argument.default is None and argument.size > 0
+            for k, (_, first) in enumerate(argument.blocks):
+                self.offset[i][k] = first
 
     cdef object arrange(self, arrangement, list shapes):
         """Take over places, shapes, components and parts."""
@@ -96,12 +72,6 @@ cdef class Fast:
         for k, (first, size, _) in enumerate(arrangement.parts):
             self.part_first[k], self.part_size[k] = first, size
 
-    cdef const double *hold(self, array) except? NULL:
-        """Where a constant array starts; NULL if it is empty."""
-        cdef const double[::1] flat = np.ascontiguousarray(array, dtype=np.float64).reshape(-1)
-        self.held.append(flat)
-        return &flat[0] if flat.shape[0] else NULL
-
     def __call__(self, out, *values):
         result = None
         if len(values) <= self.handed:
@@ -113,7 +83,7 @@ cdef class Fast:
         None where they want a closer look."""
         if max(len(arrangement.parts), len(arrangement.components)) > PARTS:
             return self.caller.arranged(arrangement)
-        return Fast(self.caller, self.w_slot, arrangement).attempt
+        return Fast(self.caller, arrangement).attempt
 
     def attempt(self, tuple values):
         """Results of arguments as arranged; None where they want a closer look."""
@@ -121,113 +91,109 @@ cdef class Fast:
 
     cdef object quick(self, out, tuple values):
         """Results of plain arguments; None where something wants a closer look."""
-        cdef const double *at[BLOCKS]
-        cdef size_t step[BLOCKS]
-        cdef double number[ARGUMENTS + LISTED]
-        cdef Py_buffer views[ARGUMENTS]
-        cdef int used = 0, listed = 0, i, ready
-        # of a batch
-        cdef Py_ssize_t states = -1, rows
+        cdef reading r
+        cdef int i
         cdef Py_ssize_t given = len(values)
-        memset(at, 0, sizeof(at))
-        memset(step, 0, sizeof(step))
-        at[self.w_slot] = self.w
-        ready = 1
+        r.states, r.unit, r.rows, r.columns, r.used, r.listed = -1, 0, False, False, 0, 0
+        memcpy(r.at, self.constant[0], sizeof(r.at))
+        memset(r.stride, 0, sizeof(r.stride))
+        memset(r.taken, 0, sizeof(r.taken))
         result = None
         try:
-            # every argument becomes a pointer, or the call is not a plain one
             for i in range(self.count):
                 # those at the end that are left out have their defaults too
                 value = values[self.place[i]] if 0 <= self.place[i] < given else None
-                if value is None:
-                    if self.fallback[i] == NULL and self.size[i]:
-                        ready = 0
-                        break
-                    self.point(at, i, self.fallback[i])
-                elif i == self.joined:
-                    if listed + self.size[i] > LISTED or not self.join(value, &number[listed]):
-                        ready = 0
-                        break
-                    self.point(at, i, &number[listed])
-                    listed += self.size[i]
-                elif type(value) is ndarray:
-                    if PyObject_GetBuffer(value, &views[used], NUMBERS):
-                        PyErr_Clear()
-                        ready = 0
-                        break
-                    used += 1
-                    rows = self.rows(&views[used - 1], i)
-                    if rows < 0 or (rows > 0 and states >= 0 and rows != states):
-                        ready = 0
-                        break
-                    if rows:
-                        states = rows
-                        self.walk(step, i)
-                    self.point(at, i, <const double *>views[used - 1].buf)
-                elif self.axes[i] == 0:
-                    if not read(value, &number[listed]):
-                        ready = 0
-                        break
-                    self.point(at, i, &number[listed])
-                    listed += 1
-                elif self.axes[i] == 1 and (type(value) is list or type(value) is tuple):
-                    if listed + self.size[i] > LISTED or len(value) != self.size[i]:
-                        ready = 0
-                        break
-                    self.point(at, i, &number[listed])
-                    for one in value:
-                        if listed >= ARGUMENTS + LISTED or not read(one, &number[listed]):
-                            ready = 0
-                            break
-                        listed += 1
-                    if not ready:
-                        break
-                else:
-                    ready = 0
+                if not self.take(&r, i, value):
                     break
-            if ready and states < 0:
-                result = self.evaluate_parts(at) if self.parts else self.evaluate(at, out)
-            elif ready and out is None and states <= self.few:
-                result = self.evaluate_few(at, step, states)
+            else:
+                if r.states < 0:
+                    result = self.evaluate_parts(&r) if self.parts else self.evaluate(&r, out)
+                else:
+                    result = self.evaluate_batch(&r, out)
         finally:
-            for i in range(used):
-                PyBuffer_Release(&views[i])
+            for i in range(r.used):
+                PyBuffer_Release(&r.views[i])
         return result
 
-    cdef inline void point(self, const double **at, int i, const double *start) noexcept:
-        """Let the blocks of argument i start there."""
-        cdef int k
-        for k in range(self.places[i]):
-            at[self.slot[i][k]] = start + self.offset[i][k] if start != NULL else NULL
+    cdef bint take(self, reading *r, int i, value):
+        """Let the blocks of argument i start where a value is; False where it is not a plain one."""
+        cdef const char *start
+        if value is None:
+            return not self.required[i]
+        if type(value) is ndarray and i != self.joined:
+            if PyObject_GetBuffer(value, &r.views[r.used], STRIDED):
+                PyErr_Clear()
+                return False
+            r.owner[r.used] = i
+            r.used += 1
+            return self.take_array(r, i, &r.views[r.used - 1])
+        if r.listed + self.size[i] > ARGUMENTS + LISTED:
+            return False
+        start = <const char *>&r.number[r.listed]
+        if i == self.joined:
+            if not self.join(value, &r.number[r.listed]):
+                return False
+            r.listed += self.size[i]
+        elif self.axes[i] == 0:
+            if not read(value, &r.number[r.listed]):
+                return False
+            r.listed += 1
+        elif self.axes[i] == 1 and (type(value) is list or type(value) is tuple):
+            if len(value) != self.size[i]:
+                return False
+            for one in value:
+                # a list may change while its numbers are read
+                if r.listed >= ARGUMENTS + LISTED or not read(one, &r.number[r.listed]):
+                    return False
+                r.listed += 1
+        else:
+            return False
+        self.point(r, i, start, 8, 0, 1)
+        return True
 
-    cdef inline void walk(self, size_t *step, int i) noexcept:
-        """Let the blocks of argument i go on from state to state."""
-        cdef int k
-        for k in range(self.places[i]):
-            step[self.slot[i][k]] = <size_t>self.size[i]
-
-    cdef inline Py_ssize_t rows(self, const Py_buffer *view, int i) noexcept:
-        """States of a buffer of finite doubles as argument i has them.
-
-        0 if it has no leading axis; negative if it fits in no simple way.
-        """
+    cdef bint take_array(self, reading *r, int i, const Py_buffer *view) noexcept:
+        """The same for an array: of one state, or of a batch row by row or column by column."""
         cdef int lead = view.ndim - self.axes[i], k
-        cdef Py_ssize_t count = 1
-        if lead < 0 or lead > 1 or self.axes[i] > AXES or not is_double(view):
-            return -1
-        if lead:
-            # of more states the numbers are looked at elsewhere
-            count = view.shape[0]
-            if count < 1 or count > self.few:
-                return -1
+        cdef Py_ssize_t unit, states = 1, size = self.size[i], next
+        cdef bint by_row = True, by_entry
+        r.batch[r.used - 1] = lead == 1
+        if lead < 0 or lead > 1 or self.axes[i] > AXES:
+            return False
+        unit = 8 if is_number(view, c"d") else 4 if is_number(view, c"f") else 0
         for k in range(self.axes[i]):
             if view.shape[lead + k] != self.length[i][k] and self.length[i][k] >= 0:
-                return -1
-        if view.len != count * self.size[i] * <Py_ssize_t>sizeof(double):
-            return -1
-        if cardan_first_bad(<const double *>view.buf, <size_t>(count * self.size[i])) >= 0:
-            return -1
-        return count if lead else 0
+                return False
+        if lead:
+            states = view.shape[0]
+        if unit == 0 or states < 1 or view.len != states * size * unit:
+            return False
+        next = unit
+        for k in range(view.ndim - 1, -1, -1):
+            by_row = by_row and (view.strides[k] == next or view.shape[k] == 1 or size == 0)
+            next *= view.shape[k]
+        if not lead:
+            self.point(r, i, <const char *>view.buf, unit, 0, 1)
+            return by_row and unit == 8 and is_finite(view)
+        if (r.states >= 0 and r.states != states) or (r.unit and r.unit != unit):
+            return False
+        by_entry = self.axes[i] == 1 and view.strides[0] == unit and view.strides[1] == unit * states
+        r.states, r.unit = states, unit
+        if size > 1:
+            r.rows, r.columns = r.rows or by_row, r.columns or not by_row
+        if by_row:
+            self.point(r, i, <const char *>view.buf, unit, <size_t>size, 1)
+        else:
+            self.point(r, i, <const char *>view.buf, unit, 1, <size_t>states)
+        return by_row or by_entry
+
+    cdef inline void point(self, reading *r, int i, const char *start, Py_ssize_t unit,
+                           size_t stride, size_t spacing) noexcept:
+        """Let the blocks of argument i start there and go on like that."""
+        cdef int k, slot
+        for k in range(self.places[i]):
+            slot = self.slot[i][k]
+            r.at[slot] = start + self.offset[i][k] * <Py_ssize_t>spacing * unit
+            r.stride[slot], r.spacing[slot], r.taken[slot] = stride, spacing, True
 
     cdef bint join(self, value, double *numbers):
         """Put the components of an argument in their places; False if they fit in no simple way."""
@@ -248,7 +214,7 @@ cdef class Fast:
             if PyObject_GetBuffer(component, &view, NUMBERS):
                 PyErr_Clear()
                 return False
-            fits = view.ndim == 1 and is_double(&view) and view.shape[0] == self.component_size[k]
+            fits = view.ndim == 1 and is_number(&view, c"d") and view.shape[0] == self.component_size[k]
             fits = fits and cardan_first_bad(<const double *>view.buf, <size_t>view.shape[0]) < 0
             if fits:
                 memcpy(start, view.buf, <size_t>self.component_size[k] * sizeof(double))
@@ -256,103 +222,3 @@ cdef class Fast:
             if not fits:
                 return False
         return True
-
-    cdef int call(self, const double **at, double *result) except -1:
-        """Whether the function has given finite numbers for one state."""
-        cdef double small[SMALL_WORK]
-        cdef double *work = small
-        cdef int status
-        if self.work_size > SMALL_WORK:
-            work = memory(self.work_size)
-        if self.operations > LONG:
-            with nogil:
-                status = self.f(<const cardan_in *>at, result, work)
-        else:
-            status = self.f(<const cardan_in *>at, result, work)
-        if work != small:
-            free(work)
-        return status == 0 and cardan_first_bad(result, <size_t>self.out_size) < 0
-
-    cdef object evaluate(self, const double **at, out):
-        """The result as an array; None where ``out`` or the numbers want a closer look."""
-        cdef Py_buffer view
-        cdef bint good
-        if out is None:
-            result = empty(*self.empty_arguments)
-        elif type(out) is ndarray and out.shape == self.shape:
-            result = out
-        else:
-            return None
-        if PyObject_GetBuffer(result, &view, NUMBERS | PyBUF_WRITABLE):
-            PyErr_Clear()
-            return None
-        if not is_double(&view):
-            PyBuffer_Release(&view)
-            return None
-        try:
-            good = self.call(at, <double *>view.buf)
-        finally:
-            PyBuffer_Release(&view)
-        return result if good else None
-
-    cdef object evaluate_parts(self, const double **at):
-        """The results as arrays of their own; None where the numbers want a closer look."""
-        cdef double small[SMALL_WORK]
-        cdef double *flat = small
-        cdef object result = None
-        if self.out_size > SMALL_WORK:
-            flat = memory(self.out_size)
-        try:
-            if self.call(at, flat):
-                result = self.divided(flat)
-        finally:
-            if flat != small:
-                free(flat)
-        return result
-
-    cdef object divided(self, const double *flat):
-        """A tuple of new arrays with the parts of a result; None where there is no writing."""
-        cdef Py_buffer view
-        cdef int k
-        cdef list arrays = []
-        for k in range(self.parts):
-            array = empty(self.part_shapes[k])
-            if PyObject_GetBuffer(array, &view, NUMBERS | PyBUF_WRITABLE):
-                PyErr_Clear()
-                return None
-            memcpy(view.buf, flat + self.part_first[k],
-                   <size_t>self.part_size[k] * sizeof(double))
-            PyBuffer_Release(&view)
-            arrays.append(array)
-        return tuple(arrays)
-
-    cdef object evaluate_few(self, const double **at, const size_t *step, Py_ssize_t states):
-        """The results at some states, (states, ...); None where the numbers want a closer look."""
-        cdef Py_buffer view
-        cdef int status
-        cdef Py_ssize_t bad, failed = -1
-        cdef double *work = memory(self.work_size)
-        result = empty((states, *self.shape))
-        if PyObject_GetBuffer(result, &view, NUMBERS | PyBUF_WRITABLE):
-            PyErr_Clear()
-            free(work)
-            return None
-        with nogil:
-            status = cardan_map(self.f, at, step, <size_t>states, <double *>view.buf,
-                                <size_t>self.out_size, work, &failed)
-            bad = cardan_first_bad(<const double *>view.buf, <size_t>(states * self.out_size))
-        free(work)
-        PyBuffer_Release(&view)
-        if status != 0 or bad >= 0:
-            return None
-        return self.columns(result, states) if self.parts else result
-
-    cdef object columns(self, flat, Py_ssize_t states):
-        """The parts of results at some states, (states, ...) each."""
-        cdef int k
-        arrays = []
-        for k in range(self.parts):
-            part = flat[:, self.part_first[k] : self.part_first[k] + self.part_size[k]]
-            arrays.append(part.reshape((states, *self.part_shapes[k])))
-        return tuple(arrays)
-

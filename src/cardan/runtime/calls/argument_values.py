@@ -19,12 +19,16 @@ def numbers(where: str, value: object, dtype: Numbers = np.float64) -> Array:
     """A value as an array of float64, or float32, in the order in memory that it has.
 
     Raises:
-        ArgumentError: it holds other things than real numbers, or rows of different lengths.
+        ArgumentError: it holds other things than real numbers, masked ones, or rows of different
+            lengths.
     """
     try:
         array = np.asarray(value)
     except ValueError:
         raise ArgumentError(f"{where}: its rows have different lengths") from None
+    # NumPy leaves out the mask in silence
+    if isinstance(value, np.ndarray) and np.any(getattr(value, "mask", False)):
+        raise ArgumentError(f"{where} has masked entries. Fill them: .filled(number)")
     if array.dtype.kind not in "fiub":
         raise ArgumentError(f"{where} must be real numbers, not {array.dtype}")
     return np.asarray(array, dtype=dtype)

@@ -20,7 +20,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import BuildError, BuildWarning, warn
 from ...schema.blocks import ORDER, SLOT
-from .lanes import Answer, Lanes, Recipe, States, width
+from .lanes import Answer, Direct, Lanes, Recipe, States, width
 
 Single = Callable[[list[Array | None], Sequence[int], Array], tuple[int, int]]
 Run = Callable[[int, int], Answer]
@@ -110,6 +110,8 @@ class Batch:
         self._built: dict[bool, Lanes | None] = {}
         self._spent = {False: 0.0, True: 0.0}
         self._rates: dict[bool, float] = {}
+        # the lane build for batches that one call is enough for, where all states share parameters
+        self.direct: Direct | None = None
 
     @property
     def single(self) -> bool:
@@ -160,6 +162,7 @@ class Batch:
                 # of a few states the call itself takes more, and others may have had the processor
                 if end - at >= FIRST:
                     self._rates[lane_parameters] = min(rate, remembered or rate)
+                    self._settle()
             elif count >= FEW:
                 self._spent[lane_parameters] += spent
                 if self._spent[lane_parameters] + rate * (count - end) > self.cost:
@@ -210,6 +213,7 @@ class Batch:
                 self._built[lane_parameters] = (
                     self.recipe.there(lanes, lane_parameters) if lanes > 1 else None
                 )
+                self._settle()
             return self._built.get(lane_parameters)
 
     def lane_run(self, lane_parameters: bool, states: States) -> Run | None:
@@ -264,7 +268,16 @@ class Batch:
                     raise
                 lanes_built = replace(lanes_built, built=lanes_built.built.published())
                 self._built[lane_parameters] = lanes_built
+                self._settle()
             return lanes_built.width
+
+    def _settle(self) -> None:
+        """Say which batches one call is enough for: those that threads do not share."""
+        built, rate = self._built.get(False), self._rates.get(False)
+        most = FIRST if rate is None else int(THREADED / max(rate, 1e-9))
+        unit = np.dtype(np.float32 if self.single else np.float64).itemsize
+        way = built.direct(self.address, self.sizes, unit, most) if built else None
+        self.direct = way
 
     def _compare(self, lanes: Lanes, one: Single, states: States) -> None:
         """Both builds at the first states.
@@ -290,7 +303,8 @@ class Batch:
     def _judge(self, exact: Array, single: Array) -> None:
         """Warn where single precision leaves few digits of results, or none."""
         scale = np.abs(exact[np.isfinite(exact)]).max(initial=0.0)
-        error = float(np.abs(single - exact).max(initial=0.0)) / (float(scale) or 1.0)
+        with np.errstate(invalid="ignore"):
+            error = float(np.abs(single - exact).max(initial=0.0)) / (float(scale) or 1.0)
         if not error <= FLOAT_ERROR and np.isfinite(exact).all():
             warn(
                 f"{self.name}: float32 differs from doubles by {error:.0e} of the largest entry. "

@@ -19,7 +19,7 @@ from .argument_values import by_name, common, numbers
 from .batch import Batch
 from .interpreted import Interpreted
 from .lanes import States
-from .memory_order import first_bad, laid_out, room
+from .memory_order import first_bad, into, laid_out, room
 
 MAX_PRINTED = 12
 ANY = -1
@@ -179,7 +179,7 @@ class Caller:
         arrays = self._read_all(values, dtype)
         lead = self._lead(arrays, w)
         count = prod(lead)
-        blocks, strides, spacings = [*self._constants(dtype)], [0] * len(ORDER), [1] * len(ORDER)
+        blocks, strides, spacings = [*self.constants(dtype)], [0] * len(ORDER), [1] * len(ORDER)
         rows = columns = False
         for argument, array in arrays:
             flat, stride, spacing = laid_out(array, lead, len(argument.shape))
@@ -210,9 +210,9 @@ class Caller:
                 for argument, array in later:
                     self._check_finite(argument, array)
                 self.check_result(result, status, failed, single=not lead)
-        return self._deliver(result.reshape(lead + self.shape), out)
+        return into(result.reshape(lead + self.shape), out, f"{self.name}: ")
 
-    def _constants(self, dtype: Numbers) -> list[Array | None]:
+    def constants(self, dtype: Numbers) -> list[Array | None]:
         """The blocks of arguments that are left out, and the parameters."""
         blocks = self._constant_blocks.get(dtype)
         if blocks is None:
@@ -333,19 +333,6 @@ class Caller:
             f"{what}{code} at state {first}; {len(rows)} of {len(result)} states failed: {why}",
             SolveWarning,
         )
-
-    def _deliver(self, result: Array, out: Array | None) -> Array:
-        if out is None:
-            return result
-        right = isinstance(out, np.ndarray) and out.dtype == result.dtype
-        if not right or out.shape != result.shape:
-            has = f"{getattr(out, 'shape', None)} of {getattr(out, 'dtype', 'no numbers')}"
-            raise ArgumentError(
-                f"{self.name}: out has shape {has}, expected {result.shape} of {result.dtype}"
-            )
-        if not np.may_share_memory(out, result):
-            out[...] = result
-        return out
 
 
 def sizes(arguments: Sequence[Argument]) -> list[int]:

@@ -6,11 +6,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, brief, near
+from ...errors import ModelError, brief, near
 from ...schema.functions import FUNCTIONS, STANDARD
 from ...schema.manifest import Manifest
 from .objects import Key
@@ -133,13 +132,3 @@ class Evaluation(ABC):
     @abstractmethod
     def part_of(self) -> dict[str, str | None]:
         """Frame -> the body it is fixed to, None for the ground."""
-
-
-def into(result: Array, out: Array | None) -> Array:
-    """The result, in ``out`` if that was given."""
-    if out is None:
-        return result
-    if out.shape != np.shape(result):
-        raise ArgumentError(f"out has shape {out.shape}, expected {np.shape(result)}")
-    out[...] = result
-    return out

@@ -129,6 +129,11 @@ class Lanes:
         """Nobody finds its object in the cache."""
         self.built.discard()
 
+    def direct(self, single: int, sizes: Sequence[int], unit: int, most: int) -> Direct:
+        """The call for up to so many states at once."""
+        driver = ctypes.cast(self.driver, ctypes.c_void_p).value or 0
+        return Direct(driver, self.address, single, tuple(sizes), self.width, unit, most)
+
     def call(
         self, single: int, states: States, sizes: Sequence[int], work_size: int
     ) -> Callable[[int, int], Answer]:
@@ -186,6 +191,35 @@ class Lanes:
         return run
 
 
+@dataclass(frozen=True)
+class Direct:
+    """What calls ``cardan_batch`` without anything around it.
+
+    Attributes:
+        driver, address, single: Addresses of it, of the lane build and of the build for one state.
+        sizes: Entries of every block that is read.
+        lanes, unit: States side by side, bytes of a number.
+        most: States that one call is for; of more, threads have a share.
+    """
+
+    driver: int
+    address: int
+    single: int
+    sizes: tuple[int, ...]
+    lanes: int
+    unit: int
+    most: int
+
+    @property
+    def vector(self) -> int:
+        """Bytes of a vector."""
+        return self.lanes * self.unit
+
+    def room(self, out_size: int, work_size: int) -> int:
+        """Bytes of memory that a call needs, at a multiple of a vector."""
+        return _room((*self.sizes, out_size), work_size, self.lanes, self.unit)
+
+
 class ThreadMemory(threading.local):
     """Memory of each thread, which grows to what was asked of it."""
 
@@ -222,10 +256,15 @@ def _shape(
     """What ``cardan_batch`` is told of blocks and result, which nobody changes, and the bytes of
     memory that it works in.
     """
+    room = _room(sizes, work_size, lanes, unit)
+    return (Sizes(*strides), Sizes(*spacings), Sizes(*sizes)), room
+
+
+def _room(sizes: Sequence[int], work_size: int, lanes: int, unit: int) -> int:
+    """Bytes that ``cardan_batch`` works in."""
     *blocks, result = (-(-n // lanes) * lanes for n in sizes)
     vectors = GROUP * sum(blocks) + result + work_size
-    room = unit * lanes * vectors + BYTES * (sum(sizes) + work_size)
-    return (Sizes(*strides), Sizes(*spacings), Sizes(*sizes)), room
+    return unit * lanes * vectors + BYTES * (sum(sizes) + work_size)
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from math import prod
 import numpy as np
 
 from ...arrays import Array, Numbers
+from ...errors import ArgumentError
 from . import abi, abi_ctypes
 
 
@@ -72,3 +73,27 @@ def room(
         if entries.flags.c_contiguous:
             return entries.reshape(size, count).T
     return np.empty((size, count), dtype).T if columns else np.empty((count, size), dtype)
+
+
+def into(result: Array, out: object, where: str = "") -> Array:
+    """The result, in ``out`` if that was given.
+
+    Args:
+        where: What errors begin with.
+
+    Raises:
+        ArgumentError: it is no array of the same shape and type, or must not be written to.
+    """
+    if out is None:
+        return result
+    result = np.asarray(result)
+    if not isinstance(out, np.ndarray) or (out.shape, out.dtype) != (result.shape, result.dtype):
+        has = f"{getattr(out, 'shape', None)} of {getattr(out, 'dtype', 'no numbers')}"
+        raise ArgumentError(
+            f"{where}out has shape {has}, expected {result.shape} of {result.dtype}"
+        )
+    if not out.flags.writeable:
+        raise ArgumentError(f"{where}out is read-only. Give an array that can be written to")
+    if not np.may_share_memory(out, result):
+        out[...] = result
+    return out

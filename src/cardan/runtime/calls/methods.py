@@ -16,7 +16,8 @@ from ...errors import ArgumentError, brief
 from ...schema.blocks import ARGUMENTS
 from ...schema.functions import FUNCTIONS, ModelFunction
 from ..models import wrenches as outside
-from .evaluation import Evaluation, State, into
+from .evaluation import Evaluation, State
+from .memory_order import into
 from .objects import Key
 
 Axes = Literal["ground", "frame"]

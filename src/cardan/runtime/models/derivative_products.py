@@ -18,7 +18,8 @@ from ...records import dataclass
 from ...schema.functions import FUNCTIONS
 from ..calls.argument_values import common, numbers
 from ..calls.calling import ANY, Arrangement
-from ..calls.evaluation import Values, into
+from ..calls.evaluation import Values
+from ..calls.memory_order import into
 from ..calls.methods import ByName
 from .derivatives import Derivative, Derivatives, has_columns
 from .requests import STANDARD, once

@@ -20,8 +20,9 @@ from ...schema.blocks import COORDINATES, DIRECTIONS, Blocks
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
 from ...schema.request import Request, reads
 from ..calls.calling import Arrangement, Attempt
-from ..calls.evaluation import Values, into
+from ..calls.evaluation import Values
 from ..calls.functions import Functions
+from ..calls.memory_order import into
 from ..calls.methods import ByName
 from .requests import STANDARD, once
 from .wrenches import generalized, read_wrenches

@@ -7,6 +7,7 @@ from functools import wraps
 from inspect import signature
 from typing import ParamSpec, TypeVar, cast
 
+from ...errors import ArgumentError, brief
 from ..calls.evaluation import Evaluation
 
 P = ParamSpec("P")
@@ -30,16 +31,22 @@ def once(make: Callable[P, R]) -> Callable[P, R]:
         listed = tuple(wrt) if type(wrt) is list else wrt
         # equal names may mean other things: blocks whatever parameters are called, or what the
         # function reads of what stands for everything
-        key = name, function, EVERYTHING if wrt is STANDARD else listed, type(listed)
+        key: object = name, function, EVERYTHING if wrt is STANDARD else listed, type(listed)
         try:
             existing: R | None = None if named else model._derived.get(key)
         except TypeError:
-            # something in it is no name: the request says what
-            existing = None
-        if existing is None:
-            existing = plain(model, function, wrt, **named)
-            if type(function) in (str, tuple):
-                model._derived[key] = existing
-        return existing
+            # an array of names has no hash, and what is no name is told by the request
+            existing = key = None
+        if existing is not None:
+            return existing
+        if isinstance(wrt, set | frozenset):
+            raise ArgumentError(
+                f"{name}: wrt={brief(wrt)}: results come in the order of what they are by, and a "
+                "set has none. Give a list"
+            )
+        result = plain(model, function, wrt, **named)
+        if key is not None:
+            model._derived[key] = result
+        return result
 
     return cast("Callable[P, R]", ask)

@@ -22,17 +22,7 @@ MAX_PERTURBATION = 1e-3
 NUMBERS = ("n", "blocks", "values", "supernodes", "factors", "widest")
 MATRIX = ("first", "row", "column", "at", "stride")
 ELIMINATION = (
-    *(
-        "order",
-        "multiplier",
-        "start",
-        "panel",
-        "width",
-        "later",
-        "transposed",
-        "open_start",
-        "open",
-    ),
+    *("order", "multiplier", "start", "panel", "later", "open_start", "open"),
     *("load_start", "load", "run_start", "run", "target_start", "target"),
 )
 

@@ -15,7 +15,6 @@ from . import ordering, stages
 from .pattern import LARGEST, Ints, Longs, Pattern, pattern, ranges
 
 WIDEST = 48
-PAD = 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,8 +28,7 @@ class Plan:
         order: The unknown that is eliminated as the k-th (n,).
         multiplier: Whether that one is a multiplier (n,): 1, or 2 of a row that closes a loop.
         start: The first unknown of each of ns supernodes, in that order (ns + 1,).
-        panel, width, later, transposed: Where the panel of a supernode begins in the factors,
-            numbers from one of its rows to the next, unknowns in U, where Lt begins in a row (ns,).
+        panel, later: Where the panel of a supernode begins in the factors, unknowns in U (ns,).
         open_start, open: The panels to be filled before a supernode is eliminated (ns + 1,), (ns,).
         load_start, load: Blocks of the matrix that go to a panel (ns + 1,), (nl, 8).
         run_start, run: Later unknowns that a supernode meets (ns + 1,), (nr, 4).
@@ -43,9 +41,7 @@ class Plan:
     multiplier: Ints
     start: Ints
     panel: Ints
-    width: Ints
     later: Ints
-    transposed: Ints
     open_start: Ints
     open: Ints
     load_start: Ints
@@ -64,7 +60,7 @@ class Plan:
     @property
     def work(self) -> int:
         """Numbers of work memory, as ``cardan_sparse_work`` has it."""
-        return self.pattern.n + self.widest**2
+        return self.pattern.n + self.widest**2 + 2 * len(self.later)
 
     @cached_property
     def operations(self) -> int:
@@ -117,9 +113,7 @@ def planned(matrix: Pattern) -> Plan:
         "multiplier": np.repeat(1 * matrix.multiplier + panels.closing, matrix.sizes)[panels.order],
         "start": panels.start,
         "panel": panels.panel,
-        "width": panels.width,
         "later": panels.later,
-        "transposed": panels.transposed,
         "open_start": np.searchsorted(touched[order], supernodes),
         "open": order,
         "load_start": load_start,
@@ -146,7 +140,7 @@ class _Panels:
         vertex: The vertex of each block (nb,).
         place: At which place each of nv vertices begins (nv + 1,).
         owner: The supernode of each vertex (nv,).
-        start, panel, width, later, transposed: As in :class:`Plan`.
+        start, panel, later: As in :class:`Plan`.
         keys: ns-th supernode times nv plus a later vertex that it meets, ascending (k,).
         at: Where that vertex begins in U (k,).
         closing: Which blocks are rows that close loops (nb,).
@@ -160,9 +154,7 @@ class _Panels:
     owner: Longs
     start: Longs
     panel: Longs
-    width: Longs
     later: Longs
-    transposed: Longs
     keys: Longs
     at: Longs
     closing: Booleans
@@ -201,14 +193,13 @@ class _Panels:
         at = ends - weight[met] - np.repeat(np.cumsum(later) - later, counts)
         # their panels
         start = place[np.append(heads, nv)]
-        transposed = _padded(np.diff(start) + later)
-        width = transposed + _padded(later)
-        size = np.diff(start) * width
+        count = np.diff(start)
+        size = count * (count + 2 * later)
         if size.sum() > LARGEST:
             raise ArgumentError(f"factors of {size.sum():,} numbers are too large")
         return _Panels(
             ranges(matrix.first[:-1][order], sizes[order]), block, vertex, place, owner, start,
-            np.cumsum(size) - size, width, later, transposed, mine * nv + met, at, closing,
+            np.cumsum(size) - size, later, mine * nv + met, at, closing,
             int(size.sum()),
         )  # fmt: skip
 
@@ -222,11 +213,12 @@ class _Panels:
         transposed = self.owner[i] > panel
         down, across = self._in(panel, i, row), self._in(panel, j, column)
         size = np.diff(self.start)[panel]
-        to = np.where(
-            transposed,
-            across * self.width[panel] + self.transposed[panel] + down - size,
-            down * self.width[panel] + across,
-        )
+        later = self.later[panel]
+        # D, then U, then Lt, whose rows are columns of the matrix
+        inside = down * size + across
+        right = size * size + down * later + across - size
+        below = size * (size + later) + across * later + down - size
+        to = np.where(transposed, below, np.where(across < size, inside, right))
         return panel, self.panel[panel] + to, transposed.astype(np.int64)
 
     def _in(self, panel: Longs, vertex: Longs, place: Longs) -> Longs:
@@ -238,10 +230,6 @@ class _Panels:
         size = np.diff(self.start)[p]
         within[beyond] = size + offset + place[beyond] - self.place[v]
         return within
-
-
-def _padded(count: Longs) -> Longs:
-    return -(-count // PAD) * PAD
 
 
 def _heads(begin: Longs, below: Longs, place: Longs) -> Booleans:

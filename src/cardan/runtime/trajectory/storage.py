@@ -11,7 +11,7 @@ from __future__ import annotations
 import json
 import warnings
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -185,10 +185,11 @@ def _notes(motion: TrajectoryRecord) -> dict[str, str]:
             "asked": list(recorded.called),
             "held": recorded.sampled,
         }
+    info = motion.solver_info
     return {
         "title": f"motion of {motion.manifest.name}".encode("ascii", "replace").decode(),
         "manifest": dumped(manifest),
-        "conduct": json.dumps(asdict(motion.solver_info)),
+        "conduct": json.dumps(asdict(replace(info, initial=dict(info.initial)))),
         "scene": json.dumps(scene),
         "happenings": json.dumps([dict(row) for row in motion.event_log.rows]),
         "sources": json.dumps(motion.sources),

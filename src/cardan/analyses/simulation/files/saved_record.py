@@ -22,7 +22,7 @@ from ..run import Runner
 from ..run_state import Saved
 
 MOST = 1 << 53  # of what is counted
-FLAGS = ("fresh", "is_dense", "event_pending")
+FLAGS = ("fresh", "begun", "is_dense", "event_pending")
 COUNTS = (
     *("in_segment", "rejected", "ranks", "at_once", "occurred", "pass_part", "pass_parts"),
     *("steps", "rejections", "evaluations", "projections", "passed"),

@@ -22,7 +22,7 @@ static const double BEHIND = 1e6;
     F(occurred, 0, MOST) F(steps, 0, MOST) F(rejections, 0, MOST) F(evaluations, 0, MOST)          \
     F(projections, 0, MOST) F(passed, 0, MOST) F(looked, 0, MOST) F(limited, 0, MOST)              \
     F(jacobians, 0, MOST) F(factorizations, 0, MOST) F(model_status, -MOST, MOST)                  \
-    F(fresh, 0, 1) F(is_dense, 0, 1) F(jumps, 0, 1) F(row_open, 0, 2)                              \
+    F(fresh, 0, 1) F(begun, 0, 1) F(is_dense, 0, 1) F(jumps, 0, 1) F(row_open, 0, 2)               \
     F(event_pending, 0, run->ne > 0) F(culprit, -1, run->n + run->ne - 1)                          \
     F(open_row, -1, run->positions + run->rates - 1) F(constraint_rank, 0, run->rates)             \
     F(signal_count, 0, run->nr) F(stop_count, 0, most_stops) F(next_stop, 0, run->stop_count)      \

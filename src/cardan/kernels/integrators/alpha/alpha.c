@@ -29,6 +29,25 @@ static const real WAVE = 8, QUIET = 10, GROW_3 = 1.4;
 /* relative difference up to which two step sizes count as equal */
 static const real SAME = 1e-9;
 
+/* Largest values so far, against which relative tolerances count; those of a mesh count against its
+ * reference length instead. */
+static void grow_amplitudes(const cardan_run *run, const cardan_alpha *v)
+{
+    for (ptrdiff_t i = 0; i < v->nq && !v->mesh; i++)
+        v->amplitude[i] = cardan_most(v->amplitude[i], fabs(run->y[i]));
+}
+
+/* Begin a segment at the present state with a step h. */
+static int begin(cardan_run *run, const cardan_alpha *v, real h)
+{
+    int status;
+
+    grow_amplitudes(run, v);
+    status = cardan_alpha_restart(run, v, h);
+    run->begun = status == 0;
+    return status;
+}
+
 static int init(cardan_run *run)
 {
     const cardan_alpha v = cardan_alpha_at(run);
@@ -40,7 +59,7 @@ static int init(cardan_run *run)
     else
         run->h = copysign(run->h, run->stops[run->stop_count - 1] - run->t);
     /* initial accelerations and multipliers; the first output row reports multipliers too */
-    return status != 0 ? status : cardan_alpha_restart(run, &v, run->h);
+    return status != 0 ? status : begin(run, &v, run->h);
 }
 
 /* Size and end time of the next step. */
@@ -174,15 +193,14 @@ static int commit(cardan_run *run, const cardan_alpha *v, real t)
         v->lam_old[k] = v->lam[k];
         v->lam[k] = v->lam_new[k];
     }
-    /* largest values so far, against which relative tolerances count */
-    for (ptrdiff_t i = 0; i < v->nq; i++)
-        v->amplitude[i] = fmax(v->amplitude[i], fabs(run->y[i]));
+    grow_amplitudes(run, v);
     cardan_alpha_extent(run, v, 0);
     run->t_old = run->t;
     run->t = t;
     run->fresh = 1;
     run->is_dense = 0;
     run->steps++;
+    run->begun = 0;
     v->now[ALPHA_STEPS_SINCE_CHANGE]++;
     v->now[ALPHA_AGE]++;
     run->in_segment++;
@@ -246,11 +264,8 @@ static int step(cardan_run *run)
     if (status == 0)
         status = aim(run, &v, &h, &t_new);
     /* start of a segment: consistent accelerations, multipliers and a for this step size */
-    if (status == 0 && run->in_segment == 0) {
-        for (ptrdiff_t i = 0; i < v.nq; i++)
-            v.amplitude[i] = fmax(v.amplitude[i], fabs(run->y[i]));
-        status = cardan_alpha_restart(run, &v, h);
-    }
+    if (status == 0 && run->in_segment == 0 && !(run->begun && v.now[ALPHA_STEP] == h))
+        status = begin(run, &v, h);
     while (status == 0 && !run->stop) {
         real factor;
 

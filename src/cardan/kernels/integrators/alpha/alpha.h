@@ -42,7 +42,7 @@ typedef struct cardan_alpha {
     real *rise;      /* (nu) rate of change of a in the last step */
     real *lam_old;   /* (m) multipliers at t_old */
     real *lam;       /* (m) multipliers at t; must follow lam_old in memory */
-    real *amplitude; /* (nq) largest absolute coordinates of the run so far */
+    real *amplitude; /* (nq) largest absolute coordinates of the run so far; not of a mesh */
     real *picked;    /* (m) 1 for the independent constraint rows in use, 0 for redundant ones */
 
     real *closing;   /* (mp) what the shift of the last trial closes, for the next prediction */
@@ -55,7 +55,7 @@ typedef struct cardan_alpha {
     real *a_new, *udot_new, *lam_new;
     real *shift;     /* (nu) part the stabilization subtracts from the increment */
     real *increment; /* (nu) */
-    real *moved;     /* q (nq), then T (nu, nu); for a mesh T (places, 9) */
+    real *moved;     /* q (nq), then T (nu, nu); for a mesh T (places, 9) of its last matrix */
     real *residual;  /* balance (nu), g (mp), rates (m) */
     real *rates;     /* (nq) */
 
@@ -99,6 +99,7 @@ ptrdiff_t cardan_alpha_sparse_lay(const cardan_mesh *mesh, real *memory, cardan_
 int cardan_alpha_sparse_sound(const cardan_alpha *v);
 int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, real t,
                               const real *y, const real *udot, const real *lam);
+int cardan_alpha_sparse_place(cardan_run *run, const cardan_alpha *v, real *q, real *tangent_maps);
 int cardan_alpha_sparse_shift(const cardan_alpha *v);
 int cardan_alpha_sparse_correct(cardan_run *run, const cardan_alpha *v, real h, real *dx);
 real cardan_alpha_sparse_turn(const cardan_run *run, const cardan_alpha *v, real h);

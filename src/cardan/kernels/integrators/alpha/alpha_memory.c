@@ -34,7 +34,7 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
     v->a = cardan_reserve(memory, &used, nu);
     v->udot = cardan_reserve(memory, &used, nu);
     v->rise = cardan_reserve(memory, &used, nu);
-    v->amplitude = cardan_reserve(memory, &used, nq);
+    v->amplitude = cardan_reserve(memory, &used, run->mesh ? 0 : nq);
     v->picked = cardan_reserve(memory, &used, m);
     v->a_new = cardan_reserve(memory, &used, nu);
     v->udot_new = cardan_reserve(memory, &used, nu);

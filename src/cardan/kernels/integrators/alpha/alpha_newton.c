@@ -109,7 +109,7 @@ static real left_by(cardan_run *run, const cardan_alpha *v, const real *dx, real
     return part_of_motion(run, v, dx, status) / most;
 }
 
-/* State at the end of the step for the present a_new, written to `trial`; its T in `moved`. */
+/* State at the end of the step for the present a_new, written to `trial`; without a mesh its T in `moved`. */
 static int place(cardan_run *run, const cardan_alpha *v, real h)
 {
     const ptrdiff_t nq = v->nq;
@@ -124,6 +124,8 @@ static int place(cardan_run *run, const cardan_alpha *v, real h)
         next[i] = u[i] + h * ((1 - v->gamma) * a + v->gamma * b);
         v->udot_new[i] = ((1 - v->am) * b + v->am * a - v->af * v->udot[i]) / (1 - v->af);
     }
+    if (v->mesh)
+        return cardan_alpha_sparse_place(run, v, run->trial, NULL);
     in.du = v->increment;
     status = cardan_call_model(run, &run->move, &in, v->moved);
     for (ptrdiff_t i = 0; i < nq; i++)

@@ -68,6 +68,8 @@ int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, re
     cardan_mesh_system system = v->system, settling = v->settling;
     int assembled, status = cardan_inputs_at(run, t, y);
 
+    if (status == 0 && h != 0)
+        status = cardan_alpha_sparse_place(run, v, v->moved, v->moved + run->nq);
     if (status != 0)
         return status;
     /* all constraints stay in use: the sparse factorization replaces pivots of redundant ones */
@@ -101,6 +103,14 @@ int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, re
         return status;
     run->model_status = status;
     return CARDAN_MODEL;
+}
+
+/* Coordinates (nq) at the end of the increment; its T (places, 9), which a matrix alone needs, NULL: not
+ * wanted. */
+int cardan_alpha_sparse_place(cardan_run *run, const cardan_alpha *v, real *q, real *tangent_maps)
+{
+    run->model_status = cardan_mesh_move(v->mesh, run->y, v->increment, q, tangent_maps, run->work);
+    return run->model_status != 0 ? CARDAN_MODEL : 0;
 }
 
 /* Shift the increment until position gaps `right` are closed. */
@@ -183,7 +193,8 @@ real cardan_alpha_sparse_turn(const cardan_run *run, const cardan_alpha *v, real
 
     for (ptrdiff_t k = 0; k < mesh->nodes; k++) {
         const real *omega = run->y + v->nq + mesh->u[mesh->node[k]];
-        largest = fmax(largest, omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2]);
+        largest = cardan_most(largest,
+                              omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2]);
     }
     for (ptrdiff_t k = 0; k < mesh->flats; k++)
         largest = fmax(largest, pow(run->y[v->nq + mesh->u[mesh->flat[k]] + 2], 2));

@@ -28,8 +28,9 @@ if TYPE_CHECKING:
     from ..loaded_model import LoadedModel
 
 FILE = "mesh.npz"
-# elements of a group from which on they go side by side: fewer would leave most lanes unused
-LANE_THRESHOLD = 8
+# elements of a group from which on they go side by side: four of a beam take as long alone as eight
+# lanes, of which half stay unused
+LANE_THRESHOLD = 4
 INTEGER_TABLES = ("z", "s", "events", "outputs", "powers", "reactions")
 
 
