@@ -54,24 +54,29 @@ def nodes_of(
     graph: Graph, order: Sequence[int], inputs: Mapping[str, Any], numbers: Numbers
 ) -> dict[int, Any]:
     """Value of every node of a topological order."""
-    nodes, operators, number = graph.nodes, numbers.operators, numbers.number
-    values_by_node: dict[int, Any] = {}
+    nodes, number = graph.nodes, numbers.number
+    plain = {op: f for op, f in numbers.operators.items() if op not in _SPECIAL}
+    values: dict[int, Any] = {}
     for i in order:
         node = nodes[i]
         op = node[0]
-        if op == "const":
-            values_by_node[i] = number(node[1])
+        operator = plain.get(op)
+        # nodes of two operands are the most by far
+        if operator is not None:
+            if len(node) == 3:
+                values[i] = operator(values[node[1]], values[node[2]])
+            elif len(node) == 2:
+                values[i] = operator(values[node[1]])
+            else:
+                values[i] = operator(*[values[k] for k in node[1:]])
+        elif op == "const":
+            values[i] = number(node[1])
         elif op == "var":
-            values_by_node[i] = (
-                inputs[node[1]][..., node[2]]
-                if numbers.name == "numpy"
-                else inputs[node[1]][node[2]]
-            )
-        elif op in operators and op not in _SPECIAL:
-            values_by_node[i] = operators[op](*[values_by_node[k] for k in node[1:]])
+            block = inputs[node[1]]
+            values[i] = block[..., node[2]] if numbers.name == "numpy" else block[node[2]]
         else:
-            values_by_node[i] = _special(graph, node, values_by_node, numbers)
-    return values_by_node
+            values[i] = _special(graph, node, values, numbers)
+    return values
 
 
 # nodes with operands that are not values

@@ -8,6 +8,7 @@ or of the result that it goes into.
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property, lru_cache
@@ -40,6 +41,9 @@ RESERVED = frozenset(_RESERVED.split())
 _TAKEN_BEGINNINGS = ("cardan_", "CARDAN_", "FP_", "DBL_", "FLT_", "LDBL_", "prepare_", "table_")
 
 
+_SIGN = re.compile("[^0-9A-Za-z]")
+
+
 @lru_cache(maxsize=65536)
 def mangle(*words: str) -> str:
     """A C identifier that reminds of some words; different words may give the same one.
@@ -56,7 +60,10 @@ def _clean(name: str) -> str:
     """ASCII letters and digits, with one "_" between words."""
     text = name
     if not (name.isascii() and name.isidentifier()):
-        text = "".join(c if c.isascii() and c.isalnum() else _letter(c) for c in name)
+        text = name
+        if not name.isascii():
+            text = "".join(c if c.isascii() else _letter(c) for c in name)
+        text = _SIGN.sub("_", text)
         while "__" in text:
             text = text.replace("__", "_")
     return text.strip("_")[:LONGEST].rstrip("_")

@@ -130,8 +130,11 @@ class Cuts:
             op = entry[0]
             if op in LEAVES:
                 fixed.append(op == "const" or (op == "var" and entry[1] == "p"))
-            elif op == "item":
+            elif op == "item" or len(entry) == 2:
                 fixed.append(fixed[entry[1]])
+            elif len(entry) == 3:
+                # most nodes by far
+                fixed.append(fixed[entry[1]] and fixed[entry[2]])
             else:
                 read = entry[4:] if op == "solve" else entry[1:]
                 fixed.append(all(fixed[k] for k in read))

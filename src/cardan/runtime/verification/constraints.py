@@ -133,7 +133,9 @@ def errors(levels: Levels, at: Motion) -> dict[str, Array]:
         JACOBIAN: _relative(moved + still - rates, np.where(np.isfinite(rates), 0.0, np.inf), size),
     }
     if levels.gamma is not None:
-        change, doubt = slope(lambda h: levels.rates(at.after(h)))
+        # rates are products of such differences and of speeds
+        fast = far * np.abs(at.u).max(initial=1.0)
+        change, doubt = slope(lambda h: levels.rates(at.after(h)), fast)
         product, largest = levels.product(at, at.udot)
         difference = product - levels.gamma(at) - change
         result[GAMMA] = _relative(difference, doubt, np.maximum(largest, np.abs(change)))
