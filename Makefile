@@ -83,7 +83,7 @@ $(VENV)/.installed-bench: $(VENV)/.installed-test
 
 # writes docs/performance, a page by each of these programs; QUICK=1 for a few rows and no page
 BENCHMARKS = bench runs flexible_runs superelement_runs large_loops paths gradients python_calls profiles \
-	all_figures
+	starts all_figures
 bench: $(VENV)/.installed-bench
 	@for program in $(BENCHMARKS); do \
 	  OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/$$program.py $(if $(QUICK),--quick) || exit 1; \

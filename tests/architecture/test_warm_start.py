@@ -1,6 +1,6 @@
 """What a process loads and compiles that uses a scene which was compiled before.
 
-Counts, which are the same everywhere; ``tests/benchmarks/cold.py`` measures times.
+Counts, which are the same everywhere; ``tests/benchmarks/starts.py`` measures times.
 """
 
 from __future__ import annotations

@@ -125,6 +125,27 @@ def test_parameter_values_of_a_call(model):
     assert one.shape == (1,)
 
 
+def test_parameter_values_that_come_again_give_the_bits_of_the_first_call(model):
+    values = {"l": 1.3}
+    calls = [model.forward_dynamics([0.3], [0.0], parameters=values) for _ in range(4)]
+    assert np.allclose(calls[0], -G / 1.3 * np.sin(0.3), rtol=1e-14)
+    assert len({call.tobytes() for call in calls}) == 1
+    # other functions, other values in the same dict, and the values of the model
+    assert abs(model.energy([0.3], [0.0], parameters=values)[2]) > 0
+    values["l"] = 0.7
+    for _ in range(3):
+        found = model.forward_dynamics([0.3], [0.0], parameters=values)
+        assert np.allclose(found, -G / 0.7 * np.sin(0.3), rtol=1e-14)
+    assert np.allclose(model.forward_dynamics([0.3], [0.0]), udot(0.3), rtol=1e-14)
+
+
+@pytest.mark.parametrize("bad", [{"length": 1.0}, {"l": float("nan")}, {"l": float("inf")}])
+def test_bad_parameter_values_are_refused_every_time(model, bad):
+    for _ in range(4):
+        with pytest.raises(ModelError, match=r"parameter 'l"):
+            model.forward_dynamics([0.3], [0.0], parameters=bad)
+
+
 BAD = {
     ValueError: [
         (
