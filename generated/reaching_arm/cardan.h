@@ -55,21 +55,6 @@ typedef double cardan_pack __attribute__((vector_size(sizeof(double) * CARDAN_PA
 typedef cardan_word cardan_mask __attribute__((vector_size(sizeof(double) * CARDAN_PACK)));
 #endif
 
-/* of many numbers of a single state: the widest vectors of the processor */
-#if defined __AVX512F__
-#define CARDAN_WIDEST 8
-#elif defined __AVX__
-#define CARDAN_WIDEST 4
-#else
-#define CARDAN_WIDEST 2
-#endif
-#define CARDAN_IS_WIDE (CARDAN_LANES == 1 && CARDAN_PACK == 2 && CARDAN_WIDEST > 2)
-#if CARDAN_IS_WIDE
-typedef double cardan_widest __attribute__((vector_size(sizeof(double) * CARDAN_WIDEST)));
-typedef cardan_word cardan_widest_mask
-    __attribute__((vector_size(sizeof(double) * CARDAN_WIDEST)));
-#endif
-
 /* numbers: `real` of a state, `wreal` of a prepared parameter; macros make them of numbers */
 #if CARDAN_LANES > 1
 typedef cardan_pack real;
@@ -220,14 +205,6 @@ CARDAN_INLINE double cardan_of_bits(cardan_word bits)
 #define CARDAN_AS_NUMBER(x) ((cardan_pack)(x))
 #include "sincos.h"
 #endif
-#if CARDAN_IS_WIDE
-#define CARDAN_SINCOS cardan_sincos_widest
-#define CARDAN_NUMBER cardan_widest
-#define CARDAN_BITS cardan_widest_mask
-#define CARDAN_AS_BITS(x) ((cardan_widest_mask)(x))
-#define CARDAN_AS_NUMBER(x) ((cardan_widest)(x))
-#include "sincos.h"
-#endif
 
 /* sine and cosine of any number; the mathematical library reduces huge ones exactly */
 CARDAN_INLINE void cardan_sincos_any(double x, double *sine, double *cosine)
@@ -281,39 +258,13 @@ CARDAN_INLINE void cardan_sincos_vectors(int n, const cardan_pack *x, cardan_pac
 }
 #endif
 
-/* angles from which the widest vectors pay: they wait until the angles are in memory */
-#define CARDAN_MANY 16
 /*
  * Sines and cosines of n angles. The arrays have room for CARDAN_PADDED(n) numbers, those behind
  * the n angles being anything finite: several angles take little longer than one.
  */
-#if CARDAN_IS_WIDE
-#define CARDAN_STEP(n) ((n) < CARDAN_MANY ? CARDAN_PACK : CARDAN_WIDEST)
-#else
-#define CARDAN_STEP(n) CARDAN_PACK
-#endif
-#define CARDAN_PADDED(n) (((n) + CARDAN_STEP(n) - 1) / CARDAN_STEP(n) * CARDAN_STEP(n))
+#define CARDAN_PADDED(n) (((n) + CARDAN_PACK - 1) / CARDAN_PACK * CARDAN_PACK)
 CARDAN_INLINE void cardan_sincos(int n, const double *x, double *sine, double *cosine)
 {
-#if CARDAN_IS_WIDE
-    if (n >= CARDAN_MANY) {
-        cardan_widest_mask far = {0};
-        for (int i = 0; i < n; i += CARDAN_WIDEST) {
-            cardan_widest angle, s, c;
-            memcpy(&angle, x + i, sizeof angle);
-            cardan_sincos_widest(&angle, &s, &c);
-            memcpy(sine + i, &s, sizeof s);
-            memcpy(cosine + i, &c, sizeof c);
-            const cardan_widest size = (cardan_widest)((cardan_widest_mask)angle & ~CARDAN_SIGN);
-            far |= ~(cardan_widest_mask)(size <= CARDAN_SINCOS_RANGE);
-        }
-        cardan_word any = 0;
-        for (int k = 0; k < CARDAN_WIDEST; ++k) any |= far[k];
-        /* what the reduction of sincos.h does not hold for, one by one */
-        for (int i = 0; any && i < n; ++i) cardan_sincos_any(x[i], sine + i, cosine + i);
-        return;
-    }
-#endif
     double sum = 0.0;
     for (int i = 0; i < n; ++i) sum += fabs(x[i]);
     if (n == 1 || CARDAN_PACK == 1 || !(sum <= CARDAN_SINCOS_RANGE)) {
