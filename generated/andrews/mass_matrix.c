@@ -148,6 +148,9 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
+    /* zeros among the results; what stands between them follows */
+    memset(out + 2, 0, 45 * sizeof(real));
+
     /* shared by several: R */
     /* R = R_fixed R_joint(q) */
     const real theta_q = q[1]; /* rad */
@@ -214,45 +217,9 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + K2_origin_inertia_zz_plus_K1_base_inertia_zz;
 
     /* results that are numbers or inputs */
-    out[2] = CARDAN_REAL(0.0); /* M: beta.u,gamma.u */
-    out[3] = CARDAN_REAL(0.0); /* M: beta.u,delta.u */
-    out[4] = CARDAN_REAL(0.0); /* M: beta.u,phi.u */
-    out[5] = CARDAN_REAL(0.0); /* M: beta.u,epsilon.u */
-    out[6] = CARDAN_REAL(0.0); /* M: beta.u,omega.u */
     out[8] = CARDAN_REAL(w[2]); /* M: theta.u,theta.u */
-    out[9] = CARDAN_REAL(0.0); /* M: theta.u,gamma.u */
-    out[10] = CARDAN_REAL(0.0); /* M: theta.u,delta.u */
-    out[11] = CARDAN_REAL(0.0); /* M: theta.u,phi.u */
-    out[12] = CARDAN_REAL(0.0); /* M: theta.u,epsilon.u */
-    out[13] = CARDAN_REAL(0.0); /* M: theta.u,omega.u */
-    out[14] = CARDAN_REAL(0.0); /* M: gamma.u,beta.u */
-    out[15] = CARDAN_REAL(0.0); /* M: gamma.u,theta.u */
     out[16] = CARDAN_REAL(w[3]); /* M: gamma.u,gamma.u */
-    out[17] = CARDAN_REAL(0.0); /* M: gamma.u,delta.u */
-    out[18] = CARDAN_REAL(0.0); /* M: gamma.u,phi.u */
-    out[19] = CARDAN_REAL(0.0); /* M: gamma.u,epsilon.u */
-    out[20] = CARDAN_REAL(0.0); /* M: gamma.u,omega.u */
-    out[21] = CARDAN_REAL(0.0); /* M: delta.u,beta.u */
-    out[22] = CARDAN_REAL(0.0); /* M: delta.u,theta.u */
-    out[23] = CARDAN_REAL(0.0); /* M: delta.u,gamma.u */
-    out[26] = CARDAN_REAL(0.0); /* M: delta.u,epsilon.u */
-    out[27] = CARDAN_REAL(0.0); /* M: delta.u,omega.u */
-    out[28] = CARDAN_REAL(0.0); /* M: phi.u,beta.u */
-    out[29] = CARDAN_REAL(0.0); /* M: phi.u,theta.u */
-    out[30] = CARDAN_REAL(0.0); /* M: phi.u,gamma.u */
     out[32] = CARDAN_REAL(w[6]); /* M: phi.u,phi.u */
-    out[33] = CARDAN_REAL(0.0); /* M: phi.u,epsilon.u */
-    out[34] = CARDAN_REAL(0.0); /* M: phi.u,omega.u */
-    out[35] = CARDAN_REAL(0.0); /* M: epsilon.u,beta.u */
-    out[36] = CARDAN_REAL(0.0); /* M: epsilon.u,theta.u */
-    out[37] = CARDAN_REAL(0.0); /* M: epsilon.u,gamma.u */
-    out[38] = CARDAN_REAL(0.0); /* M: epsilon.u,delta.u */
-    out[39] = CARDAN_REAL(0.0); /* M: epsilon.u,phi.u */
-    out[42] = CARDAN_REAL(0.0); /* M: omega.u,beta.u */
-    out[43] = CARDAN_REAL(0.0); /* M: omega.u,theta.u */
-    out[44] = CARDAN_REAL(0.0); /* M: omega.u,gamma.u */
-    out[45] = CARDAN_REAL(0.0); /* M: omega.u,delta.u */
-    out[46] = CARDAN_REAL(0.0); /* M: omega.u,phi.u */
     out[48] = CARDAN_REAL(w[9]); /* M: omega.u,omega.u */
     return CARDAN_OK;
 }

@@ -109,6 +109,9 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
+    /* zeros among the results; what stands between them follows */
+    memset(out + 1, 0, 23 * sizeof(real));
+
     /* shared by several: R */
     /* R = R_fixed R_joint(q) */
     const real B0_q = q[3]; /* rad */
@@ -157,24 +160,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + coupler0_origin_inertia_zz_plus_crank0_base_inertia_zz;
 
     /* results that are numbers or inputs */
-    out[1] = CARDAN_REAL(0.0); /* M: A0.u,A1.u */
-    out[2] = CARDAN_REAL(0.0); /* M: A0.u,A2.u */
-    out[4] = CARDAN_REAL(0.0); /* M: A0.u,B1.u */
-    out[5] = CARDAN_REAL(0.0); /* M: A1.u,A0.u */
-    out[7] = CARDAN_REAL(0.0); /* M: A1.u,A2.u */
-    out[8] = CARDAN_REAL(0.0); /* M: A1.u,B0.u */
-    out[10] = CARDAN_REAL(0.0); /* M: A2.u,A0.u */
-    out[11] = CARDAN_REAL(0.0); /* M: A2.u,A1.u */
     out[12] = CARDAN_REAL(w[0]); /* M: A2.u,A2.u */
-    out[13] = CARDAN_REAL(0.0); /* M: A2.u,B0.u */
-    out[14] = CARDAN_REAL(0.0); /* M: A2.u,B1.u */
-    out[16] = CARDAN_REAL(0.0); /* M: B0.u,A1.u */
-    out[17] = CARDAN_REAL(0.0); /* M: B0.u,A2.u */
     out[18] = CARDAN_REAL(w[3]); /* M: B0.u,B0.u */
-    out[19] = CARDAN_REAL(0.0); /* M: B0.u,B1.u */
-    out[20] = CARDAN_REAL(0.0); /* M: B1.u,A0.u */
-    out[22] = CARDAN_REAL(0.0); /* M: B1.u,A2.u */
-    out[23] = CARDAN_REAL(0.0); /* M: B1.u,B0.u */
     out[24] = CARDAN_REAL(w[6]); /* M: B1.u,B1.u */
     return CARDAN_OK;
 }

@@ -121,6 +121,9 @@ CARDAN_API int linked_inertia_tree__balance_tangent(const cardan_in *in, real *C
     const real *const udot = in->udot;
     (void)work;
 
+    /* zeros among the results; what stands between them follows */
+    memset(out + 4, 0, 142 * sizeof(real));
+
     /* joint1: R */
     /* R = R_fixed R_joint(q) */
     const real joint1_q = q[0]; /* rad */
@@ -464,78 +467,9 @@ CARDAN_API int linked_inertia_tree__balance_tangent(const cardan_in *in, real *C
         + node_R_zz * end_tangent_force_z_by_u_node_u_z);
 
     /* results that are numbers or inputs */
-    out[4] = CARDAN_REAL(0.0); /* K: joint1.u,node.u.px */
-    out[5] = CARDAN_REAL(0.0); /* K: joint1.u,node.u.py */
-    out[6] = CARDAN_REAL(0.0); /* K: joint1.u,node.u.pz */
-    out[7] = CARDAN_REAL(0.0); /* K: node.u.x,joint1.u */
-    out[8] = CARDAN_REAL(0.0); /* K: node.u.x,node.u.x */
-    out[9] = CARDAN_REAL(0.0); /* K: node.u.x,node.u.y */
-    out[10] = CARDAN_REAL(0.0); /* K: node.u.x,node.u.z */
-    out[11] = CARDAN_REAL(0.0); /* K: node.u.x,node.u.px */
-    out[12] = CARDAN_REAL(0.0); /* K: node.u.x,node.u.py */
-    out[13] = CARDAN_REAL(0.0); /* K: node.u.x,node.u.pz */
-    out[18] = CARDAN_REAL(0.0); /* K: node.u.y,node.u.px */
-    out[19] = CARDAN_REAL(0.0); /* K: node.u.y,node.u.py */
-    out[20] = CARDAN_REAL(0.0); /* K: node.u.y,node.u.pz */
-    out[25] = CARDAN_REAL(0.0); /* K: node.u.z,node.u.px */
-    out[26] = CARDAN_REAL(0.0); /* K: node.u.z,node.u.py */
-    out[27] = CARDAN_REAL(0.0); /* K: node.u.z,node.u.pz */
-    out[32] = CARDAN_REAL(0.0); /* K: node.u.px,node.u.px */
-    out[33] = CARDAN_REAL(0.0); /* K: node.u.px,node.u.py */
-    out[34] = CARDAN_REAL(0.0); /* K: node.u.px,node.u.pz */
-    out[35] = CARDAN_REAL(0.0); /* K: node.u.py,joint1.u */
-    out[39] = CARDAN_REAL(0.0); /* K: node.u.py,node.u.px */
-    out[40] = CARDAN_REAL(0.0); /* K: node.u.py,node.u.py */
-    out[41] = CARDAN_REAL(0.0); /* K: node.u.py,node.u.pz */
-    out[46] = CARDAN_REAL(0.0); /* K: node.u.pz,node.u.px */
-    out[47] = CARDAN_REAL(0.0); /* K: node.u.pz,node.u.py */
-    out[48] = CARDAN_REAL(0.0); /* K: node.u.pz,node.u.pz */
-    out[53] = CARDAN_REAL(0.0); /* C: joint1.u,node.u.px */
-    out[54] = CARDAN_REAL(0.0); /* C: joint1.u,node.u.py */
-    out[55] = CARDAN_REAL(0.0); /* C: joint1.u,node.u.pz */
-    out[57] = CARDAN_REAL(0.0); /* C: node.u.x,node.u.x */
-    out[60] = CARDAN_REAL(0.0); /* C: node.u.x,node.u.px */
-    out[61] = CARDAN_REAL(0.0); /* C: node.u.x,node.u.py */
-    out[62] = CARDAN_REAL(0.0); /* C: node.u.x,node.u.pz */
-    out[67] = CARDAN_REAL(0.0); /* C: node.u.y,node.u.px */
-    out[68] = CARDAN_REAL(0.0); /* C: node.u.y,node.u.py */
-    out[69] = CARDAN_REAL(0.0); /* C: node.u.y,node.u.pz */
-    out[74] = CARDAN_REAL(0.0); /* C: node.u.z,node.u.px */
-    out[75] = CARDAN_REAL(0.0); /* C: node.u.z,node.u.py */
-    out[76] = CARDAN_REAL(0.0); /* C: node.u.z,node.u.pz */
-    out[81] = CARDAN_REAL(0.0); /* C: node.u.px,node.u.px */
-    out[82] = CARDAN_REAL(0.0); /* C: node.u.px,node.u.py */
-    out[83] = CARDAN_REAL(0.0); /* C: node.u.px,node.u.pz */
-    out[84] = CARDAN_REAL(0.0); /* C: node.u.py,joint1.u */
-    out[88] = CARDAN_REAL(0.0); /* C: node.u.py,node.u.px */
-    out[89] = CARDAN_REAL(0.0); /* C: node.u.py,node.u.py */
-    out[90] = CARDAN_REAL(0.0); /* C: node.u.py,node.u.pz */
-    out[95] = CARDAN_REAL(0.0); /* C: node.u.pz,node.u.px */
-    out[96] = CARDAN_REAL(0.0); /* C: node.u.pz,node.u.py */
-    out[97] = CARDAN_REAL(0.0); /* C: node.u.pz,node.u.pz */
-    out[99] = CARDAN_REAL(0.0); /* M: joint1.u,node.u.x */
-    out[103] = CARDAN_REAL(0.0); /* M: joint1.u,node.u.py */
-    out[105] = CARDAN_REAL(0.0); /* M: node.u.x,joint1.u */
     out[106] = CARDAN_REAL(w[10]); /* M: node.u.x,node.u.x */
-    out[107] = CARDAN_REAL(0.0); /* M: node.u.x,node.u.y */
-    out[108] = CARDAN_REAL(0.0); /* M: node.u.x,node.u.z */
-    out[109] = CARDAN_REAL(0.0); /* M: node.u.x,node.u.px */
-    out[110] = CARDAN_REAL(0.0); /* M: node.u.x,node.u.py */
-    out[111] = CARDAN_REAL(0.0); /* M: node.u.x,node.u.pz */
-    out[113] = CARDAN_REAL(0.0); /* M: node.u.y,node.u.x */
-    out[120] = CARDAN_REAL(0.0); /* M: node.u.z,node.u.x */
-    out[127] = CARDAN_REAL(0.0); /* M: node.u.px,node.u.x */
     out[130] = CARDAN_REAL(w[3]); /* M: node.u.px,node.u.px */
-    out[131] = CARDAN_REAL(0.0); /* M: node.u.px,node.u.py */
-    out[132] = CARDAN_REAL(0.0); /* M: node.u.px,node.u.pz */
-    out[133] = CARDAN_REAL(0.0); /* M: node.u.py,joint1.u */
-    out[134] = CARDAN_REAL(0.0); /* M: node.u.py,node.u.x */
-    out[137] = CARDAN_REAL(0.0); /* M: node.u.py,node.u.px */
     out[138] = CARDAN_REAL(w[3]); /* M: node.u.py,node.u.py */
-    out[139] = CARDAN_REAL(0.0); /* M: node.u.py,node.u.pz */
-    out[141] = CARDAN_REAL(0.0); /* M: node.u.pz,node.u.x */
-    out[144] = CARDAN_REAL(0.0); /* M: node.u.pz,node.u.px */
-    out[145] = CARDAN_REAL(0.0); /* M: node.u.pz,node.u.py */
     out[146] = CARDAN_REAL(w[3]); /* M: node.u.pz,node.u.pz */
     return CARDAN_OK;
 }

@@ -53,6 +53,9 @@ CARDAN_API int node__move(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const du = in->du;
     (void)work;
 
+    /* zeros among the results; what stands between them follows */
+    memset(out + 10, 0, 32 * sizeof(real));
+
     /* common */
     const real node_u_x_step = du[0]; /* rad */
     const real node_u_y_step = du[1]; /* rad */
@@ -118,32 +121,8 @@ CARDAN_API int node__move(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[6] = node_u_pz_step + node_pz; /* q: node.pz [m] */
 
     /* results that are numbers or inputs */
-    out[10] = CARDAN_REAL(0.0); /* T: node.u.x,node.u.px */
-    out[11] = CARDAN_REAL(0.0); /* T: node.u.x,node.u.py */
-    out[12] = CARDAN_REAL(0.0); /* T: node.u.x,node.u.pz */
-    out[16] = CARDAN_REAL(0.0); /* T: node.u.y,node.u.px */
-    out[17] = CARDAN_REAL(0.0); /* T: node.u.y,node.u.py */
-    out[18] = CARDAN_REAL(0.0); /* T: node.u.y,node.u.pz */
-    out[22] = CARDAN_REAL(0.0); /* T: node.u.z,node.u.px */
-    out[23] = CARDAN_REAL(0.0); /* T: node.u.z,node.u.py */
-    out[24] = CARDAN_REAL(0.0); /* T: node.u.z,node.u.pz */
-    out[25] = CARDAN_REAL(0.0); /* T: node.u.px,node.u.x */
-    out[26] = CARDAN_REAL(0.0); /* T: node.u.px,node.u.y */
-    out[27] = CARDAN_REAL(0.0); /* T: node.u.px,node.u.z */
     out[28] = CARDAN_REAL(1.0); /* T: node.u.px,node.u.px */
-    out[29] = CARDAN_REAL(0.0); /* T: node.u.px,node.u.py */
-    out[30] = CARDAN_REAL(0.0); /* T: node.u.px,node.u.pz */
-    out[31] = CARDAN_REAL(0.0); /* T: node.u.py,node.u.x */
-    out[32] = CARDAN_REAL(0.0); /* T: node.u.py,node.u.y */
-    out[33] = CARDAN_REAL(0.0); /* T: node.u.py,node.u.z */
-    out[34] = CARDAN_REAL(0.0); /* T: node.u.py,node.u.px */
     out[35] = CARDAN_REAL(1.0); /* T: node.u.py,node.u.py */
-    out[36] = CARDAN_REAL(0.0); /* T: node.u.py,node.u.pz */
-    out[37] = CARDAN_REAL(0.0); /* T: node.u.pz,node.u.x */
-    out[38] = CARDAN_REAL(0.0); /* T: node.u.pz,node.u.y */
-    out[39] = CARDAN_REAL(0.0); /* T: node.u.pz,node.u.z */
-    out[40] = CARDAN_REAL(0.0); /* T: node.u.pz,node.u.px */
-    out[41] = CARDAN_REAL(0.0); /* T: node.u.pz,node.u.py */
     out[42] = CARDAN_REAL(1.0); /* T: node.u.pz,node.u.pz */
     return CARDAN_OK;
 }

@@ -55,6 +55,9 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
+    /* zeros among the results; what stands between them follows */
+    memset(out + 1, 0, 23 * sizeof(real));
+
     /* shared by several: R */
     /* R = R_fixed R_joint(q) */
     const real lean_q = q[3]; /* rad */
@@ -98,23 +101,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* results that are numbers or inputs */
     out[0] = CARDAN_REAL(w[0]); /* M: x.u,x.u */
-    out[1] = CARDAN_REAL(0.0); /* M: x.u,y.u */
-    out[2] = CARDAN_REAL(0.0); /* M: x.u,tilt.u */
-    out[3] = CARDAN_REAL(0.0); /* M: x.u,lean.u */
-    out[4] = CARDAN_REAL(0.0); /* M: x.u,spin.u */
-    out[5] = CARDAN_REAL(0.0); /* M: y.u,x.u */
     out[6] = CARDAN_REAL(w[0]); /* M: y.u,y.u */
-    out[7] = CARDAN_REAL(0.0); /* M: y.u,tilt.u */
-    out[8] = CARDAN_REAL(0.0); /* M: y.u,lean.u */
-    out[9] = CARDAN_REAL(0.0); /* M: y.u,spin.u */
-    out[10] = CARDAN_REAL(0.0); /* M: tilt.u,x.u */
-    out[11] = CARDAN_REAL(0.0); /* M: tilt.u,y.u */
-    out[15] = CARDAN_REAL(0.0); /* M: lean.u,x.u */
-    out[16] = CARDAN_REAL(0.0); /* M: lean.u,y.u */
-    out[19] = CARDAN_REAL(0.0); /* M: lean.u,spin.u */
-    out[20] = CARDAN_REAL(0.0); /* M: spin.u,x.u */
-    out[21] = CARDAN_REAL(0.0); /* M: spin.u,y.u */
-    out[23] = CARDAN_REAL(0.0); /* M: spin.u,lean.u */
     out[24] = CARDAN_REAL(w[2]); /* M: spin.u,spin.u */
     return CARDAN_OK;
 }

@@ -183,6 +183,9 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
+    /* zeros among the results; what stands between them follows */
+    memset(out + 1, 0, 92 * sizeof(real));
+
     /* shared by several: turn, R */
     /* turn = sum of their angles */
     /* R = R_fixed R_joint(q) */
@@ -563,26 +566,6 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + drift_R_zz * momentum_drift_pz_fz;
 
     /* results that are numbers or inputs */
-    out[1] = CARDAN_REAL(0.0); /* M: drift.u.x,drift.u.y */
-    out[6] = CARDAN_REAL(0.0); /* M: drift.u.x,hinge0.u */
-    out[7] = CARDAN_REAL(0.0); /* M: drift.u.x,hinge1.u */
-    out[8] = CARDAN_REAL(0.0); /* M: drift.u.x,hinge2.u */
-    out[9] = CARDAN_REAL(0.0); /* M: drift.u.x,hinge3.u */
-    out[10] = CARDAN_REAL(0.0); /* M: drift.u.y,drift.u.x */
-    out[12] = CARDAN_REAL(0.0); /* M: drift.u.y,drift.u.z */
-    out[21] = CARDAN_REAL(0.0); /* M: drift.u.z,drift.u.y */
-    out[26] = CARDAN_REAL(0.0); /* M: drift.u.z,hinge0.u */
-    out[27] = CARDAN_REAL(0.0); /* M: drift.u.z,hinge1.u */
-    out[28] = CARDAN_REAL(0.0); /* M: drift.u.z,hinge2.u */
-    out[29] = CARDAN_REAL(0.0); /* M: drift.u.z,hinge3.u */
-    out[60] = CARDAN_REAL(0.0); /* M: hinge0.u,drift.u.x */
-    out[62] = CARDAN_REAL(0.0); /* M: hinge0.u,drift.u.z */
-    out[70] = CARDAN_REAL(0.0); /* M: hinge1.u,drift.u.x */
-    out[72] = CARDAN_REAL(0.0); /* M: hinge1.u,drift.u.z */
-    out[80] = CARDAN_REAL(0.0); /* M: hinge2.u,drift.u.x */
-    out[82] = CARDAN_REAL(0.0); /* M: hinge2.u,drift.u.z */
-    out[90] = CARDAN_REAL(0.0); /* M: hinge3.u,drift.u.x */
-    out[92] = CARDAN_REAL(0.0); /* M: hinge3.u,drift.u.z */
     out[99] = CARDAN_REAL(w[5]); /* M: hinge3.u,hinge3.u */
     return CARDAN_OK;
 }

@@ -1,9 +1,10 @@
 /*
- * lanes.h: the elementary functions of cardan.h for a `real` of several lanes.
+ * lanes.h: the elementary functions of cardan.h for a `real` of several lanes, and sines and cosines
+ * of many angles of a single state.
  *
  * Generated files include it before the first function of states: what stands above, prepares
- * parameters, are plain numbers. Where a `real` is one number nothing happens here. Vectors cross
- * functions by pointer only; the mathematical library is called lane by lane; what hardware does
+ * parameters, are plain numbers. Vectors cross functions by pointer only; the mathematical library is
+ * called lane by lane; what hardware does
  * with vectors gives every lane the bits that a single state has.
  */
 #ifndef CARDAN_LANES_H
@@ -133,6 +134,52 @@ CARDAN_INLINE void cardan_sqrt_lanes(const real *x, real *y)
 #undef CARDAN_SOLVE
 #define CARDAN_SOLVE(kind, n, m, a, b, scratch) \
     cardan_solve_lanes(cardan_solve_##kind, n, m, a, b, scratch)
+
+#elif CARDAN_PACK == 2 && defined __AVX__
+
+/* many angles of a single state: in the widest vectors of the processor */
+#ifdef __AVX512F__
+#define CARDAN_WIDEST 8
+#else
+#define CARDAN_WIDEST 4
+#endif
+typedef double cardan_widest __attribute__((vector_size(sizeof(double) * CARDAN_WIDEST)));
+typedef cardan_word cardan_widest_mask __attribute__((vector_size(sizeof(double) * CARDAN_WIDEST)));
+#define CARDAN_SINCOS cardan_sincos_widest
+#define CARDAN_NUMBER cardan_widest
+#define CARDAN_BITS cardan_widest_mask
+#define CARDAN_AS_BITS(x) ((cardan_widest_mask)(x))
+#define CARDAN_AS_NUMBER(x) ((cardan_widest)(x))
+#include "sincos.h"
+
+/* angles from which that pays: a vector waits until those written one by one are in memory */
+#define CARDAN_MANY 16
+#define CARDAN_STEP(n) ((n) < CARDAN_MANY ? CARDAN_PACK : CARDAN_WIDEST)
+#undef CARDAN_PADDED
+#define CARDAN_PADDED(n) (((n) + CARDAN_STEP(n) - 1) / CARDAN_STEP(n) * CARDAN_STEP(n))
+CARDAN_INLINE void cardan_sincos_many(int n, const double *x, double *sine, double *cosine)
+{
+    cardan_widest_mask far = {0};
+    cardan_word any = 0;
+
+    if (n < CARDAN_MANY) {
+        cardan_sincos(n, x, sine, cosine);
+        return;
+    }
+    for (int i = 0; i < n; i += CARDAN_WIDEST) {
+        cardan_widest angle, s, c;
+        memcpy(&angle, x + i, sizeof angle);
+        cardan_sincos_widest(&angle, &s, &c);
+        memcpy(sine + i, &s, sizeof s);
+        memcpy(cosine + i, &c, sizeof c);
+        const cardan_widest size = (cardan_widest)((cardan_widest_mask)angle & ~CARDAN_SIGN);
+        far |= ~(cardan_widest_mask)(size <= CARDAN_SINCOS_RANGE);
+    }
+    /* what the reduction of sincos.h does not hold for: one by one */
+    for (int k = 0; k < CARDAN_WIDEST; ++k) any |= far[k];
+    for (int i = 0; any && i < n; ++i) cardan_sincos_any(x[i], sine + i, cosine + i);
+}
+#define cardan_sincos(n, x, sine, cosine) cardan_sincos_many(n, x, sine, cosine)
 
 #endif
 #endif

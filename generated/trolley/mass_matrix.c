@@ -86,6 +86,9 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
+    /* zeros among the results; what stands between them follows */
+    memset(out + 1, 0, 23 * sizeof(real));
+
     /* shared by several: R */
     /* R = R_fixed R_joint(q) */
     const real left_hang_angle2 = q[2]; /* rad */
@@ -137,23 +140,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* results that are numbers or inputs */
     out[0] = CARDAN_REAL(w[6]); /* M: track.u,track.u */
-    out[1] = CARDAN_REAL(0.0); /* M: track.u,left.hang.u.angle1 */
-    out[3] = CARDAN_REAL(0.0); /* M: track.u,right.hang.u.angle1 */
-    out[5] = CARDAN_REAL(0.0); /* M: left.hang.u.angle1,track.u */
-    out[7] = CARDAN_REAL(0.0); /* M: left.hang.u.angle1,left.hang.u.angle2 */
-    out[8] = CARDAN_REAL(0.0); /* M: left.hang.u.angle1,right.hang.u.angle1 */
-    out[9] = CARDAN_REAL(0.0); /* M: left.hang.u.angle1,right.hang.u.angle2 */
-    out[11] = CARDAN_REAL(0.0); /* M: left.hang.u.angle2,left.hang.u.angle1 */
     out[12] = CARDAN_REAL(w[2]); /* M: left.hang.u.angle2,left.hang.u.angle2 */
-    out[13] = CARDAN_REAL(0.0); /* M: left.hang.u.angle2,right.hang.u.angle1 */
-    out[14] = CARDAN_REAL(0.0); /* M: left.hang.u.angle2,right.hang.u.angle2 */
-    out[15] = CARDAN_REAL(0.0); /* M: right.hang.u.angle1,track.u */
-    out[16] = CARDAN_REAL(0.0); /* M: right.hang.u.angle1,left.hang.u.angle1 */
-    out[17] = CARDAN_REAL(0.0); /* M: right.hang.u.angle1,left.hang.u.angle2 */
-    out[19] = CARDAN_REAL(0.0); /* M: right.hang.u.angle1,right.hang.u.angle2 */
-    out[21] = CARDAN_REAL(0.0); /* M: right.hang.u.angle2,left.hang.u.angle1 */
-    out[22] = CARDAN_REAL(0.0); /* M: right.hang.u.angle2,left.hang.u.angle2 */
-    out[23] = CARDAN_REAL(0.0); /* M: right.hang.u.angle2,right.hang.u.angle1 */
     out[24] = CARDAN_REAL(w[5]); /* M: right.hang.u.angle2,right.hang.u.angle2 */
     return CARDAN_OK;
 }

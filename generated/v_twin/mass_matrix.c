@@ -104,6 +104,9 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
+    /* zeros among the results; what stands between them follows */
+    memset(out + 2, 0, 33 * sizeof(real));
+
     /* shared by several: R */
     /* R = R_fixed R_joint(q) */
     const real right_rod = q[1]; /* rad */
@@ -152,35 +155,9 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + right_rod_origin_inertia_yy_plus_right_crank_base_inertia_yy;
 
     /* results that are numbers or inputs */
-    out[2] = CARDAN_REAL(0.0); /* M: right.crank.u,right.piston.u */
-    out[3] = CARDAN_REAL(0.0); /* M: right.crank.u,left.crank.u */
-    out[4] = CARDAN_REAL(0.0); /* M: right.crank.u,left.rod.u */
-    out[5] = CARDAN_REAL(0.0); /* M: right.crank.u,left.piston.u */
     out[7] = CARDAN_REAL(w[5]); /* M: right.rod.u,right.rod.u */
-    out[8] = CARDAN_REAL(0.0); /* M: right.rod.u,right.piston.u */
-    out[9] = CARDAN_REAL(0.0); /* M: right.rod.u,left.crank.u */
-    out[10] = CARDAN_REAL(0.0); /* M: right.rod.u,left.rod.u */
-    out[11] = CARDAN_REAL(0.0); /* M: right.rod.u,left.piston.u */
-    out[12] = CARDAN_REAL(0.0); /* M: right.piston.u,right.crank.u */
-    out[13] = CARDAN_REAL(0.0); /* M: right.piston.u,right.rod.u */
     out[14] = CARDAN_REAL(w[1]); /* M: right.piston.u,right.piston.u */
-    out[15] = CARDAN_REAL(0.0); /* M: right.piston.u,left.crank.u */
-    out[16] = CARDAN_REAL(0.0); /* M: right.piston.u,left.rod.u */
-    out[17] = CARDAN_REAL(0.0); /* M: right.piston.u,left.piston.u */
-    out[18] = CARDAN_REAL(0.0); /* M: left.crank.u,right.crank.u */
-    out[19] = CARDAN_REAL(0.0); /* M: left.crank.u,right.rod.u */
-    out[20] = CARDAN_REAL(0.0); /* M: left.crank.u,right.piston.u */
-    out[23] = CARDAN_REAL(0.0); /* M: left.crank.u,left.piston.u */
-    out[24] = CARDAN_REAL(0.0); /* M: left.rod.u,right.crank.u */
-    out[25] = CARDAN_REAL(0.0); /* M: left.rod.u,right.rod.u */
-    out[26] = CARDAN_REAL(0.0); /* M: left.rod.u,right.piston.u */
     out[28] = CARDAN_REAL(w[7]); /* M: left.rod.u,left.rod.u */
-    out[29] = CARDAN_REAL(0.0); /* M: left.rod.u,left.piston.u */
-    out[30] = CARDAN_REAL(0.0); /* M: left.piston.u,right.crank.u */
-    out[31] = CARDAN_REAL(0.0); /* M: left.piston.u,right.rod.u */
-    out[32] = CARDAN_REAL(0.0); /* M: left.piston.u,right.piston.u */
-    out[33] = CARDAN_REAL(0.0); /* M: left.piston.u,left.crank.u */
-    out[34] = CARDAN_REAL(0.0); /* M: left.piston.u,left.rod.u */
     out[35] = CARDAN_REAL(w[3]); /* M: left.piston.u,left.piston.u */
     return CARDAN_OK;
 }

@@ -38,7 +38,7 @@ from .runtime.verification.closed_states import unjudged
 from .schema.functions import OF_ELEMENTS
 
 if TYPE_CHECKING:
-    from .ir.assembly import Form
+    from .ir.trees.assembly import Form
     from .scene.scene import SceneRecord
     from .topology.system import Named, System
 

@@ -45,7 +45,7 @@ def test_the_text_is_the_same_every_time() -> None:
 def test_a_reader_finds_the_way() -> None:
     text = written(20)[1]
     for line in (
-        " * visits: 20 outward, 20 inward, 20 outward",
+        " * visits: 1 angles, 20 outward, 20 inward, 20 outward",
         "/* outward, 20 visits */",
         "for (int i = 0; i < ",
         "body_omega_x",

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.ir.assembly import Assembly
 from cardan.ir.interpreter import evaluate
+from cardan.ir.trees.assembly import Assembly
 from laws.cases import EPS, SEED, derived, states, values
 from mechanisms import ZOO
 from mechanisms.chain import chain

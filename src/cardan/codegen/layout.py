@@ -16,9 +16,9 @@ from typing import Any, TypeVar
 
 from .. import processes, regular_file
 from ..errors import CodegenError, ModelError
-from ..ir.assembly import Form
 from ..ir.routine import Routine
 from ..ir.serialize import to_dict
+from ..ir.trees.assembly import Form
 from ..processes import collector_paused
 from ..schema import kernel_files
 from ..schema.c_functions import FunctionRow

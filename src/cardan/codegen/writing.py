@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from dataclasses import field
 
 from .. import passes
-from ..ir.assembly import Assembly, Form
 from ..ir.function import Function, Output
 from ..ir.graph import ZERO
 from ..ir.routine import Routine
+from ..ir.trees.assembly import Assembly, Form
 from ..processes import collector_paused
 from ..records import dataclass
 from ..schema.blocks import ORDER

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, Self
 
 from ..arguments import checked
 from ..errors import DerivationError, counted
-from ..ir.assembly import Assembly, Form
 from ..ir.function import Block, Function
 from ..ir.recursion import Recursion
 from ..ir.stage import stage
+from ..ir.trees.assembly import Assembly, Form
 from ..processes import collector_paused
 from ..records import dataclass
 from ..schema.blocks import ABI_ORDER

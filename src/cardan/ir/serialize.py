@@ -11,14 +11,14 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
-from . import saved_tree
-from .assembly import Assembly, Form
 from .function import Block, Function, Output
 from .grammar import check
 from .graph import Graph, Node
 from .ops import LEAVES
 from .recursion import OUT, STORE, Recursion, Sweep, Turns, Visit, ahead
 from .table import Table
+from .trees import saved_table
+from .trees.assembly import Assembly, Form
 
 SCHEMA = 1
 MOST_NODES = 4_000_000
@@ -73,7 +73,7 @@ def _assembly_to_dict(assembly: Assembly) -> dict[str, object]:
         "outputs": _saved_results(assembly.outputs),
         "parts": to_dict(assembly.parts),
         "kernel": assembly.kernel,
-        "tree": saved_tree.to_dict(assembly.tree),
+        "tree": saved_table.to_dict(assembly.tree),
     }
 
 
@@ -211,7 +211,7 @@ def _assembly(
     speeds = sum(len(block) for block in inputs if block.name == "u")
     size = sum(output.size for output in outputs)
     numbers = parts.outputs[0].size
-    tree = saved_tree.from_dict(data.get("tree"), kernel, numbers, speeds, size)
+    tree = saved_table.from_dict(data.get("tree"), kernel, numbers, speeds, size)
     return Assembly(name, inputs, outputs, parts, kernel, tree, about)
 
 

@@ -13,6 +13,7 @@ from ..program.program import (
     Array,
     Assign,
     Call,
+    Clear,
     Declare,
     Dispatch,
     KernelCall,
@@ -178,6 +179,11 @@ class _Writer:
         text = self._number(s.value, (array.base if array else s.target.array) in PREPARES)
         _line(f"{indent}{self._place(s.target)} = ", text, s.comment, indent, lines)
 
+    def _clear(self, s: Clear, indent: str, lines: list[str]) -> None:
+        first = f"{s.target.array} + {s.target.at}" if s.target.at else s.target.array
+        self.touched.add(s.target.array)
+        lines.append(f"{indent}memset({first}, 0, {s.length} * sizeof(real));")
+
     def _number(self, value: Value, prepared: bool) -> str:
         """A value as an array of states has it, or as one of prepared parameters.
 
@@ -324,6 +330,7 @@ class _Writer:
 _WRITERS: dict[type, Callable[[_Writer, Any, str, list[str]], None]] = {
     Declare: _Writer._declare,
     Assign: _Writer._assign,
+    Clear: _Writer._clear,
     Angles: _Writer._angles,
     Section: _Writer._section,
     Call: _Writer._call,

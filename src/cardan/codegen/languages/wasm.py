@@ -20,6 +20,7 @@ from ..program.program import (
     Angles,
     Assign,
     Call,
+    Clear,
     Declare,
     Dispatch,
     KernelCall,
@@ -176,6 +177,10 @@ class _Writer(Expressions):
     def _assign(self, s: Assign) -> Code:
         return self.stored(s.target, self.value(s.value))
 
+    def _clear(self, s: Clear) -> Code:
+        base, offset = self.address(s.target)
+        return [*base, *integer(offset), ADD_I, *integer(0), *integer(8 * s.length), FILL]
+
     def _angles(self, s: Angles) -> Code:
         """Angles into memory, and the call that puts sines and cosines beside them."""
         count = len(s.angles)
@@ -284,6 +289,7 @@ class _Writer(Expressions):
 _WRITERS: dict[type, Callable[[_Writer, Any], Code]] = {
     Declare: _Writer._declare,
     Assign: _Writer._assign,
+    Clear: _Writer._clear,
     Angles: _Writer._angles,
     Section: _Writer._section,
     Call: _Writer._call,

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
-from ...ir.assembly import Form
 from ...ir.function import Block, Function, Output
 from ...ir.ops import LEAVES
+from ...ir.trees.assembly import Form
 from ...schema.blocks import BLOCKS
 from .naming import comment
 from .routines import Built

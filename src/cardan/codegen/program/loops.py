@@ -12,10 +12,10 @@ from collections.abc import Mapping, Sequence
 from itertools import groupby
 from typing import NamedTuple, TypeAlias
 
-from ...ir.assembly import Assembly
 from ...ir.function import Staged
 from ...ir.graph import Graph
 from ...ir.recursion import STORE, Recursion, Turns, Visit
+from ...ir.trees.assembly import Assembly
 from ...records import dataclass
 from .file_head import Cost, head, operations
 from .lowering import assembled, check_name, description, tables

@@ -8,10 +8,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ...errors import CodegenError
-from ...ir.assembly import Assembly
 from ...ir.function import Function, Output, Staged
 from ...ir.routine import Routine
-from ...ir.tree_kernels import KERNELS
+from ...ir.trees.assembly import Assembly
+from ...ir.trees.kernels import KERNELS
 from . import parts
 from .file_head import Cost, head, operations
 from .naming import RESERVED, comment

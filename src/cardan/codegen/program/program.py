@@ -65,6 +65,18 @@ class Assign(NamedTuple):
     comment: str = ""
 
 
+class Clear(NamedTuple):
+    """Consecutive elements of an array become 0.
+
+    Attributes:
+        target: The first.
+        length: How many.
+    """
+
+    target: Place
+    length: int
+
+
 class Angles(NamedTuple):
     """Sines and cosines of some values, computed at once.
 
@@ -167,7 +179,17 @@ class Section(NamedTuple):
 
 
 Statement: TypeAlias = (
-    Declare | Assign | Angles | Call | Dispatch | KernelCall | StridedLoop | Solve | Loop | Section
+    Declare
+    | Assign
+    | Clear
+    | Angles
+    | Call
+    | Dispatch
+    | KernelCall
+    | StridedLoop
+    | Solve
+    | Loop
+    | Section
 )
 
 

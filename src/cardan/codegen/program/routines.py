@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import NamedTuple
 
-from ...ir.graph import SystemNames
+from ...ir.graph import ZERO, SystemNames
 from ...ir.owners import SHARED
 from . import angles, parts
 from .naming import comment, mangle
@@ -18,6 +18,7 @@ from .program import (
     Array,
     Assign,
     Call,
+    Clear,
     Declare,
     Index,
     Loop,
@@ -33,6 +34,9 @@ from .sections import Sections, arrange
 from .values import Values
 
 TITLE = 84
+# zeros among results from which one loop writes them, and how many other entries may stand between
+# two of them: those are written again
+ZEROS, GAP = 16, 64
 # so many parameters that are prepared as they are become a loop
 COPIES = 128
 
@@ -115,6 +119,7 @@ def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
     builder.crossing, length = parts.crossing(section_groups, builder.reads, builder.length)
     bodies = [builder.part(sections) for sections in section_groups]
     bodies[-1].extend(builder.plain())
+    bodies[0][:0] = builder.zeros()
 
     # one routine, or parts and the routine that calls them
     file = values.function.name
@@ -235,9 +240,41 @@ class _Builder:
             block_list.append(Section(heading, (*loads, *lines, *results), formulas))
         return block_list
 
+    @cached_property
+    def cleared(self) -> tuple[range, ...]:
+        """Places that are cleared before results are written: where many of these are 0.
+
+        A step writes among what other visits have written.
+        """
+        if self.stage.kind != "function":
+            return ()
+        runs: list[list[int]] = []
+        for place in (r.place for r in self.stage.results if r.node == ZERO):
+            assert isinstance(place.at, int)
+            if runs and place.at - runs[-1][-1] <= GAP:
+                runs[-1].append(place.at)
+            else:
+                runs.append([place.at])
+        return tuple(range(run[0], run[-1] + 1) for run in runs if len(run) >= ZEROS)
+
+    def zeros(self) -> list[Statement]:
+        """Clear what is mostly 0."""
+        if not self.cleared:
+            return []
+        array = self.stage.results[0].place.array
+        clear = [Clear(Place(array, run[0]), len(run)) for run in self.cleared]
+        return [Section("zeros among the results; what stands between them follows", tuple(clear))]
+
+    def _is_cleared(self, r: Result) -> bool:
+        return r.node == ZERO and any(r.place.at in run for run in self.cleared)
+
     def plain(self) -> list[Statement]:
         """Results that need no computation: numbers and values from outside."""
-        plain = [r for r in self.stage.results if r.node not in self.plan.reads]
+        plain = [
+            r
+            for r in self.stage.results
+            if r.node not in self.plan.reads and not self._is_cleared(r)
+        ]
         if not plain:
             return []
         if self.after:

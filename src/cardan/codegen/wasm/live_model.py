@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 
 from ...equations.functions import live
 from ...equations.record import EquationRecord
-from ...ir.assembly import Assembly
 from ...ir.function import Function
 from ...ir.recursion import Recursion
+from ...ir.trees.assembly import Assembly
 from ...records import dataclass
 from ...schema import wasm_kernels
 from ...schema.manifest import Manifest

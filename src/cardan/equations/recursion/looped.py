@@ -8,6 +8,7 @@ from ...ir.function import Function
 from ...ir.recursion import Recursion
 from ...topology.system import System
 from ..kinematics.kinematics import Kinematics
+from .angle_sweep import angles_first
 from .folded import Fold, fold
 from .steps import recursion
 from .sweeps import LATER, LEFT_OUT, Sweeps
@@ -80,5 +81,5 @@ def by_bodies(system: System, derive: Callable[[Kinematics], Function], name: st
         home_bodies = homes(system, function, folded, other)
         looped = recursion(Sweeps(k.cuts, function, home_bodies, k.system, folded))
         if looped is not None:
-            return looped
+            return angles_first(looped)
     raise AssertionError("a tree that is not folded has its visits")

@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from ...errors import counted
-from ...ir.assembly import Assembly
 from ...ir.function import Block, Function, Output, live
 from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix
 from ...ir.recursion import Recursion
-from ...ir.tree_table import BODY, MASS_BODY, MASS_SPEED, SPEED, Entry, OutputRow, Tree, chunks
+from ...ir.trees.assembly import Assembly
+from ...ir.trees.table import BODY, MASS_BODY, MASS_SPEED, SPEED, Entry, OutputRow, Tree, chunks
 from ...records import dataclass
 from ...schema.request import Request
 from ...topology.system import System
@@ -25,6 +25,7 @@ from ..functions.dynamics import Dynamics
 from ..functions.newton_euler_derivatives import joint_change
 from ..kinematics.kinematics import Kinematics
 from ..kinematics.loads import Loads, applied, none
+from ..recursion.angle_sweep import angles_first
 from ..recursion.folded import Fold, fold
 from ..recursion.recursion_boundary import Cuts
 from ..recursion.steps import recursion
@@ -304,7 +305,7 @@ def _parts(
             looped = recursion(Sweeps(cuts, function, homes, k.system, folded))
             if looped is not None:
                 if loops or _pays(looped):
-                    return looped
+                    return angles_first(looped)
                 break
     k = Kinematics(system)
     every = range(len(system.bodies))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from ...ir.tree_table import BodyRow, Entry, SpeedRow, chunks
+from ...ir.trees.table import BodyRow, Entry, SpeedRow, chunks
 from ...records import dataclass
 from ...topology.system import System
 

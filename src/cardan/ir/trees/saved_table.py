@@ -5,18 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TypeVar
 
-from .tree_kernels import KERNELS
-from .tree_table import (
-    BODY,
-    MASS_BODY,
-    MASS_SPEED,
-    SPEED,
-    BodyRow,
-    Entry,
-    OutputRow,
-    SpeedRow,
-    Tree,
-)
+from .kernels import KERNELS
+from .table import BODY, MASS_BODY, MASS_SPEED, SPEED, BodyRow, Entry, OutputRow, SpeedRow, Tree
 
 Row = TypeVar("Row", BodyRow, SpeedRow, OutputRow, Entry)
 ROWS = ("bodies", "speeds", "rotors", "outputs", "changes")

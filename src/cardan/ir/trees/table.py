@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from ..records import dataclass
+from ...records import dataclass
 
 # entries that a vector of C holds: paths and rows of M begin at multiples of it
 CHUNK = 8

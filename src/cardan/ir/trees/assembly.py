@@ -11,11 +11,11 @@ from collections.abc import Mapping
 from dataclasses import field, replace
 from typing import TypeAlias
 
-from ..records import dataclass
-from .function import Block, Function, Output
-from .recursion import Recursion
-from .tree_kernels import KERNELS
-from .tree_table import Tree
+from ...records import dataclass
+from ..function import Block, Function, Output
+from ..recursion import Recursion
+from .kernels import KERNELS
+from .table import Tree
 
 
 @dataclass(frozen=True)

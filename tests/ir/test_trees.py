@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 import cardan as cd
-from cardan.ir.assembly import Assembly
 from cardan.ir.function import count, live
 from cardan.ir.graph import Graph
 from cardan.ir.serialize import from_dict, to_dict
-from cardan.ir.tree_kernels import KERNELS
+from cardan.ir.trees.assembly import Assembly
+from cardan.ir.trees.kernels import KERNELS
 from mechanisms.chain import chain
 from table import each
 

@@ -8,16 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from ..records import dataclass
-from .graph import Graph
-from .tree_slopes import (
-    column_at,
-    derivative_expressions,
-    mass_by_slots,
-    outboard_sums,
-    speed_places,
-)
-from .tree_table import BODY, MASS_BODY, MASS_SPEED, MASS_STRIDE, PANEL, PATHS, STRIDE, Tree
+from ...records import dataclass
+from ..graph import Graph
+from .slopes import column_at, derivative_expressions, mass_by_slots, outboard_sums, speed_places
+from .table import BODY, MASS_BODY, MASS_SPEED, MASS_STRIDE, PANEL, PATHS, STRIDE, Tree
 
 
 @dataclass(frozen=True)

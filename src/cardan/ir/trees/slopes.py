@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .arithmetic import Scalar
-from .graph import ZERO, Graph
-from .matrix import Matrix
-from .solve import solve
-from .tree_table import BODY, ETA_Q, LOAD, SPEED, WRENCH, ZETA_Q, BodyRow, S, Tree, chunks
+from ..arithmetic import Scalar
+from ..graph import ZERO, Graph
+from ..matrix import Matrix
+from ..solve import solve
+from .table import BODY, ETA_Q, LOAD, SPEED, WRENCH, ZETA_Q, BodyRow, S, Tree, chunks
 
 
 def outboard_sums(tree: Tree, g: Graph, numbers: Sequence[int], count: int) -> list[list[int]]:
