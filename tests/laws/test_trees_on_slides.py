@@ -82,3 +82,24 @@ def test_far_slides_change_nothing(branched: bool) -> None:
         np.testing.assert_allclose(near_by[0][:, k], slopes, rtol=0, atol=1e-8 * scale)
     for distant, near in zip(slope(far, u, udot), near_by, strict=True):
         np.testing.assert_allclose(distant, near, rtol=0, atol=n * EPS * np.abs(near).max())
+
+
+@each("slide", [cd.Prismatic("x"), cd.Translation(), cd.Free()])
+def test_a_slide_on_a_body_that_rotates_keeps_the_digits_of_what_it_carries(slide: object) -> None:
+    """M does not depend on where a slide has moved a body about the axes of that body's own arm."""
+    scene = cd.Scene("boom", gravity=(0, 0, -9.81))
+    add_arm(scene, "boom", scene.ground, cd.Revolute("x"))
+    carriage = scene.body("carriage", 0.5, com=(0.1, 0, 0), inertia=(0.1, 0.1, 0.1))
+    scene.joint("slide", slide, scene.bodies["boom8"], carriage)
+    add_arm(scene, "arm", carriage, cd.Revolute("y"))
+    model = cd.compile(scene, functions=("mass_matrix",), loops=True)
+    q = np.zeros(model.nq)
+    names = [row.name for row in model.manifest.coordinates]
+    q[[k for k, name in enumerate(names) if name == "slide.qw"]] = 1.0
+    arm = [k for k, row in enumerate(model.manifest.speeds) if row.name.startswith("arm")]
+    moved = [k for k, n in enumerate(names) if n == "slide" or n in ("slide.x", "slide.px")]
+    assert len(moved) == 1
+    near = model.mass_matrix(q)[np.ix_(arm, arm)]
+    q[moved] = FAR
+    far = model.mass_matrix(q)[np.ix_(arm, arm)]
+    assert np.abs(far - near).max() <= 100 * EPS * np.abs(near).max()

@@ -72,6 +72,9 @@ def refusal(system: System, name: str, of: str | None, chosen: bool, short: bool
             return f"joint '{joint.name}' is coupled"
     if friction_forces(system):
         return "friction follows from reactions"
+    far = _far(system)
+    if far:
+        return f"'{far}' rotates where a slide may have taken it far from the tree's base"
     if name == "derivative":
         request = Request.read(of or "")
         if request.function not in DERIVED:
@@ -80,6 +83,25 @@ def refusal(system: System, name: str, of: str | None, chosen: bool, short: bool
         for wrt in request.wrt:
             if wrt not in taken:
                 return f"no kernel assembles derivatives by '{wrt}'"
+    return ""
+
+
+def _far(system: System) -> str:
+    """A joint that rotates at or behind a slide on a body that rotates, "" if there is none.
+
+    Numbers count from the tree's base in axes of the ground. Of a body at a distance d they leave
+    eps d^2 m of its moments of inertia, which is too little where nothing limits d.
+    """
+    rotated, distant = list[bool](), list[bool]()
+    for body, joint in zip(system.bodies, system.joints, strict=True):
+        units = {coordinate.unit for coordinate in joint.element.coordinates}
+        rotates, slides = bool(units - {"m"}), "m" in units
+        inboard = body.parent >= 0
+        behind = inboard and rotated[body.parent]
+        distant.append((inboard and distant[body.parent]) or (slides and behind))
+        rotated.append(behind or rotates)
+        if rotates and distant[-1]:
+            return joint.name
     return ""
 
 

@@ -72,8 +72,8 @@ class GroundMotion:
             p = Matrix.zeros(k.graph, 3)
             if not self._begins(i):
                 p = self.position[parent] + self.orientation[parent] @ at.position
-        turning = at.modes.block(slice(0, 3))
-        self.slides.append(self._begins(i) and turning.columns > 0 and turning.is_zero)
+        rotations = at.modes.block(slice(0, 3))
+        self.slides.append(self._begins(i) and rotations.columns > 0 and rotations.is_zero)
         self.orientation.append(self._carry(i, "orientation", r, CELLS))
         self.position.append(self._carry(i, "from_base", p))
 

@@ -248,9 +248,12 @@ class LoadedModel(Description):
         if parameters is None:
             result: Array = self._calls[key](out, *values)
             return result
-        repeated_model = self._of_repeated(parameters)
-        if repeated_model is not None:
-            return repeated_model._evaluate(key, values, None, out)
+        loaded = self._functions.get(key)
+        # while a function is checked, another model over its C would have it checked again
+        if loaded is not None and not loaded.code.fresh:
+            repeated_model = self._of_repeated(parameters)
+            if repeated_model is not None:
+                return repeated_model._evaluate(key, values, None, out)
         if self.manifest.absolute:
             # its tables are filled for one set of parameters
             vector = self._parameters.changed(parameters)
