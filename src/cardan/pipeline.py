@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -44,6 +45,7 @@ if TYPE_CHECKING:
 
 COORDINATES = ("auto", "relative", "absolute")
 PLANES = ("auto", "x", "y", "z")
+CLOSES = "closes"  # an empty file beside the C of a system whose loops can close
 
 
 @overload
@@ -240,9 +242,12 @@ def compile_scene(
     functions = requested(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
-    _say_what_stays_open(equations, folder)
+    closes = _loops_close(equations, folder)
     write_base = partial(layout.write_model, base=base)
     folder = _written(folder, directory is not None, write_base)
+    if closes and equations.system.closed and directory is None:
+        with suppress(OSError):  # else it is found out again
+            (folder / CLOSES).touch()
 
     def provide(keys: Sequence[tuple[str, str | None]]) -> list[str]:
         """Write the C of functions unless it is there."""
@@ -299,13 +304,14 @@ def _say_what_is_not_checked(model: CompiledModel) -> None:
         )
 
 
-def _say_what_stays_open(equations: EquationRecord, folder: Path) -> None:
-    """Warn of loops that cannot close, when their code is written for the first time."""
-    if not equations.system.closed or (folder / "manifest.json").exists():
-        return
+def _loops_close(equations: EquationRecord, folder: Path) -> bool:
+    """Whether all loops can close, with a warning if not; a folder may say that they do."""
+    if not equations.system.closed or (folder / CLOSES).exists():
+        return True
     closure = feasibility(equations)
     if not closure.closes:
         warn(f"model '{equations.system.name}', at its parameters: {closure}", SolveWarning)
+    return closure.closes
 
 
 def _of_elements(equations: FiniteElementRecord, directory: str | Path | None) -> Path:

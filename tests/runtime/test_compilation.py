@@ -177,6 +177,26 @@ def test_a_warning_is_given_every_time(cache_directory: Path, derivations: list[
     assert len(derivations) == 3
 
 
+def test_a_loop_that_cannot_close_is_said_every_time(cache_directory: Path) -> None:
+    def chain(reach: float) -> cd.Scene:
+        scene = cd.Scene("chain")
+        point = scene.ground.at(0, 0, 0)
+        for k in range(3):
+            link = scene.body(f"link{k}", mass=1, inertia=(0.1, 0.1, 0.1))
+            scene.joint(f"pin{k}", cd.Revolute("y"), point, link)
+            point = link.at(0.1, 0, 0)
+        scene.joint("end", cd.Revolute("y"), scene.ground.at(reach, 0, 0), point)
+        return scene
+
+    for _ in range(3):
+        with pytest.warns(cd.SolveWarning, match="stays open"):
+            cd.compile(chain(5.0))
+    for _ in range(2):
+        cd.compile(chain(0.2))
+    (folder,) = [one.parent for one in cache_directory.glob("models/*/closes")]
+    assert "0.2" in (folder / "manifest.json").read_text("utf-8")
+
+
 CHANGES: dict[str, Change] = {
     "a last bit": lambda scene: scene.values.update(l=np.nextafter(0.5, 1)),
     "a parameter": lambda scene: scene.parameter("k", 1.0),
