@@ -28,7 +28,10 @@ CONTRACT = {
     "gcc": ("-ffp-contract=fast", "--param=avoid-fma-max-bits=0"),
     "clang": ("-ffp-contract=on",),
 }
-ORDER = ["t", "q", "u", "z", "s", "r", "p", "w", "udot", "zdot", "lam", "tau", "wrench", "du", "q0"]
+ORDER = (
+    *("t", "q", "u", "z", "s", "r", "p", "w", "udot", "zdot", "lam", "tau", "wrench", "du", "q0"),
+    *("e", "v"),
+)
 
 ZIG = (sys.executable, "-m", "ziglang", "cc")
 
@@ -107,6 +110,7 @@ def call(
     p = np.array(values.get("p", [0.0]), dtype=float)
     getattr(library, f"prepare_{cfile.name}")(pointer(p), pointer(w))
     given = {n: np.array(values[n], dtype=float) for n in entry["inputs"] if n != "p"}
+    assert {*given} <= {*ORDER}
     blocks = Inputs(**{n: pointer(v) for n, v in given.items()}, w=pointer(w))
     status = getattr(library, cfile.name)(ctypes.byref(blocks), pointer(out), pointer(work))
     for array in (w, out, work):

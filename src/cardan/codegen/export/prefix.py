@@ -42,7 +42,7 @@ def add(folder: Path, prefix: str) -> None:
     names = _names(texts)
     shared = _shared(texts)
     for name, text in texts.items():
-        more = _declared(text, prefix) if name in shared else ""
+        more = _declared(text, texts, prefix) if name in shared else ""
         texts[name] = renamed(text + more, names, prefix)
     layout.replace_texts(folder, texts, prefix=prefix)
 
@@ -68,14 +68,16 @@ def _shared(texts: Mapping[str, str]) -> set[str]:
     return headers.difference(MODEL_HEADERS)
 
 
-def _declared(text: str, prefix: str) -> str:
+def _declared(text: str, texts: Mapping[str, str], prefix: str) -> str:
     """Prototypes after a header whose types are the same for all models.
 
     Where two models meet in one file, its guard hides the functions of the second.
     """
     guard = _GUARD.search(text)
     functions = linkage.prototypes(text)
-    includes = [f'#include "{file}"' for file in linkage.included(text)]
+    # what has no guard is text for the place where it is included, such as sincos.h
+    guarded = [file for file in linkage.included(text) if _GUARD.search(texts.get(file, ""))]
+    includes = [f'#include "{file}"' for file in guarded]
     if guard is None or not (functions or includes):
         return ""
     name = f"{prefix}{guard[1]}"
