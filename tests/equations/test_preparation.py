@@ -63,7 +63,7 @@ def test_every_body_takes_the_same_work(
 @each("name", FOLDED)
 def test_the_steps_of_sums_do_not_grow(name: str) -> None:
     # sines of 32 angles at a time, and of what is left in another step: here nothing is
-    short, long = (cd.derive(rope(n), method="articulated").recursion(name) for n in (96, 160))
+    short, long = (cd.derive(rope(n), method="articulated").recursion(name) for n in (128, 256))
     assert len(short.steps) == len(long.steps)
     sizes = [[sum(step.operations().values()) for step in one.steps] for one in (short, long)]
     assert sizes[0] == sizes[1]
