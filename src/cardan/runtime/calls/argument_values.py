@@ -27,7 +27,8 @@ def numbers(where: str, value: object, dtype: Numbers = np.float64) -> Array:
     except ValueError:
         raise ArgumentError(f"{where}: its rows have different lengths") from None
     # NumPy leaves out the mask in silence
-    if isinstance(value, np.ndarray) and np.any(getattr(value, "mask", False)):
+    plain = type(value) is np.ndarray or not isinstance(value, np.ndarray)
+    if not plain and np.any(getattr(value, "mask", False)):
         raise ArgumentError(f"{where} has masked entries. Fill them: .filled(number)")
     if array.dtype.kind not in "fiub":
         raise ArgumentError(f"{where} must be real numbers, not {array.dtype}")
