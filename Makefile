@@ -85,7 +85,7 @@ $(VENV)/.installed-bench: $(VENV)/.installed-test
 BENCHMARKS = bench runs flexible_runs superelement_runs large_loops paths gradients python_calls profiles \
 	starts all_figures
 bench: $(VENV)/.installed-bench
-	@failed=; for program in $(BENCHMARKS); do \
+	@rm -rf out/figures; failed=; for program in $(BENCHMARKS); do \
 	  OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/$$program.py $(if $(QUICK),--quick) || \
 	    failed="$$failed $$program"; \
 	done; test -z "$$failed" || { echo "failed:$$failed"; exit 1; }

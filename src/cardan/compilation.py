@@ -107,7 +107,7 @@ def compile(
 
 
 class _Entry(NamedTuple):
-    """What the cache says of a scene.
+    """Entry of the cache for a scene.
 
     Attributes:
         folder: Of its C, in the folder of models.

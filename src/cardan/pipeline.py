@@ -242,7 +242,7 @@ def compile_scene(
     functions = requested(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
-    closes = _loops_close(equations, folder)
+    closes = _loops_close(equations, folder if directory is None else None)
     write_base = partial(layout.write_model, base=base)
     folder = _written(folder, directory is not None, write_base)
     if closes and equations.system.closed and directory is None:
@@ -304,9 +304,15 @@ def _say_what_is_not_checked(model: CompiledModel) -> None:
         )
 
 
-def _loops_close(equations: EquationRecord, folder: Path) -> bool:
-    """Whether all loops can close, with a warning if not; a folder may say that they do."""
-    if not equations.system.closed or (folder / CLOSES).exists():
+def _loops_close(equations: EquationRecord, folder: Path | None) -> bool:
+    """True if all loops can close, with a warning if not.
+
+    Args:
+        equations: Whose loops.
+        folder: Of the cache, which may say that they do; None for one that a user named, as what
+            stands there may be of another system.
+    """
+    if not equations.system.closed or (folder is not None and (folder / CLOSES).exists()):
         return True
     closure = feasibility(equations)
     if not closure.closes:

@@ -142,7 +142,7 @@ def _of_solution(one: object, reactions: bool) -> TrajectoryRecord:
 
 
 def _turns_back(values: Array) -> bool:
-    """Whether values neither rise nor fall from row to row."""
+    """True if values neither rise nor fall from row to row."""
     steps = np.diff(values)
     return bool(np.any(steps <= 0) and np.any(steps >= 0))
 

@@ -239,11 +239,11 @@ def _poses(system: System) -> tuple[list[Function], list[int]]:
 
 
 def _form(element: Element, joint: Joint | Cut) -> object:
-    """Equal for joints of equal elements and data."""
+    """A key that is equal for joints of equal elements and data."""
     try:
         hash(element)
     except TypeError:  # equations that a user brings hold dictionaries
-        return id(element)
+        return object()  # equal to nothing: an id may come again, once its element is gone
     return (element, tuple(joint.data.items()))
 
 

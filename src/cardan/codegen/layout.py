@@ -273,7 +273,7 @@ def _write_manifest(directory: Path, manifest: Manifest) -> None:
     indent = 1 if rows <= READ else None
     content = sealed(vars(ordered), indent=indent, ensure_ascii=False, allow_nan=False).encode()
     _write(directory / MANIFEST, content)
-    # who opens the model now need not read what was a record a moment ago
+    # opened in this process, the model has its manifest without reading the file
     remember(content, ordered)
 
 

@@ -63,7 +63,7 @@ def _plant(scene: Scene) -> tuple[MultibodyPlant, list[Joint]]:
 
 
 def _inertia(mass: float, com: Array, central_inertia: Array) -> SpatialInertia:
-    """Spatial inertia about the origin of a body; its reader would refuse bodies without mass."""
+    """Spatial inertia about the origin of a body, also where no real body has such moments."""
     from pydrake.multibody.tree import SpatialInertia, UnitInertia
 
     about = central_inertia + mass * (com @ com * np.eye(3) - np.outer(com, com))

@@ -101,7 +101,7 @@ class Ours:
         return np.stack(values, axis=1) if name == "derivatives" else np.asarray(values)
 
     def _still(self) -> dict[str, Array]:
-        """What is the same at all states: inputs, internal states and modes at the start."""
+        """Values that all states share: inputs, internal states and modes at the start."""
         defaults = {block: self.model._layout.start(block) for block in ("r", "z", "s")}
         return defaults | {"t": np.zeros(1), "wrench": np.zeros(6 * len(self.model.bodies))}
 

@@ -122,7 +122,7 @@ def _of_cardan(content: _Content, value: object) -> None:
 
 
 def _as_built_in(content: _Content, value: object) -> None:
-    """What an object holds as a text, number, row or table, where its class is derived of one."""
+    """Add what an object holds as a text, number, row or table, if its class derives from one."""
     for kind in (str, bytes, int, float):
         if isinstance(value, kind):
             content.say(kind.__name__, kind.__repr__(value))

@@ -351,9 +351,9 @@ def remember(content: bytes, manifest: Manifest) -> None:
         content: Exactly what was written of this manifest, or what it was read from.
         manifest: Its parts are checked.
     """
-    while len(_CONTENTS) >= REMEMBERED:
-        # threads may drop the same one
-        _CONTENTS.pop(next(iter(_CONTENTS), b""), None)
+    # from a copy of the keys, as other threads add and drop some meanwhile
+    for oldest in list(_CONTENTS)[: 1 - REMEMBERED]:
+        _CONTENTS.pop(oldest, None)
     _CONTENTS[content] = manifest
 
 

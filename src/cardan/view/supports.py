@@ -75,7 +75,7 @@ def _of_cuts(
 
 
 def _linked(body: DrawnBody) -> bool:
-    """Whether a body has no shapes of the user, and is drawn as links."""
+    """True if a body has no shapes of the user, and is drawn as links."""
     return body.solids is body.fallback
 
 

@@ -86,7 +86,7 @@ class ArrayFunction:
 
     @property
     def size(self) -> int:
-        """How many numbers the result has."""
+        """Length of the result."""
         return prod(self.shape)
 
     def bound(self, states: Sequence[object], keywords: Mapping[str, object]) -> dict[str, object]:

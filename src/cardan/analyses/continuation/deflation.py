@@ -53,7 +53,7 @@ def new_solutions(curves: Sequence[Curve], value: float, budget: int) -> Iterato
 
 
 def _starts(curves: Sequence[Curve], points: Sequence[Point], value: float) -> Iterator[Point]:
-    """Where searches begin: mirror images of curves, curves themselves, and beside solutions."""
+    """Starts of searches: mirror images of curves, curves themselves, and beside solutions."""
     family = curves[0].family
     for sign in (-1.0, 1.0):
         for curve in curves:

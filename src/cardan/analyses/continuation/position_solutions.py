@@ -208,7 +208,7 @@ def start(model: LoadedModel, request: PathRequest) -> PathStart:
 
 
 def _drivers(model: LoadedModel, request: PathRequest) -> Drivers:
-    """What is swept, checked."""
+    """The swept quantities, checked."""
     swept = {n: v for n, v in request.locked.items() if np.shape(v) == (2,)}
     locked = {n: v for n, v in request.locked.items() if n not in swept}
     swept = {**request.swept, **swept}

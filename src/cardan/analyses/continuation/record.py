@@ -126,7 +126,7 @@ class BranchRecord:
 
     @property
     def values(self) -> Mapping[str, Array]:
-        """What was swept, by name (n,)."""
+        """Swept quantities by name (n,)."""
         rows = [self.solutions.values(place.point) for place in self.curve.places]
         return {name: np.array([row[name] for row in rows]) for name in rows[0]}
 

@@ -35,7 +35,7 @@ class Solutions(Protocol):
         """The equations, and how their unknowns change."""
 
     def values(self, point: Point) -> Mapping[str, float]:
-        """What is swept, by name."""
+        """Swept quantities by name."""
 
     def quantity(self, name: str) -> Quantity:
         """A number of a solution by its name.

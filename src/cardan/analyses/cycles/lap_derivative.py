@@ -245,7 +245,7 @@ class _Run:
     def _perturbed_times(self, at: CycleState, end: float) -> Array:
         """Times at which the steps of a motion beside that from a start end.
 
-        Where a part of the motion is at rest, its steps are no measure for changes of that part.
+        Where a part of the motion is at rest, its steps do not measure changes of that part.
         """
         problem = self.problem
         if not problem.how.method.adaptive:

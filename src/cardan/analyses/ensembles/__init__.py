@@ -189,7 +189,7 @@ def _observed(over: Span, with_reductions: bool) -> Span:
 
 
 def _settled(job: Job, method: str, rtol: float) -> Job:
-    """Where no method is named, with the one that ``simulate`` takes for the first run."""
+    """The job with the method that ``simulate`` takes for the first run, where none is named."""
     if method != "auto":
         return job
     case = case_of(job.model, rtol, job.over, job.input_signals, job.event_table)

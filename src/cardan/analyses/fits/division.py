@@ -5,9 +5,10 @@ measured. So a chaotic motion has many of them, a mild one near the first values
 from values that are far off several: single runs would be led astray.
 
 Growth is the norm of the transition matrix, coordinates and speeds in units of their standard
-deviations along the motion, in which an oscillation is no growth. Errors are those that constraints
-allow, in the directions in which the motion itself goes. What coordinates make of speeds is left
-out: that is large where something is stiff, and real growth shows in coordinates too.
+deviations along the motion, in which an oscillation does not grow. Errors are those that
+constraints allow, in the directions in which the motion itself goes. What coordinates make of
+speeds is left out: that is large where something is stiff, and real growth shows in coordinates
+too.
 
 Source: H. G. Bock, in: Numerical Treatment of Inverse Problems in Differential and Integral
 Equations (1983), 95-121, for what the division does to the search.
@@ -113,7 +114,7 @@ class _Division:
 
 
 def _has_left(shooting: Shooting, run: NodeRun, residuals: Array) -> bool:
-    """Whether most samples of a channel are far off the run."""
+    """True if most samples of a channel are far off the run."""
     samples = shooting.samples
     mask = samples.present[run.first : run.first + len(run.x)]
     off = np.full(mask.shape, np.nan)

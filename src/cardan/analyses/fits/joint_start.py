@@ -39,7 +39,7 @@ class JointStart:
             unknown: Names of unknown starts.
 
         Raises:
-            ArgumentError: it is no start by names. ModelError: unknown starts are whole blocks.
+            ArgumentError: it is not a start by names. ModelError: unknown starts are whole blocks.
         """
         values = dict[str, Mapping[str, object]]()
         for letter, block in zip("quz", begin, strict=True):

@@ -161,7 +161,7 @@ def _interpolated(t: Array, column: Array) -> Array:
 
 
 def speed_places(model: LoadedModel) -> list[int]:
-    """Place along the speeds (nx,) of every entry of the state; -1 of one that is no direction.
+    """Place along the speeds (nx,) of every entry of the state; -1 of one that is not a direction.
 
     Such are coordinates of rotations in space.
     """

@@ -1,4 +1,4 @@
-"""What a fit has found."""
+"""Results of fits."""
 
 from __future__ import annotations
 

@@ -77,7 +77,7 @@ class _Best:
             self.point, self.cost, self.iteration = point, cost, iteration
 
     def stands_still(self, iteration: int, size: float) -> bool:
-        """Whether the search has found nothing better for long, and its steps do not shrink."""
+        """True if the search has found nothing better for long, and its steps do not shrink."""
         if size < SHRINKS * self.size:
             self.size, self.since = size, iteration
         return iteration - self.since >= STILL
@@ -137,7 +137,7 @@ class Search:
         return self._fit(end, converged, interrupted, message, iterations)
 
     def _first(self, states: Array, values: Array) -> _Point:
-        """Where the search begins.
+        """Start of the search.
 
         Raises:
             ArgumentError: no more samples than unknowns.

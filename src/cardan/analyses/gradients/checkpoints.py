@@ -147,7 +147,7 @@ class StepStore:
         self._checkpoints[number] = Checkpoint(self.runner.save(), row, log)
 
     def _block_ends(self, recorder: Recorder) -> bool:
-        """Whether a block may end with the last row: nothing else happens at its time."""
+        """True if a block may end with the last row: nothing else happens at its time."""
         run, t = self.runner.record, next(p[-1, 0] for p in reversed(recorder.rows) if len(p))
         if not run.row_open or run.t == t:
             return False
@@ -166,7 +166,7 @@ class StepStore:
 
     @property
     def note(self) -> str:
-        """How often steps were repeated, in words; "" where all of them fitted into memory."""
+        """Times that steps were repeated, in words; "" where all of them fitted into memory."""
         if self.complete:
             return ""
         steps, blocks = self._total, len(self._sizes) + 1

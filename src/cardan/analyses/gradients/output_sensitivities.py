@@ -71,7 +71,7 @@ def changes_of(model: LoadedModel, what: str | tuple[str, str], along: ChangingS
     missing = [name for name in FUNCTIONS[function].required if name not in STATE]
     if missing:
         raise ArgumentError(
-            f"sensitivity: {function} is a function of {missing[0]} too, which is no part of a "
+            f"sensitivity: {function} is a function of {missing[0]} too, which is not part of a "
             "motion. Take a function of the state, or a formula in names of the model"
         )
     # y' = y_x x' + y_r r' + y_p p', by one product along every direction

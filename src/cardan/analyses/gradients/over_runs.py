@@ -21,7 +21,7 @@ R = TypeVar("R")
 
 
 class Variation(NamedTuple):
-    """How many runs there are and what they differ by, as :func:`.ensemble` takes it.
+    """Number of runs, and what they differ by, as :func:`.ensemble` takes it.
 
     Attributes:
         vary: Plan, or name -> values (runs,) or a distribution.

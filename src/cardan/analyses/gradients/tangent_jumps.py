@@ -67,7 +67,7 @@ class TangentJumps:
         return x, delay
 
     def _changing(self, fired: Array) -> bool:
-        """Whether any of some events changes the state."""
+        """True if any of some events changes the state."""
         return any(self.events.kinds[k] <= abi.TICK for k in np.flatnonzero(fired))
 
     def _delay(

@@ -75,7 +75,7 @@ class SweepRecord:
 
     @property
     def minimum(self) -> list[bool]:
-        """Whether the strain energy is least, of every position found by it."""
+        """True where the strain energy is least, for every position found by it."""
         return [not negative for negative in self.n_negative.tolist()]
 
     @property

@@ -212,7 +212,7 @@ class Start:
 
 
 def start_key(x: Array, q: object, u: object, t: float, r: Array) -> bytes:
-    """What a start of a model follows from: equal ones follow from equal keys."""
+    """Key of what a start of a model follows from: starts with equal keys are equal."""
     key = hashlib.blake2b(np.float64(t).tobytes() + np.asarray(r).tobytes())
     for named in (q, u):
         # values of names stand in the state: which were named decides what is held

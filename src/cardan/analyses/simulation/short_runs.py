@@ -36,7 +36,7 @@ AT_ONCE = 1 << 12  # steps of one call of the kernels: Ctrl-C is heard between t
 
 
 class Options(NamedTuple):
-    """How to step, as ``model.step`` takes it."""
+    """Options of a step, as ``model.step`` takes them."""
 
     method: str | GeneralizedAlpha | Alpha
     rtol: float
@@ -122,7 +122,7 @@ class ShortRuns:
         return count
 
     def _answer(self) -> int:
-        """What the kernels say in the end of the states that the record names."""
+        """Last answer of the kernels for the states that the record names."""
         record, run, more = self._record, self._run, run_record.MORE
         # an interrupted call has left a run under way
         record.going = 0
@@ -186,7 +186,7 @@ def put_back(model: LoadedModel, options: Options, runs: ShortRuns) -> None:
 
 
 def fit(model: LoadedModel, states: Array, t: float, dt: float) -> bool:
-    """Whether states (..., nx) and times are such that runs can begin."""
+    """True if states (..., nx) and times are such that runs can begin."""
     return (
         states.ndim > 0
         and states.shape[-1] == model.nx

@@ -228,7 +228,7 @@ def checked(who: str, function: Callable[..., float]) -> Checked:
 
 
 def _binds(arguments: Signature, *values: object) -> bool:
-    """Whether a function takes such positional arguments."""
+    """True if a function takes such positional arguments."""
     try:
         arguments.bind(*values)
     except TypeError:

@@ -60,7 +60,6 @@ def _clean(name: str) -> str:
     """ASCII letters and digits, with one "_" between words."""
     text = name
     if not (name.isascii() and name.isidentifier()):
-        text = name
         if not name.isascii():
             text = "".join(c if c.isascii() else _letter(c) for c in name)
         text = _SIGN.sub("_", text)

@@ -122,7 +122,7 @@ def example(manifest: Manifest) -> str:
 
 
 def guide(manifest: Manifest) -> str:
-    """How to use it, for the README."""
+    """Usage, for the README."""
     return source("wasm.md").format(package=package(manifest), call=_call(manifest)).rstrip()
 
 

@@ -132,7 +132,7 @@ class ElementEvents:
 
     @property
     def responses(self) -> int:
-        """How many responses the change of its states reads."""
+        """Number of responses that the change of its states reads."""
         return len(self.change) and len(self._responses)
 
     def jumps(self) -> tuple[Output, ...]:

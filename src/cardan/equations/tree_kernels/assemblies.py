@@ -74,7 +74,7 @@ def refusal(system: System, name: str, of: str | None, chosen: bool, short: bool
         return "friction follows from reactions"
     far = _far(system)
     if far:
-        return f"'{far}' rotates where a slide may have taken it far from the tree's base"
+        return f"joint '{far}' rotates where a slide may have taken it far from the tree's base"
     if name == "derivative":
         request = Request.read(of or "")
         if request.function not in DERIVED:

@@ -57,7 +57,7 @@ class GroundMotion:
         return Matrix(self.k.graph, x.rows, x.columns, self.cuts.cut(i, quantity, x.nodes))
 
     def _begins(self, i: int) -> bool:
-        """Whether positions count from a body: whatever is inboard of it only slides."""
+        """True if positions count from a body: whatever is inboard of it only slides."""
         parent = self.k.system.bodies[i].parent
         return parent < 0 or self.slides[parent]
 

@@ -57,7 +57,7 @@ class Compiler:
 
     @property
     def is_zig(self) -> bool:
-        """Whether it is the clang of ziglang, which compiles several files at once by itself."""
+        """True if it is the clang of ziglang, which compiles several files at once by itself."""
         return any("zig" in Path(word).name for word in self.command)
 
     @property

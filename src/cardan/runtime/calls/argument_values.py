@@ -1,4 +1,4 @@
-"""What users give as arguments, as arrays."""
+"""Arguments of users as arrays."""
 
 from __future__ import annotations
 

@@ -115,7 +115,7 @@ class Batch:
 
     @property
     def single(self) -> bool:
-        """Whether its lanes are of floats."""
+        """True if its lanes are of floats."""
         return self.recipe is not None and self.recipe.single
 
     @property
@@ -173,11 +173,11 @@ class Batch:
         return failed or (0, -1, all(finite for _, _, finite in answers))
 
     def _in_threads(self, seconds: float) -> bool:
-        """Whether work of so many seconds is shared by threads."""
+        """True if work of so many seconds is shared by threads."""
         return seconds > THREADED and bool(self.address) and threads(self.thread_count) > 1
 
     def watches(self, lane_parameters: bool, count: int) -> bool:
-        """Whether a run looks for numbers that are not finite, in all that is read."""
+        """True if a run looks for numbers that are not finite, in all that is read."""
         return (count >= FEW or self.single) and self.ready(lane_parameters) is not None
 
     @property

@@ -60,7 +60,7 @@ class Argument:
 
     @cached_property
     def finite(self) -> bool:
-        """Whether its default is."""
+        """True if its default is."""
         return self.default is None or bool(np.isfinite(self.default).all())
 
     @cached_property
@@ -240,7 +240,7 @@ class Caller:
         return arrays
 
     def _precision(self, values: Sequence[object]) -> tuple[Batch, Numbers]:
-        """What goes through the states of a call, and the type of its numbers.
+        """The batch that goes through the states of a call, and the type of its numbers.
 
         Floats where the model has them and all arrays of several states are such.
         """

@@ -77,7 +77,7 @@ class States:
 
     @cached_property
     def plain(self) -> bool:
-        """Whether they are rows of doubles, as loops over single states take them."""
+        """True if they are rows of doubles, as loops over single states take them."""
         rows = self.out.dtype == np.float64 and self.out.flags.c_contiguous
         return rows and all(spacing == 1 for spacing in self.spacings)
 
@@ -193,7 +193,7 @@ class Lanes:
 
 @dataclass(frozen=True)
 class Direct:
-    """What calls ``cardan_batch`` without anything around it.
+    """A call of ``cardan_batch`` without anything around it.
 
     Attributes:
         driver, address, single: Addresses of it, of the lane build and of the build for one state.
@@ -253,7 +253,7 @@ def _shape(
     lanes: int,
     unit: int,
 ) -> tuple[tuple[ctypes.Array[ctypes.c_size_t], ...], int]:
-    """What ``cardan_batch`` is told of blocks and result, which nobody changes, and the bytes of
+    """Arguments of ``cardan_batch`` about blocks and result, which nobody changes, and the bytes of
     memory that it works in.
     """
     room = _room(sizes, work_size, lanes, unit)

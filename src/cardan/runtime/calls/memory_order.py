@@ -55,7 +55,7 @@ def room(
     """Array for the results (count, size): ``out`` itself if it takes them so, else a new one.
 
     Args:
-        out: Array of shape ``lead + shape``, or what is none.
+        out: Array of shape ``lead + shape``, or anything else.
         columns: Whether a new one lies entry by entry.
         blocks: What is read meanwhile.
     """
@@ -82,7 +82,7 @@ def into(result: Array, out: object, where: str = "") -> Array:
         where: What errors begin with.
 
     Raises:
-        ArgumentError: it is no array of the same shape and type, or must not be written to.
+        ArgumentError: it is not an array of the same shape and type, or must not be written to.
     """
     if out is None:
         return result

@@ -42,7 +42,7 @@ T = TypeVar("T")
 
 
 def available() -> bool:
-    """Whether wasmtime is installed."""
+    """True if wasmtime is installed."""
     return find_spec(NAME) is not None
 
 

@@ -320,7 +320,7 @@ class Hessian(Weighted):
 
     @cached_property
     def _in_order(self) -> bool:
-        """Whether rows and columns are wanted as the C has them."""
+        """True if rows and columns are wanted as the C has them."""
         return self._ordered == self.wrt
 
     @property

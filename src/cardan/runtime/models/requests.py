@@ -35,7 +35,7 @@ def once(make: Callable[P, R]) -> Callable[P, R]:
         try:
             existing: R | None = None if named else model._derived.get(key)
         except TypeError:
-            # an array of names has no hash, and what is no name is told by the request
+            # an array of names has no hash; the request refuses what is not a name
             existing = key = None
         if existing is not None:
             return existing

@@ -46,7 +46,7 @@ class SolverInfo:
     Attributes:
         method: Integrator.
         settings: Its tolerances or step, as words to print.
-        initial: Named initial value of every coordinate and speed.
+        initial: Initial value of every coordinate, speed, internal state and input, by name.
         defaulted: Those that the caller did not give.
         status: ``finished``, ``event`` (one ended the run), ``interrupted``, ``function_failed``,
             ``event_storm``, ``chatter``, ``step_too_small``, ``step_too_long``,

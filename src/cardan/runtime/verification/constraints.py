@@ -93,13 +93,13 @@ def slope(f: Callable[[Array], Array], rounding: float = 0.0) -> tuple[Array, Ar
 
     Args:
         f: The function.
-        rounding: Of its values: the difference of two of them a step apart is known no better.
+        rounding: Rounding error of its values, which limits the difference of two of them.
     """
     before = _difference(f, STEPS[0])
     derivative, doubt = before, np.full(before.shape, np.inf)
     for h in STEPS[1:]:
         now = _difference(f, h)
-        # two steps may agree by chance: of many rows some do
+        # two steps may agree by chance, and among many rows some do
         change = np.maximum(np.abs(now - before), rounding / h)
         better = change < doubt
         derivative, doubt = np.where(better, now, derivative), np.where(better, change, doubt)

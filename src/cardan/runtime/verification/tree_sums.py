@@ -38,7 +38,7 @@ class BodyTree:
     def along_paths(
         self, parts: Array, combine: Callable[[Array, Array], Array], axis: int
     ) -> Array:
-        """Of every body its part after those of all its ancestors.
+        """The part of every body after those of all its ancestors.
 
         Args:
             parts: Of every body; that of the ground changes nothing.
@@ -60,7 +60,7 @@ class BodyTree:
     def subtree_sums(
         self, wrenches: Array, shift: Callable[[Array, Indices, Indices], Array]
     ) -> Array:
-        """Of every body the sum over itself and all that hangs on it.
+        """Sums over every body and all that hangs on it.
 
         Args:
             wrenches: (..., 1 + bodies, k); what the ground gets is left out.

@@ -105,7 +105,7 @@ class _Robot:
         return self.root
 
     def _is_rooted(self) -> bool:
-        """Whether a single body stands on the ground, right where that is."""
+        """True if a single body stands on the ground, right where that is."""
         parts, frames = self.system.ground_parts, self.system.frames
         on_ground = {k for k, row in enumerate(frames) if row.body == GROUND and row.part == 0}
         joined = {joint.parent_frame for joint in self.system.joints}

@@ -72,7 +72,7 @@ def _of_rows(motion: TrajectoryRecord) -> tuple[TrajectoryRecord, Keys]:
 
 
 def _distinct(times: Array) -> Array:
-    """Whether a time and the next differ, in single precision from the first on."""
+    """True where a time and the next differ, in single precision from the first on."""
     return np.asarray(np.diff((times - times[0]).astype(np.float32)) > 0)
 
 

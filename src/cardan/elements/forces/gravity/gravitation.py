@@ -45,7 +45,7 @@ class Gravitation(ForceElement):
 
     @property
     def has_potential(self) -> bool:
-        """Whether what it does follows from a potential energy."""
+        """True if what it does follows from a potential energy."""
         return True
 
     @property

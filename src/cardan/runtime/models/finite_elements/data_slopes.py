@@ -27,7 +27,7 @@ ROTATION = 9
 
 
 def without_slopes(model: LoadedModel, kind: ElementKind) -> int:
-    """How many data of a kind, the first ones, have no derivatives.
+    """Number of data of a kind, the first ones, that have no derivatives.
 
     Routines of C, which have no expressions, know none by rotations.
     """

@@ -34,7 +34,7 @@ class NumberedNames(Sequence[str]):
     those of balances of many elements take as much memory as the elements."""
 
     def __init__(self, name: str, count: int) -> None:
-        """Of so many numbers."""
+        """Names of so many numbers."""
         self._name = name
         self._places = range(count)
 
@@ -99,7 +99,7 @@ class Results:
         return function if of is None else partial(function, of)
 
     def at_once(self, name: str, of: str | None) -> bool:
-        """Whether a function takes blocks of many states (n, ...)."""
+        """True if a function takes blocks of many states (n, ...)."""
         on_node = of is not None and of not in self.in_trees
         return on_node and name in {"pose", "velocity", "acceleration"}
 

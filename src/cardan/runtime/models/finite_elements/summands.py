@@ -131,7 +131,7 @@ def of_forces(tables: Tables, manifest: Manifest) -> Summands:
 
 
 def _size(tables: Tables, manifest: Manifest, form: str, group: int) -> int:
-    """How many numbers a function gives of every element of a group.
+    """Number of results of a function for every element of a group.
 
     Raises:
         ModelError: its elements have no such function.

@@ -211,7 +211,7 @@ class _Events:
 
     @cached_property
     def frictions(self) -> int:
-        """How many follow from reactions."""
+        """Number of those that follow from reactions."""
         return sum(len(group) * group.kind.frictions for group in self.mesh.tables.groups)
 
     @cached_property
