@@ -75,7 +75,7 @@ def call_wasm(
     given = {n: machine.put(np.array(values[n], dtype=float).tobytes()) for n in program.blocks
              if n != "p"}  # fmt: skip
     pointers = {**given, "w": w}
-    blocks = machine.put(struct.pack("<16i", *(pointers.get(n, 0) for n in (*ORDER, "e"))))
+    blocks = machine.put(struct.pack(f"<{len(ORDER)}i", *(pointers.get(n, 0) for n in ORDER)))
     status = functions[program.name](machine.store, blocks, out, work)
     found = [machine.read(at, size + 4) for at, size in zip((w, out, work), sizes, strict=True)]
     for array in found:

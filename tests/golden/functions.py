@@ -103,14 +103,14 @@ of a model have their own pages:
 
 All arrays may have leading axes `...` for many states, such as x of shape (1000, nx) in
 `model.rhs(0, x)`. They may lie state by state or entry by entry; results of many states lie [as the
-arguments do](building.md#many-states-at-once). `out=` takes a float64 array of the shape of the
-result, which is filled and returned. Results are new arrays otherwise.
+arguments do](building.md#many-states-at-once). `out=` takes an array of the shape and type of the
+result, which is filled and returned; it may be one of the arguments. Results are new arrays otherwise.
 
 Real numbers of any type are converted to float64, unless the model was compiled with
-[`dtype="float32"`](building.md#many-states-at-once). Wrong shapes and complex numbers or text raise
-an `ArgumentError`, given NaN or infinity a `SolveError`. A result that is not finite raises a
-`SolveError` for one state. In a batch its row is not finite, and a `SolveWarning` names the
-first. Several threads may call one model at once.
+[`dtype="float32"`](building.md#many-states-at-once). Wrong shapes, masked entries, complex numbers
+and text raise an `ArgumentError`, given NaN or infinity a `SolveError`. A result that is not finite
+raises a `SolveError` for one state. In a batch its row is not finite, and a `SolveWarning` names
+the first. Several threads may call one model at once.
 
 Coordinates and speeds are in the order of the joints from the ground outward, which may differ
 from that of their declaration. Inputs are in the order of declaration. `model.coordinates`,
