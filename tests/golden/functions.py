@@ -104,7 +104,8 @@ of a model have their own pages:
 All arrays may have leading axes `...` for many states, such as x of shape (1000, nx) in
 `model.rhs(0, x)`. They may lie state by state or entry by entry; results of many states lie [as the
 arguments do](building.md#many-states-at-once). `out=` takes an array of the shape and type of the
-result, which is filled and returned; it may be one of the arguments. Results are new arrays otherwise.
+result, which is filled and returned; it may be one of the arguments. Otherwise results are new
+arrays.
 
 Real numbers of any type are converted to float64, unless the model was compiled with
 [`dtype="float32"`](building.md#many-states-at-once). Wrong shapes, masked entries, complex numbers
