@@ -122,7 +122,8 @@ def length(family: Family, dz: Array) -> float:
 
 def along_parameter(family: Family) -> Array:
     """The direction (N,) in which the parameter grows alone."""
-    direction: Array = np.eye(len(family.weights))[-1]
+    direction = np.zeros(len(family.weights))
+    direction[-1] = 1.0
     return direction
 
 

@@ -32,7 +32,7 @@ def accelerations(task: Task, tree: Tree, q: Any, u: Any, tau: Any) -> Any:
 
     for spring in task.problem.loads.springs:
         length = ca.norm_2(anchored(spring.ends[1]) - anchored(spring.ends[0]))
-        energy = spring.stiffness / 2 * (length - spring.rest_length) ** 2
+        energy = spring.stiffness / 2 * (length - spring.length) ** 2
         tau = tau - ca.gradient(energy, q)
     found = circuits(task.model)
     if isinstance(found, str):

@@ -98,7 +98,7 @@ def _loads(task: Task, system: Any, mark: Callable[[int, Any], int], names: list
         ends = [mark(names.index(n) if n != "ground" else -1, at) for n, at in spring.ends]
         system.AddObject(
             ObjectConnectorSpringDamper(
-                markerNumbers=ends, referenceLength=spring.rest_length, stiffness=spring.stiffness
+                markerNumbers=ends, referenceLength=spring.length, stiffness=spring.stiffness
             )
         )
     for joint, torque in loads.constant.items():
