@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy as sm
 from sympy.physics import mechanics as me
-from tests.model import mechanics
+from tests.scene import mechanics
 
 Made = tuple[Any, dict[Any, float]]
 
