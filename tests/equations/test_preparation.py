@@ -9,7 +9,7 @@ from types import FrameType
 
 import cardan as cd
 from cardan.codegen import generate
-from equations.test_folded import rope
+from equations.test_representatives import rope
 from table import each
 
 # Python calls for each further link of a rope; they may only fall

@@ -14,7 +14,7 @@ from functools import cached_property
 
 from ...ir.arithmetic import Scalar
 from ...ir.derivative import forward
-from ...ir.graph import ONE, ZERO
+from ...ir.graph import ONE, ZERO, Graph
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
 from ...topology.prescribed_motion import input_rates
@@ -36,18 +36,19 @@ class Kinematics:
         system: The system graph; its expressions are copied, not changed.
         speeds: User-chosen generalized speeds, each linear in the joint speeds ``("var", "u", k)``;
             the system's u are then these.
-        cut: Whether values that bodies hand on become leaves, so that steps of a recursion can be
-            told apart. Nothing may be differentiated through them.
+        cut: How values that bodies hand on become leaves, so that steps of a recursion can be
+            told apart; None where they do not. Nothing may be differentiated through them.
         following: Gives names to what closed loops determine, for people to read.
     """
 
     def __init__(
-        self, system: System, speeds: Sequence[Named] = (), cut: bool = False,
+        self, system: System, speeds: Sequence[Named] = (),
+        cut: Callable[[Graph], Cuts] | None = None,
         coefficients: KinematicCoefficients | None = None,
     ) -> None:  # fmt: skip
         self.system, self.coefficients = system, coefficients
         self.graph = system.graph.fork().describe(Kinematics)
-        self.cuts = Cuts(self.graph) if cut else None
+        self.cuts = cut(self.graph) if cut is not None else None
         # angular acceleration and acceleration of a frame (6, 1), where udot is known
         self.acceleration: Callable[[int], Matrix] | None = None
         self.chosen = tuple(speeds)

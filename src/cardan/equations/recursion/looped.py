@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
-from ...ir.function import Function
+from ...ir.function import Function, Output
 from ...ir.recursion import Recursion
 from ...topology.system import System
 from ..kinematics.kinematics import Kinematics
 from .angle_sweep import angles_first
-from .folded import Fold, fold
+from .common_forms import Forms
+from .recursion_boundary import Cuts
+from .representatives import Representatives, representatives
 from .steps import recursion
 from .sweeps import LATER, LEFT_OUT, Sweeps
 
 # bodies above which loops are written, and how often a step must be used at least: measured on
 # chains, loops run 5 % slower and compile ten times faster at 100 bodies
 LOOPED, REPEATED = 60, 4
+# forms of what bodies hand on are known after as many derivations as there are steps on which they
+# depend, which are few
+MOST_DERIVATIONS = 20
 # those whose results belong to single joints
-FOLDED = (
+BY_JOINTS = (
     "rhs",
     "forward_dynamics",
     "inverse_dynamics",
@@ -37,49 +43,77 @@ def repeats(recursion: Recursion) -> bool:
     return visits >= REPEATED * len(recursion.steps)
 
 
-def homes(
-    system: System, function: Function, fold: Fold | None = None, other: int = LATER
-) -> list[int]:
+def homes(system: System, function: Function, other: int = LATER) -> list[int]:
     """Body at whose visit every entry of the results is computed.
 
     Args:
-        system: The tree.
+        system: The tree; of a large one the representatives.
         function: The results.
-        fold: How the tree was shortened: entries of bodies left out have none.
         other: Body of entries that belong to no joint.
     """
-    missing = LATER if fold is None else LEFT_OUT
-    q, u = [missing] * system.nq, [missing] * system.nu
-    for i, joint in enumerate((fold.system if fold else system).joints):
-        if joint.q >= 0:
-            for slots, first, count in (
-                (q, joint.q, len(joint.element.coordinates)),
-                (u, joint.u, len(joint.element.speeds)),
-            ):
-                slots[first : first + count] = [i] * count
-    homes: list[int] = []
+    places: list[int] = []
     for o in function.outputs:
-        like = next((x for x in (q, u) if o.shape == (len(x),)), None)
-        homes += [other] * o.size if like is None else like
-    return homes
+        letter = _letter(system, o)
+        if not letter:
+            places += [other] * o.size
+            continue
+        slots = [LEFT_OUT] * o.size
+        for i, joint in enumerate(system.joints):
+            first = getattr(joint, letter)
+            parts = joint.element.coordinates if letter == "q" else joint.element.speeds
+            if first >= 0:
+                slots[first : first + len(parts)] = [i] * len(parts)
+        places += slots
+    return places
+
+
+def _letter(system: System, output: Output) -> str:
+    """The block in whose order the entries of an output are, "" if they belong to no joint."""
+    sizes = {"q": system.nq, "u": system.nu}
+    if output.name == "qdot":
+        return "q"
+    return next((x for x in ("u", "q") if output.shape == (sizes[x],)), "")
 
 
 def by_bodies(system: System, derive: Callable[[Kinematics], Function], name: str) -> Recursion:
-    """A function as a recursion over the bodies; of bodies that repeat only a few are derived.
+    """A function as a recursion over the bodies; of bodies that are alike only one is derived.
 
     Args:
         system: The tree.
         derive: Makes the function from the kinematics of a tree.
         name: Of the function.
     """
-    short = fold(system) if name in FOLDED or name in SUMMED else None
     other = 0 if name in SUMMED and system.bodies else LATER
-    for folded in (short, None) if short is not None else (None,):
-        k = Kinematics(folded.system if folded else system, cut=True)
+    few = representatives(system) if name in BY_JOINTS or name in SUMMED else None
+    looped = _by_representatives(few, derive, other) if few is not None else None
+    if looped is None:
+        k = Kinematics(system, cut=Cuts)
         function = derive(k)
         assert k.cuts is not None
-        home_bodies = homes(system, function, folded, other)
-        looped = recursion(Sweeps(k.cuts, function, home_bodies, k.system, folded))
-        if looped is not None:
-            return angles_first(looped)
-    raise AssertionError("a tree that is not folded has its visits")
+        looped = recursion(Sweeps(k.cuts, function, homes(system, function, other), system))
+    assert looped is not None
+    return angles_first(looped)
+
+
+def _by_representatives(
+    few: Representatives, derive: Callable[[Kinematics], Function], other: int
+) -> Recursion | None:
+    """A function of all bodies from that of their representatives; None where they differ in more
+    than names.
+    """
+    k = Kinematics(few.system, cut=partial(Cuts, every=True))
+    function = derive(k)
+    assert k.cuts is not None
+    places = homes(few.system, function, other)
+    results = zip(places, function.roots, strict=True)
+    read = k.cuts.read_elsewhere([(body, i) for body, i in results if body != LEFT_OUT])
+    forms = Forms(read, few.formed)
+    for _ in range(MOST_DERIVATIONS):
+        k = Kinematics(few.system, cut=partial(Cuts, forms=forms))
+        function = derive(k)
+        if forms.settled():
+            assert k.cuts is not None
+            firsts = [few.slots.get(_letter(few.system, o)) for o in function.outputs]
+            return recursion(Sweeps(k.cuts, function, places, few.system, few), firsts)
+        forms = forms.further()
+    return None

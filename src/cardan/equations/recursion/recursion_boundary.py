@@ -7,15 +7,16 @@ value, so that the expressions of one body end at those of its neighbors.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, TypeAlias
 
+from ...ir.function import live, operands
 from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix
 from ...ir.ops import LEAVES
 from ...ir.recursion import STORE
 from ...records import dataclass
+from .common_forms import Form, Forms
 
 if TYPE_CHECKING:
     from ..kinematics.kinematics import Kinematics
@@ -38,6 +39,8 @@ class Definition:
         size: Number of components of the quantity.
         node: Its expression; of a sum, the body's own part.
         added: Of a sum: (body, node) that others add.
+        summed: Whether it is a sum, to which nobody may add here.
+        common: Whether bodies of all kinds hand it on.
     """
 
     body: int
@@ -45,6 +48,8 @@ class Definition:
     size: int
     node: int
     added: tuple[tuple[int, int], ...] = ()
+    summed: bool = False
+    common: bool = False
 
 
 class Cuts:
@@ -54,27 +59,66 @@ class Cuts:
         graph: Where they live.
         every: Whether every entry becomes a leaf and is stored, numbers and what nobody reads too:
             so bodies next to the ground and at the tips do what all others do.
+        forms: Forms in which bodies of all kinds hand on what others read, where few bodies stand
+            for many.
 
     Attributes:
         definitions: Leaf of the store -> what it stands for.
     """
 
-    def __init__(self, graph: Graph, every: bool = False) -> None:
-        self.graph, self.every = graph, every
+    def __init__(self, graph: Graph, every: bool = False, forms: Forms | None = None) -> None:
+        self.graph, self.every, self.forms = graph, every, forms
         self.definitions: dict[int, Definition] = {}
         self._leaves: dict[tuple[int, int], int] = {}
-        self._fields: set[tuple[int, tuple[str, int]]] = set()
-        self._fixed = bytearray()
+        self._times: dict[tuple[int, str], int] = {}
+        self._fixed: dict[int, bool] = {}
 
     def cut(self, body: int, quantity: str, nodes: Sequence[int]) -> list[int]:
         """Leaves for the entries of a value; numbers, inputs and parameters stay what they are."""
-        size = len(nodes)
+        size, quantity = len(nodes), self._name(body, quantity)
         if self.every:
             return [
                 self._leaf(Definition(body, (quantity, k), size, node))
                 for k, node in enumerate(nodes)
             ]
+        if self.forms is not None and self.forms.common(body, quantity):
+            form = self.forms.form(self.graph, quantity, nodes)
+            if form is not None:
+                return self._in_form(body, quantity, form, nodes)
         return [self._cut(body, (quantity, k), size, node) for k, node in enumerate(nodes)]
+
+    def _name(self, body: int, quantity: str) -> str:
+        """Name of a quantity of a body: two of one name have places each."""
+        number = self._times[body, quantity] = self._times.get((body, quantity), 0) + 1
+        return quantity if number == 1 else f"{quantity}_{number}"
+
+    def _in_form(
+        self,
+        body: int,
+        quantity: str,
+        form: Form,
+        nodes: Sequence[int],
+        added: Sequence[tuple[int, Sequence[int]]] | None = None,
+    ) -> list[int]:
+        """Leaves for the entries that are leaves of bodies of all kinds."""
+        result: list[int] = []
+        for k, entry in enumerate(form):
+            if entry.value is not None:
+                result.append(nodes[k])
+                continue
+            leaf = result[entry.source] if entry.source < k else -1
+            if leaf < 0:
+                parts = [(by, part[k]) for by, part in added or () if part[k] != ZERO]
+                node, *terms = self._signed(entry.sign, [nodes[k], *(term for _, term in parts)])
+                terms_added = tuple((by, term) for (by, _), term in zip(parts, terms, strict=True))
+                field, summed = (quantity, k), added is not None
+                definition = Definition(body, field, len(nodes), node, terms_added, summed, True)
+                leaf = self._leaf(definition)
+            result += self._signed(entry.sign, [leaf])
+        return result
+
+    def _signed(self, sign: int, nodes: Sequence[int]) -> list[int]:
+        return [self.graph.neg(node) if sign < 0 else node for node in nodes]
 
     def _cut(self, body: int, field: tuple[str, int], size: int, node: int) -> int:
         entry = self.graph.nodes[node]
@@ -95,6 +139,12 @@ class Cuts:
         added: Sequence[tuple[int, Sequence[int]]],
     ) -> list[int]:
         """Leaves for sums of what a body has itself and what others add, entry by entry."""
+        quantity = self._name(body, quantity)
+        if self.forms is not None and self.forms.formed[body]:
+            terms = (body_nodes, *(nodes for _, nodes in added))
+            form = self.forms.form_of_sum(self.graph, quantity, terms)
+            if form is not None:
+                return self._in_form(body, quantity, form, body_nodes, added)
         leaves: dict[tuple[int, ...], int] = {}
         result = []
         for k, node in enumerate(body_nodes):
@@ -104,7 +154,7 @@ class Cuts:
             if key not in leaves:
                 field = (quantity, k)
                 leaves[key] = (
-                    self._leaf(Definition(body, field, len(body_nodes), node, parts))
+                    self._leaf(Definition(body, field, len(body_nodes), node, parts, summed=True))
                     if parts
                     else self._cut(body, field, len(body_nodes), node)
                 )
@@ -112,33 +162,39 @@ class Cuts:
         return result
 
     def _leaf(self, definition: Definition) -> int:
-        # two values of one name have a place each
-        (quantity, k), number = definition.field, 2
-        while (definition.body, definition.field) in self._fields:
-            definition = replace(definition, field=(f"{quantity}_{number}", k))
-            number += 1
-        self._fields.add((definition.body, definition.field))
         leaf = self.graph.var(STORE, len(self.definitions))
         self.definitions[leaf] = definition
         return leaf
 
+    def read_elsewhere(self, results: Iterable[tuple[int, int]]) -> frozenset[str]:
+        """Names of the quantities of a body that others read, for results of (body, node) too."""
+        definitions, names = self.definitions, set[str]()
+        handed = ((d.body, d.node) for d in definitions.values())
+        added = (part for d in definitions.values() for part in d.added)
+        for body, node in (*results, *handed, *added):
+            for i in live(self.graph, [node]):
+                owner = definitions.get(i)
+                if owner is not None and owner.body != body:
+                    names.add(owner.field[0])
+        return frozenset(names)
+
     def fixed(self, node: int) -> bool:
         """True when a node depends on parameters and numbers alone."""
-        nodes, fixed = self.graph.nodes, self._fixed
-        for i in range(len(fixed), node + 1):
+        nodes, fixed, waiting = self.graph.nodes, self._fixed, [node]
+        while waiting:
+            i = waiting[-1]
             entry = nodes[i]
-            op = entry[0]
-            if op in LEAVES:
-                fixed.append(op == "const" or (op == "var" and entry[1] == "p"))
-            elif op == "item" or len(entry) == 2:
-                fixed.append(fixed[entry[1]])
-            elif len(entry) == 3:
-                # most nodes by far
-                fixed.append(fixed[entry[1]] and fixed[entry[2]])
-            else:
-                read = entry[4:] if op == "solve" else entry[1:]
-                fixed.append(all(fixed[k] for k in read))
-        return bool(fixed[node])
+            if entry[0] in LEAVES:
+                fixed[i] = entry[0] == "const" or (entry[0] == "var" and entry[1] == "p")
+            elif i not in fixed:
+                read = operands(entry)
+                unknown = [k for k in read if k not in fixed]
+                if unknown:
+                    waiting += unknown
+                    continue
+                fixed[i] = all(fixed[k] for k in read)
+            waiting.pop()
+        return fixed[node]
 
 
 def summed(k: Kinematics, quantity: str, parts: Sequence[Matrix]) -> Matrix:

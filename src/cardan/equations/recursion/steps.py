@@ -14,37 +14,48 @@ from ...ir.recursion import OUT, STORE, Recursion, Sweep, Visit
 from ...ir.rewrite import copy
 from ...ir.strided_visits import as_turns
 from .recursion_boundary import CELLS, XYZ, Definition
+from .representatives import Ints
 from .sweeps import AFTER, LATER, Sweeps, Task
+from .unfolding import Unfolding
 
 DIRECTIONS = ("outward", "inward")
 # local numbers of constants lie below those of everything that is read
 NUMBERS = -1_000_000_000
 
 
-def recursion(sweeps: Sweeps) -> Recursion | None:
-    """Tasks in sweeps as steps and visits; None where a folded tree does not unfold."""
-    builder = _Steps(sweeps)
-    sweep_list = []
+def recursion(sweeps: Sweeps, firsts: Sequence[Ints | None] = ()) -> Recursion | None:
+    """Tasks in sweeps as steps and visits; None where representatives do not tell of all bodies.
+
+    Args:
+        sweeps: The tasks.
+        firsts: Where bodies are representatives: of every output, the first entry of every body in
+            it, None where none is a body's.
+    """
+    f, few = sweeps.function, sweeps.few
+    if few is not None and not sweeps.local():
+        return None
+    builder, sweep_list = _Steps(sweeps), list[Sweep]()
+    unfolding = Unfolding(few, f, firsts, sweeps.fields_of_body) if few is not None else None
     for phase in sorted({phase for phase, _ in sweeps.by_visit}):
         bodies = sorted(body for at, body in sweeps.by_visit if at == phase)
         later = bodies == [LATER]
         direction = AFTER if later else DIRECTIONS[phase % 2]
-        if phase % 2 and not later:
+        inward = bool(phase % 2) and not later
+        if inward:
             bodies.reverse()
+        if few is not None:
+            bodies = [body for body in bodies if body != few.parent]
         visits = [builder.visit(direction, body, sweeps.by_visit[phase, body]) for body in bodies]
-        if sweeps.fold is None:
-            parts = as_turns(visits)
-        elif later:
+        if unfolding is None:
+            sweep_list.append(Sweep(direction, as_turns(visits)))
+            continue
+        rows = None if later else unfolding.rows(zip(bodies, visits, strict=True))
+        if rows is None:
             return None
-        else:
-            completed = sweeps.fold.completed(bodies, visits)
-            if completed is None:
-                return None
-            parts = completed
-        sweep_list.append(Sweep(direction, parts))
-    f, steps = sweeps.function, builder.finished()
+        sweep_list.append(Sweep(direction, (rows.reversed() if inward else rows).turns()))
     outputs = tuple(Output(o.name, o.shape, (), o.entries, o.units) for o in f.outputs)
-    return Recursion(f.name, f.inputs, outputs, steps, tuple(sweep_list), sweeps.size, f.about)
+    steps, sweeps_done = builder.finished(), tuple(sweep_list)
+    return Recursion(f.name, f.inputs, outputs, steps, sweeps_done, sweeps.size, f.about)
 
 
 class _Work(NamedTuple):
@@ -74,14 +85,16 @@ class _Steps:
         self._number: dict[object, int] = {}
         self._steps: list[Function] = []
         self._names: dict[str, int] = defaultdict(int)
-        self._runs: list[list[str]] = []
+        # for whom a step was made, and the number of its visits
+        self._first: list[str] = []
+        self._visits: list[int] = []
 
     def finished(self) -> tuple[Function, ...]:
         """The steps; each says for whom it stands."""
         steps_done = []
-        for step, runs in zip(self._steps, self._runs, strict=True):
-            more = f" and {len(runs) - 1} more" if len(runs) > 1 else ""
-            steps_done.append(replace(step, about=runs[0] + more))
+        for step, first, visits in zip(self._steps, self._first, self._visits, strict=True):
+            more = f" and {visits - 1} more" if visits > 1 else ""
+            steps_done.append(replace(step, about=first + more))
         return tuple(steps_done)
 
     def visit(self, direction: str, body: int, tasks: Sequence[Task]) -> Visit:
@@ -91,19 +104,18 @@ class _Steps:
         if key not in self._number:
             self._number[key] = len(self._steps)
             self._steps.append(self._step(direction, body, work))
-            self._runs.append([])
-        number = self._number[key]
-        self._runs[number].append(self._who(body))
+            self._first.append(self._who(body))
+            self._visits.append(0)
+        number, few = self._number[key], self.sweeps.few
+        self._visits[number] += len(few.members[body]) if few is not None else 1
         places = tuple([self.sweeps.places[t.leaf] for t in work.stored])
-        new_visit = Visit(number, work.reads, places, tuple([t.out for t in work.outs]))
-        fold = self.sweeps.fold
-        return new_visit if fold is None else fold.unfolded_visit(new_visit, body, self.sweeps.size)
+        return Visit(number, work.reads, places, tuple([t.out for t in work.outs]))
 
     def _work(self, tasks: Sequence[Task]) -> _Work:
         """Values read, computed and written at a visit."""
         s, nodes = self.sweeps, self.sweeps.graph.nodes
         definitions = s.cuts.definitions
-        inlined = {t.leaf: t.node for t in tasks if t.leaf >= 0 and not definitions[t.leaf].added}
+        inlined = {t.leaf: t.node for t in tasks if t.leaf >= 0 and not definitions[t.leaf].summed}
         cones = {id(cone): cone for t in tasks for cone in (s.cones[t],)}
         order = sorted({i for cone in cones.values() for i in cone} | set(inlined))
 

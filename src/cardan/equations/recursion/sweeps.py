@@ -14,8 +14,8 @@ from ...errors import DerivationError
 from ...ir.function import Function, live
 from ...ir.recursion import STORE
 from ...topology.system import System
-from .folded import Fold
-from .recursion_boundary import Cuts
+from .recursion_boundary import Cuts, Definition
+from .representatives import Representatives
 
 # sweeps that any function of a tree needs by far; more means that values wait for each other
 MOST_SWEEPS = 40
@@ -51,7 +51,7 @@ class Sweeps:
         function: Its results.
         homes: Body of every entry of the results, ``LATER`` for those of no body.
         system: The tree.
-        fold: How the tree was shortened, if it was.
+        few: The representatives that the bodies are, if they are such.
     """
 
     def __init__(
@@ -60,13 +60,13 @@ class Sweeps:
         function: Function,
         homes: Sequence[int],
         system: System,
-        fold: Fold | None = None,
+        few: Representatives | None = None,
     ) -> None:
         self.cuts = cuts
         self.graph = cuts.graph
         self.function = function
         self.system = system
-        self.fold = fold
+        self.few = few
         self.parents = [b.parent for b in system.bodies]
         # all nodes of a task, the inputs and the stored values among them
         self.cones: dict[Task, list[int]] = {}
@@ -74,11 +74,26 @@ class Sweeps:
         self.reads: dict[Task, list[int]] = {}
         # tasks of one name and body that were found together
         self.bundles: list[tuple[str, int, list[Task]]] = []
+        # leaves of a field that bodies of all kinds hand on
+        self.common: dict[tuple[str, int], list[int]] = defaultdict(list)
+        for leaf, definition in cuts.definitions.items():
+            if definition.common:
+                self.common[definition.field].append(leaf)
         self.tasks = self._tasks(homes)
         self.phases = self._phases()
         self.by_visit = self._visits()
-        self.places, self.size = self._places()
+        self.places, self.fields_of_body = self._places()
+        self.size = self.fields_of_body * len((few.large if few is not None else system).bodies)
         self.fields = {place: cuts.definitions[leaf] for leaf, place in self.places.items()}
+
+    def local(self) -> bool:
+        """True where nothing is read of children but what they add, however many they are."""
+        if self.few is None or self.few.parent < 0:
+            return True
+        parent, definitions = self.few.parent, self.cuts.definitions
+        inboard = (parent, self.system.bodies[parent].parent)
+        tasks = (task for task in self.tasks if task.body == parent)
+        return all(definitions[leaf].body in inboard for task in tasks for leaf in self.reads[task])
 
     # what is to be done
 
@@ -105,7 +120,7 @@ class Sweeps:
             for (name, body), bundle in bundles.items():
                 if body != LATER:
                     self.bundles.append((name, body, bundle))
-                for leaf in self._note(bundle):
+                for leaf in self._with_common(self._note(bundle)):
                     if leaf not in visited:
                         visited.add(leaf)
                         waiting.extend(self._tasks_of(leaf))
@@ -121,10 +136,16 @@ class Sweeps:
             self.cones[task], self.inputs[task], self.reads[task] = cone, inputs, stored
         return stored
 
+    def _with_common(self, leaves: Sequence[int]) -> list[int]:
+        """Stored values, and the same of all bodies: what is read of one may be read of any."""
+        definitions = self.cuts.definitions
+        fields = {definitions[leaf].field: leaf for leaf in leaves if definitions[leaf].common}
+        return [*leaves, *(leaf for field in fields for leaf in self.common[field])]
+
     def _tasks_of(self, leaf: int) -> list[Task]:
         """Tasks that make a stored value."""
         d = self.cuts.definitions[leaf]
-        if not d.added:
+        if not d.summed:
             return [Task(d.field[0], d.body, d.node, leaf)]
         name = d.field[0]
         itself = Task(f"{name} of itself", d.body, d.node, leaf)
@@ -157,20 +178,26 @@ class Sweeps:
         """(name, where the body of what it reads is, name of that)."""
         definitions, rules = self.cuts.definitions, set[tuple[str, str, str]]()
         read = [definitions[leaf] for leaf in self.reads[tasks[0]]]
-        for owner, quantity in {(d.body, d.field[0]) for d in read if not d.added}:
+        for owner, quantity in {(d.body, d.field[0]) for d in read if not d.summed}:
             rules.add((name, self._relation(body, owner), quantity))
         for d in read:
-            if d.added:
-                # complete when everybody has added
-                adders = {self._relation(body, by) for by, _ in d.added}
-                from_where = "outboard" if d.body == body and adders == {"outboard"} else "far"
-                rules.add((name, from_where, f"{d.field[0]} added"))
+            if d.summed:
+                rules.add((name, *self._complete(body, d)))
         for task in tasks:
             if task.adds:
                 d = definitions[task.leaf]
                 relation = self._relation(body, d.body)
                 rules.add((name, relation, f"{d.field[0]} of itself"))
         return rules
+
+    def _complete(self, body: int, d: Definition) -> tuple[str, str]:
+        """(where those are that add to a sum that a body reads, name of what they do)."""
+        if not d.added:
+            return self._relation(body, d.body), f"{d.field[0]} of itself"
+        # complete when everybody has added
+        adders = {self._relation(body, by) for by, _ in d.added}
+        from_where = "outboard" if d.body == body and adders == {"outboard"} else "far"
+        return from_where, f"{d.field[0]} added"
 
     def _relation(self, reader: int, owner: int) -> str:
         """Position of the owner of a value as seen from a body that reads it."""
@@ -198,23 +225,26 @@ class Sweeps:
     # where
 
     def _places(self) -> tuple[dict[int, int], int]:
-        """Place in the store of every value that another visit reads: [body][field]."""
+        """Place in the store of every value that another visit reads, [body][field], and the
+        number of fields.
+        """
         at = {t.leaf: visit for visit, tasks in self.by_visit.items() for t in tasks if t.leaf >= 0}
         stored = set[int](self.cuts.definitions if self.cuts.every else ())
         for visit, tasks in self.by_visit.items():
             for task in tasks:
-                if task.leaf >= 0 and self.cuts.definitions[task.leaf].added:
+                if task.leaf >= 0 and self.cuts.definitions[task.leaf].summed:
                     stored.add(task.leaf)
                 stored.update(leaf for leaf in self.reads[task] if at[leaf] != visit)
+        stored.update(self._with_common(sorted(stored)))
         fields = sorted({self.cuts.definitions[leaf].field for leaf in stored})
         number = {field: k for k, field in enumerate(fields)}
-        definitions, fold = self.cuts.definitions, self.fold
-        bodies = range(len(self.parents)) if fold is None else fold.numbers
+        definitions = self.cuts.definitions
+        bodies = range(len(self.parents)) if self.few is None else self.few.numbers
         places = {
             leaf: bodies[definitions[leaf].body] * len(fields) + number[definitions[leaf].field]
             for leaf in sorted(stored)
         }
-        return places, len(fields) * (max(bodies, default=-1) + 1)
+        return places, len(fields)
 
 
 # phase of what is read -> first phase in which it can be read: an outward sweep has been at

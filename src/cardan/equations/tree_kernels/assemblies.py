@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+import numpy as np
+
 from ...errors import counted
 from ...ir.function import Block, Function, Output, live
 from ...ir.graph import ZERO, Graph
@@ -26,8 +28,8 @@ from ..functions.newton_euler_derivatives import joint_change
 from ..kinematics.kinematics import Kinematics
 from ..kinematics.loads import Loads, applied, none
 from ..recursion.angle_sweep import angles_first
-from ..recursion.folded import Fold, fold
 from ..recursion.recursion_boundary import Cuts
+from ..recursion.representatives import representatives
 from ..recursion.steps import recursion
 from ..recursion.sweeps import LEFT_OUT, Sweeps
 from .body_numbers import BODY as BODY_NAMES
@@ -317,21 +319,22 @@ def _parts(
 ) -> Function | Recursion:
     """Numbers of all bodies, as loops where many of them are alike."""
     if loops is not False:
-        short = fold(system)
-        for folded in (short, None) if short is not None else (None,):
-            k = Kinematics(folded.system if folded else system)
+        alike = representatives(system)
+        for few in (alike, None) if alike is not None else (None,):
+            k = Kinematics(few.system if few else system)
             cuts = Cuts(k.graph, every=True)
-            numbering = folded.numbers if folded else range(len(system.bodies))
-            function = _function(k, names, table, numbers(k, cuts, numbering), labels_of, folded)
-            homes = _homes(system, table, folded)
-            looped = recursion(Sweeps(cuts, function, homes, k.system, folded))
+            numbering = few.numbers if few else range(len(system.bodies))
+            function = _function(k, names, table, numbers(k, cuts, numbering), labels_of, numbering)
+            homes = _homes(table, numbering)
+            firsts = [np.array(table.start[:-1])]
+            looped = recursion(Sweeps(cuts, function, homes, k.system, few), firsts)
             if looped is not None:
                 if loops or _pays(looped):
                     return angles_first(looped)
                 break
     k = Kinematics(system)
     every = range(len(system.bodies))
-    return _function(k, names, table, numbers(k, None, every), labels_of, None)
+    return _function(k, names, table, numbers(k, None, every), labels_of, every)
 
 
 def _pays(looped: Recursion) -> bool:
@@ -346,12 +349,12 @@ def _function(
     table: TreeTable,
     numbers: Numbers,
     labels_of: tuple[Sequence[str], Sequence[str]],
-    folded: Fold | None,
+    numbering: Sequence[int],
 ) -> Function:
     """Numbers of the bodies of a system, at the places of those of the complete system."""
     nodes, entries = [ZERO] * table.start[-1], [""] * table.start[-1]
     for i in range(len(k.system.bodies)):
-        number = folded.numbers[i] if folded else i
+        number = numbering[i]
         start, end = table.start[number], table.start[number + 1]
         nodes[start:end] = numbers(i)
         assert len(nodes) == table.start[-1]
@@ -364,11 +367,10 @@ def _function(
     return Function(names.symbol, k.graph, names.inputs, (output,), names.owners, names.about)
 
 
-def _homes(system: System, table: TreeTable, folded: Fold | None) -> list[int]:
+def _homes(table: TreeTable, numbering: Sequence[int]) -> list[int]:
     """Body at whose visit each number is computed."""
-    numbers = folded.numbers if folded else range(len(system.bodies))
     homes = [LEFT_OUT] * table.start[-1]
-    for i, number in enumerate(numbers):
+    for i, number in enumerate(numbering):
         start, end = table.start[number], table.start[number + 1]
         homes[start:end] = [i] * (end - start)
     return homes
