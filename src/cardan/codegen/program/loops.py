@@ -9,8 +9,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from itertools import groupby
+from itertools import chain, groupby
 from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
 
 from ...ir.function import Staged
 from ...ir.graph import Graph
@@ -44,6 +47,7 @@ UNLIMITED = 1_000_000
 EMPTY = Scope(Graph(), (), {})
 # entries and strides of a visit
 Row: TypeAlias = tuple[list[int], list[int]]
+Integers: TypeAlias = npt.NDArray[np.int64]
 
 
 class Span(NamedTuple):
@@ -67,19 +71,22 @@ class Columns:
 
     def __init__(self, results: str = "out") -> None:
         self._arrays = {STORE: "work", STORED: "work", "out": results}
-        self._shapes: dict[tuple[tuple[int, int], ...], int] = {}
+        self._numbers: dict[tuple[bytes, bytes], int] = {}
+        # of a column, how far from the first its entries lie, and their strides
+        self._shapes: list[tuple[Integers, Integers]] = []
         self._first: list[int] = []
         self._of: dict[tuple[str, int], tuple[int, int]] = {}
 
-    def add(self, array: str, k: int, places: Sequence[tuple[int, int]]) -> None:
+    def add(self, array: str, k: int, places: Integers, strides: Integers) -> None:
         """Places of local entry k of an array: the first and the stride of every span."""
-        first = places[0][0]
-        shape = tuple([(place - first, stride) for place, stride in places])
-        if not any(gap or stride for gap, stride in shape):
+        first = int(places[0])
+        gaps = places - first
+        if not (gaps.any() or strides.any()):
             self._of[array, k] = (-1, first)
             return
-        column = self._shapes.setdefault(shape, len(self._first))
+        column = self._numbers.setdefault((gaps.tobytes(), strides.tobytes()), len(self._first))
         if column == len(self._first):
+            self._shapes.append((gaps, strides))
             self._first.append(first)
         self._first[column] = min(self._first[column], first)
         self._of[array, k] = (column, first)
@@ -92,19 +99,14 @@ class Columns:
             return Place(name, first)
         return Place(name, Index(str(column + 1), 1, first - self._first[column], AT))
 
-    def rows(self) -> list[tuple[list[int], list[int]]]:
+    def rows(self) -> list[Row]:
         """First row and strides of every span; empty where there are no columns."""
-        spans = len(next(iter(self._shapes), ()))
-        return [
-            (
-                [
-                    first + shape[n][0]
-                    for shape, first in zip(self._shapes, self._first, strict=True)
-                ],
-                [shape[n][1] for shape in self._shapes],
-            )
-            for n in range(spans)
-        ]
+        if not self._shapes:
+            return []
+        pairs = zip(self._shapes, self._first, strict=True)
+        firsts = np.stack([gaps + first for (gaps, _), first in pairs], axis=1)
+        strides = np.stack([stride for _, stride in self._shapes], axis=1)
+        return list(zip(firsts.tolist(), strides.tolist(), strict=True))
 
 
 @dataclass(frozen=True)
@@ -205,26 +207,29 @@ class _Lowering:
     def _step(self, staged: Staged, spans: tuple[Span, ...]) -> _Step:
         """Columns of a step from the places of its visits."""
         run, prepare = Columns(self.results), Columns()
-
-        def entries(kind: str, k: int) -> list[tuple[int, int]]:
-            """Local entries k that visits read, store or give out."""
-            return [
-                (_entry(span.visit, kind, k), _entry(span.stride, kind, k) if span.stride else 0)
-                for span in spans
-            ]
-
         first = spans[0].visit
-        for block, places in first.reads.items():
+        places = np.array([_entries(span.visit) for span in spans], dtype=np.int64)
+        still = [0] * places.shape[1]
+        strides = np.array(
+            [_entries(span.stride) if span.stride else still for span in spans], dtype=np.int64
+        )
+        pairs = list(zip(places.T, strides.T, strict=True))
+        at = 0
+        for block, read in first.reads.items():
             columns = prepare if block == "p" else run
-            for k in range(len(places)):
-                columns.add(block, k, entries(block, k))
+            for k in range(len(read)):
+                columns.add(block, k, *pairs[at + k])
+            at += len(read)
+        w, along = np.array([[span.w, span.along] for span in spans], dtype=np.int64).T
         for k in range(len(staged.prepare)):
             for columns in (run, prepare):
-                columns.add("w", k, [(span.w + k, span.along) for span in spans])
+                columns.add("w", k, w + k, along)
         for k in range(len(first.stores)):
-            run.add(STORED, k, entries(STORED, k))
+            run.add(STORED, k, *pairs[at + k])
+        at += len(first.stores)
         for k in range(len(first.outs)):
-            run.add("out", k, [(n + self.shift, stride) for n, stride in entries("out", k)])
+            result, stride = pairs[at + k]
+            run.add("out", k, result + self.shift, stride)
 
         def where(array: str, k: int) -> Place:
             return (prepare if array == "p" else run).place(array, k)
@@ -369,8 +374,6 @@ class _Lowering:
         return rows_of_step[self.row[id(span)]] if rows_of_step else ([], [])
 
 
-def _entry(visit: Visit, kind: str, k: int) -> int:
-    """An entry of what a visit stores or gives out, or reads of a block."""
-    if kind == STORED:
-        return visit.stores[k]
-    return visit.outs[k] if kind == "out" else visit.reads[kind][k]
+def _entries(visit: Visit) -> list[int]:
+    """All entries of a visit: what it reads of every block, what it stores, what it gives out."""
+    return [*chain.from_iterable(visit.reads.values()), *visit.stores, *visit.outs]
