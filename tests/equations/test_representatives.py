@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
+import pytest
 
 import cardan as cd
 from cardan.equations.recursion.representatives import representatives
 from cardan.ir.interpreter import evaluate
+from elements.force_bench import INSTANCES as FORCES
+from laws.test_cut_joints import INSTANCES as JOINTS
 from mechanisms.random_trees import large_tree
 from table import each
 
@@ -132,9 +137,20 @@ ALIKE = {
 DIFFERENT = {"short": lambda: rope(30), "pushed everywhere": pushed_everywhere}
 
 
-@each("name", ["forward_dynamics", "inverse_dynamics", "rhs", "energy", "com", "momentum"])
+@each("which", [*ALIKE, *DIFFERENT])
+def test_forward_dynamics_of_representatives(which: str) -> None:
+    check(which, "forward_dynamics")
+
+
+@pytest.mark.slow
+@each("name", ["inverse_dynamics", "rhs", "energy", "com", "momentum"])
 @each("which", [*ALIKE, *DIFFERENT])
 def test_recursions_of_representatives(which: str, name: str) -> None:
+    check(which, name)
+
+
+def check(which: str, name: str) -> None:
+    """A function by its loops and straight-line."""
     scene = (ALIKE | DIFFERENT)[which]()
     equations = cd.derive(scene, method="articulated", rewrites=())
     assert (representatives(equations.system) is not None) == (which in ALIKE)
@@ -150,6 +166,52 @@ def test_recursions_of_representatives(which: str, name: str) -> None:
     for key, expected in exact.items():
         scale = np.abs(np.asarray(expected)).max()
         np.testing.assert_allclose(found[key], expected, rtol=1e-9, atol=1e-11 * scale)
+
+
+def mixed(kind: Callable[[int], cd.Joint]) -> cd.Scene:
+    """A tree of 45 bodies on joints of some kinds, in no order."""
+    rng, scene = np.random.default_rng(5), cd.Scene("mixed", gravity=(0.3, 1.0, -9.81))
+    bodies: list[Any] = []
+    for i in range(45):
+        body = scene.body(f"b{i}", mass=1 + 0.01 * i, com=(0.1, 0.2, 0.3), inertia=(0.2, 0.3, 0.4))
+        parent = bodies[int(rng.integers(max(0, i - 5), i))] if bodies else scene.ground
+        scene.joint(f"j{i}", kind(i), parent.at(*rng.random(3)), body)
+        bodies.append(body)
+    return scene
+
+
+def same(scene: cd.Scene, name: str) -> None:
+    """A function by its loops and straight-line, where it has loops."""
+    equations = cd.derive(scene, method="articulated", rewrites=())
+    if not equations.loops(name):
+        return
+    function, recursion = equations.function(name), equations.recursion(name)
+    rng = np.random.default_rng(3)
+    blocks = {b.name: rng.uniform(-1, 1, len(b)) for b in function.inputs}
+    blocks["p"] = np.array([p.value for p in equations.system.parameters])
+    exact, found = evaluate(function, blocks), evaluate(recursion.straight(), blocks)
+    for key, expected in exact.items():
+        scale = np.abs(np.asarray(expected)).max(initial=0.0)
+        np.testing.assert_allclose(found[key], expected, rtol=1e-9, atol=1e-11 * scale)
+
+
+@pytest.mark.slow
+# a gear has a leader
+@each("name", [name for name in JOINTS if name != "gear"])
+def test_joints_of_any_kind(name: str) -> None:
+    same(mixed(lambda i: JOINTS[name] if i % 2 else cd.Revolute("x")), "rhs")
+
+
+@each("name", [name for name, x in FORCES.items() if getattr(x, "joint", "") == "one"])
+def test_forces_of_any_kind_along_joints(name: str) -> None:
+    """With states, events and parameters that do not come in the order of the bodies."""
+    scene, force = mixed(lambda i: cd.Revolute("xy"[i % 2])), FORCES[name]
+    if isinstance(force, cd.Drive) and force.gyroscopic:
+        # couples joints
+        return
+    for k, i in enumerate(np.random.default_rng(1).permutation(45)):
+        scene.force(f"force{k}", replace(force, joint=f"j{i}"))
+    same(scene, "rhs")
 
 
 def test_a_body_of_every_kind_is_derived() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from ...ir.function import Function, Output
+from ...ir.function import Function
 from ...ir.recursion import Recursion
 from ...topology.system import System
 from ..kinematics.kinematics import Kinematics
@@ -33,6 +33,8 @@ BY_JOINTS = (
     "applied_forces",
     "qdot",
 )
+# the block in whose order their results are
+ORDERED = {"qdot": "q"} | dict.fromkeys(("udot", "tau", "h", "gravity", "coriolis", "f"), "u")
 # those whose results are sums over all bodies, which are complete at the first
 SUMMED = ("energy", "com", "momentum")
 
@@ -53,7 +55,7 @@ def homes(system: System, function: Function, other: int = LATER) -> list[int]:
     """
     places: list[int] = []
     for o in function.outputs:
-        letter = _letter(system, o)
+        letter = ORDERED.get(o.name, "")
         if not letter:
             places += [other] * o.size
             continue
@@ -65,14 +67,6 @@ def homes(system: System, function: Function, other: int = LATER) -> list[int]:
                 slots[first : first + len(parts)] = [i] * len(parts)
         places += slots
     return places
-
-
-def _letter(system: System, output: Output) -> str:
-    """The block in whose order the entries of an output are, "" if they belong to no joint."""
-    sizes = {"q": system.nq, "u": system.nu}
-    if output.name == "qdot":
-        return "q"
-    return next((x for x in ("u", "q") if output.shape == (sizes[x],)), "")
 
 
 def by_bodies(system: System, derive: Callable[[Kinematics], Function], name: str) -> Recursion:
@@ -113,7 +107,7 @@ def _by_representatives(
         function = derive(k)
         if forms.settled():
             assert k.cuts is not None
-            firsts = [few.slots.get(_letter(few.system, o)) for o in function.outputs]
+            firsts = [few.slots.get(ORDERED.get(o.name, "")) for o in function.outputs]
             return recursion(Sweeps(k.cuts, function, places, few.system, few), firsts)
         forms = forms.further()
     return None

@@ -57,7 +57,8 @@ class Representatives:
         alone: Whether a body stands for itself only, because others may be tied to it.
         formed: Whether other bodies may read what it hands on.
         entries: Parameters, inputs and internal states of every body of the large tree, in the
-            order of use.
+            order of use, as far as no other body reads them.
+        shared: Those that several bodies read.
     """
 
     system: System
@@ -68,6 +69,7 @@ class Representatives:
     alone: tuple[bool, ...]
     formed: tuple[bool, ...]
     entries: tuple[Entries, ...]
+    shared: frozenset[tuple[str, int]]
 
     @cached_property
     def parents(self) -> Ints:
@@ -91,7 +93,9 @@ def representatives(system: System) -> Representatives | None:
     if len(bodies) < FEWEST or any(body.turn is not None for body in bodies):
         return None
     special = _special(system)
-    signatures = _signatures(system, special)
+    expressions = _signatures(system, special)
+    shared = _shared(system, expressions)
+    signatures = [None if s is None else _with_shared(s, shared) for s in expressions]
     kinds: dict[object, list[int]] = defaultdict(list)
     alone = []
     for i, signature in enumerate(signatures):
@@ -126,6 +130,7 @@ def representatives(system: System) -> Representatives | None:
         tuple([k != parent and number in single for k, number in enumerate(numbers)]),
         tuple([number in inboard or number in single for number in numbers]),
         tuple([() if s is None else s.entries for s in signatures]),
+        shared,
     )
 
 
@@ -190,8 +195,9 @@ def _signatures(system: System, special: Collection[int]) -> list[Signature | No
             signatures.append(None)
             continue
         states = [("z", f.z + k) for f in forces[i] for k in range(len(f.element.internals()))]
+        states += [("s", f.s + k) for f in forces[i] for k in range(len(f.element.modes()))]
         signatures.append(Signature((*map(repr, shapes), place, pattern), (*entries, *states)))
-    return _by_shared_entries(system, signatures)
+    return signatures
 
 
 def _only_slides(system: System) -> list[bool]:
@@ -203,24 +209,19 @@ def _only_slides(system: System) -> list[bool]:
     return sliding
 
 
-def _by_shared_entries(
-    system: System, signatures: Sequence[Signature | None]
-) -> list[Signature | None]:
-    """The same; bodies that read what others read, too, are alike where they read the same."""
+def _shared(system: System, signatures: Sequence[Signature | None]) -> frozenset[tuple[str, int]]:
+    """Entries of blocks that several bodies read, and those of gravity, which all do."""
     nodes = system.graph.nodes
-    uses = Counter(entry for s in signatures if s is not None for entry in s.entries)
-    # gravity is read by all
-    leaves = [nodes[i] for i in live(system.graph, system.gravity) if nodes[i][0] == "var"]
-    uses.update({leaf[1:]: 2 for leaf in leaves})
-    result: list[Signature | None] = []
-    for s in signatures:
-        if s is None:
-            result.append(None)
-            continue
-        shared = tuple([entry if uses[entry] > 1 else None for entry in s.entries])
-        alone = tuple([entry if uses[entry] == 1 else None for entry in s.entries])
-        result.append(Signature((s.pattern, shared), alone))
-    return result
+    uses = Counter(k for s in signatures if s is not None for k in s.entries if k is not None)
+    of_all = [nodes[i] for i in live(system.graph, system.gravity) if nodes[i][0] == "var"]
+    return frozenset([k for k, n in uses.items() if n > 1] + [leaf[1:] for leaf in of_all])
+
+
+def _with_shared(signature: Signature, shared: Collection[tuple[str, int]]) -> Signature:
+    """The same; bodies that read what others read, too, are alike where they read the same."""
+    same = tuple([entry if entry in shared else None for entry in signature.entries])
+    alone = tuple([None if entry in shared else entry for entry in signature.entries])
+    return Signature((signature.pattern, same), alone)
 
 
 def _special(system: System) -> set[int]:

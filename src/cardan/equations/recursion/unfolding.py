@@ -111,28 +111,27 @@ class Unfolding:
     def _read(self, body: int, block: str, k: int) -> Ints | int:
         """An entry of a block."""
         few, number, members = self.few, self.few.numbers[body], self.few.members[body]
+        if few.alone[body] or block == "t" or (block, k) in few.shared:
+            return k
         if block in BY_SLOT:
             letter = BY_SLOT[block]
-            owner = self._body_by_slot[letter].get(k, number)
+            first, owner = few.slots[letter], self._body_by_slot[letter].get(k)
             if owner == number:
-                first: Ints = few.slots[letter]
                 return np.asarray(first[members] + (k - first[number]))
             if owner in self.alone:
                 return k
-            raise _Foreign
-        owner = few.owners.get((block, k), -1)
-        if owner < 0 or owner in self.alone:
-            return k
-        if owner != number:
-            raise _Foreign
-        n = few.entries[number].index((block, k))
-        return np.array([_entry(few, member, n) for member in members], dtype=np.int64)
+        elif few.owners.get((block, k)) == number:
+            n = few.entries[number].index((block, k))
+            return np.array([_entry(few, member, n) for member in members], dtype=np.int64)
+        raise _Foreign
 
     def _result(self, body: int, k: int) -> Ints | int:
         """An entry of the results."""
         members, number = self.few.members[body], self.few.numbers[body]
         result = max((r for r in self.results if r.start <= k), key=lambda r: r.start)
         if result.first is None:
+            if not self.few.alone[body]:
+                raise _Foreign
             return k
         within = k - result.start - result.first[number]
         return np.asarray(result.start + result.first[members] + within)
