@@ -346,6 +346,19 @@ static inline real cardan_most(real most, real x)
     return x > most ? x : most;
 }
 
+/* Whether x is larger than the largest so far. What is not a number is larger than all that are, and
+ * no number is larger than it: `!(x <= worst)` would let the next one take its place. */
+static inline int cardan_exceeds(real x, real worst)
+{
+    return x > worst || x != x;
+}
+
+/* The larger of two, not a number where one of them is not: of errors, which fmax would drop. */
+static inline real cardan_worst(real worst, real x)
+{
+    return cardan_exceeds(x, worst) ? x : worst;
+}
+
 /* Size against which an error of entry i counts. */
 static inline real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i)
 {
