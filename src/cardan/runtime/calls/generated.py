@@ -41,7 +41,6 @@ class Generated(Source):
         objects, loaded = model._objects, model._functions
         codes = objects.codes(missing)
         fresh = {key: c.symbol for key, c in zip(missing, codes, strict=True) if c.fresh}
-        p = model.parameters.vector
         try:
             for (name, of), code in zip(missing, codes, strict=True):
                 arguments = model._layout.reads(name, of, code.entry.vector)
@@ -50,7 +49,7 @@ class Generated(Source):
                         code, arguments, objects.threads, objects.dtype
                     )
                 ways = objects.batches[code.symbol]
-                loaded[name, of] = assemble(name, of, code, arguments, p, ways)
+                loaded[name, of] = assemble(name, of, code, arguments, model.parameters, ways)
             if fresh:
                 names = listed([" of ".join(filter(None, key)) for key in fresh])
                 with stage(f"model '{model.name}': checking {names}"):
