@@ -93,6 +93,16 @@ def test_out_of_every_order(model: cd.CompiledModel) -> None:
         model.forward_dynamics(*drawn(50, "float32")[:2], out=np.empty((50, 3)))
 
 
+def test_out_has_a_place_for_every_number(model: cd.CompiledModel) -> None:
+    for dtype in TYPES:
+        q, u, tau = drawn(50, dtype)
+        one = np.zeros(3, dtype)
+        out = np.lib.stride_tricks.as_strided(one, (50, 3), (0, one.itemsize))
+        with pytest.raises(ArgumentError, match="out has one place for several numbers"):
+            model.forward_dynamics(q, u, tau=tau, out=out)
+        assert not one.any()
+
+
 def test_failing_states_leave_the_others_alone(model: cd.CompiledModel) -> None:
     for dtype, order in ((d, o) for d in TYPES for o in "CF"):
         q, u, tau = drawn(45, dtype, order)
