@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import copy
 import hashlib
-import json
 import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
@@ -25,6 +24,8 @@ from .runtime.build import cache_folder
 from .scene.content import content_hash
 from .scene.scene import SceneRecord
 from .schema.functions import STANDARD
+from .schema.manifest import statement
+from .schema.seal import is_sealed, sealed, unsealed
 from .version import VERSION, source_state
 
 if TYPE_CHECKING:
@@ -112,10 +113,17 @@ class _Entry(NamedTuple):
     Attributes:
         folder: Of its C, in the folder of models.
         available: Functions that it may have; None: all of its manifest.
+        statement: Hash of what the manifest says of the model: the folder may hold another one by
+            now, whole in itself.
     """
 
     folder: str
     available: Sequence[str] | None
+    statement: str
+
+
+def _hash(model: CompiledModel) -> str:
+    return hashlib.sha256(statement(model._objects.manifest).encode()).hexdigest()
 
 
 def _place(key: str) -> Path:
@@ -128,9 +136,9 @@ def _remember(key: str, model: CompiledModel) -> None:
     # a model in a temporary folder is lost with this process
     if model.directory.parent != path.parent:
         return
-    entry = _Entry(model.directory.name, model._objects.available)
+    entry = _Entry(model.directory.name, model._objects.available, _hash(model))
     try:
-        compile_cache.publish(path, json.dumps(entry._asdict()).encode())
+        compile_cache.publish(path, sealed(entry._asdict()).encode())
     except OSError:
         return  # it is derived again
 
@@ -138,7 +146,7 @@ def _remember(key: str, model: CompiledModel) -> None:
 def _read(path: Path) -> _Entry | None:
     """An entry of the cache; None where there is none, or a damaged one."""
     try:
-        entry = _Entry(**json.loads(regular_file.content(path, MOST)))
+        entry = _Entry(**unsealed(regular_file.content(path, MOST), by_hand=False))
         names = [] if entry.available is None else entry.available
         sound = isinstance(names, list) and all(isinstance(name, str) for name in names)
         sound = sound and FOLDER.match(entry.folder) is not None
@@ -182,11 +190,22 @@ def _earlier(
         model = CompiledModel(folder, provide, available=entry.available, **how)
     except ModelError:
         return None
+    if not _is_as_written(folder, model, entry.statement):
+        return None
     if not all(_intact(folder, Path(name).name, model) for name in model.manifest.sha256):
         return None
     for used in (path, folder):
         cache_folder.used(used)
     return model
+
+
+def _is_as_written(folder: Path, model: CompiledModel, stated: str) -> bool:
+    """True for a folder whose manifest has its hash, which was compared, and is of that model."""
+    try:
+        content = regular_file.content(folder / "manifest.json")
+    except OSError:
+        return False
+    return is_sealed(content) and _hash(model) == stated
 
 
 def _intact(folder: Path, name: str, model: CompiledModel) -> bool:

@@ -47,22 +47,19 @@ serve all models, are there.
 """
 CAUSES = """
 Of 100,000 elements times are those of the processor, of a step the rise over {steps} steps of 10
-us, which take 1.7 corrections each and a new matrix every ten. Profiled, a third of a step is the
-solution by the factors: of a node 864 bytes are read 1.3 times, for which a core that reads 18
-GB/s takes 6 ms per correction; from the cache the chain of operations from node to node would
-take 4 ms. A sixth are the balances of elements, a sixth the matrix with its factors, a twelfth
-poses, and all else is passes over states of 600,000 numbers. That a solution is good follows from
-a bound that the factorization sums up, so that none is multiplied out: that was an eighth of a
-step. Asking for factors ahead changed nothing. What is left of a start are three factorizations
-(of the first accelerations, of multipliers, of the jerk) and the one of the first step.
+us. Most of a step is the solution by the factors, which reads them from memory in each direction;
+then come the balances of elements, the matrix with its factors, poses, and passes over states of
+600,000 numbers. That a solution is good follows from a bound that the factorization sums up, so
+that none is multiplied out. Asking for factors ahead changed nothing. What is left of a start are
+three factorizations (of the first accelerations, of multipliers, of the jerk) and the one of the
+first step.
 
-The 3-D cable of Exudyn has two vectors per node, no rotation, and resists no twist. Of a step of
-ours with 4 elements, three corrections, a quarter is elements, a fifth linear algebra, a tenth
-the call from Python, a tenth copies from nodes to elements and back, and the others are poses,
-norms and sums. The elements alone take three fifths of the time that a ratio of 8 leaves. Tried
-besides: extrapolating accelerations to the second order saves 0.2 of the three corrections and
-costs finer meshes some; ending iterations where their error is a part of that of the step,
-however large, saves 0.1 to 0.3 and moves the tip by up to 1e-4 mm. Neither is done.
+The 3-D cable of Exudyn has two vectors per node, no rotation, and resists no twist. A step of ours
+with few elements is elements, linear algebra, the call from Python, copies from nodes to elements
+and back, poses, norms and sums; `perf` splits it as it does on the page of
+[profiles](profiles.md). Tried besides: extrapolating accelerations to the second order, which saves
+corrections and costs finer meshes some; ending iterations where their error is a part of that of
+the step, however large, which moves the tip. Neither is done.
 """
 
 

@@ -82,6 +82,18 @@ def _calls(found: Found) -> Iterator[Row]:
         yield c.frame, c.function, str(c.operations), where, time, error, reached
 
 
+def figures(found: Found) -> Iterator[tuple[str, str, str, str]]:
+    """Figures to reach, for the table of all."""
+    _, *rows = _calls(found)
+    for frame, function, _, where, time, _, reached in rows:
+        name = f"superelement, {frame} frame, {function}, {where}"
+        yield name, f"≤ {MOST:.0f} ns", f"{time} ns", reached
+    _, *rows = _steps(found)
+    for model, _, _, ratio, _, reached in rows:
+        if reached:
+            yield f"slider-crank, {model}, by the rigid one", f"≤ {RATIO:.0f}", ratio, reached
+
+
 def _instances(found: Found) -> Iterator[Row]:
     yield "superelements", "balance [ns]", "tangent [ns]", "step [us]", "step, against one alone"
     for one in found.instances:

@@ -31,6 +31,7 @@ from benchmarks import flexible
 from benchmarks import superelement_exudyn as exudyn
 from benchmarks import superelement_page as page
 from benchmarks import superelement_problem as problem
+from benchmarks.all_figures import save
 from benchmarks.superelement_page import Call, Found, Instances, Point, Step
 from cardan.codegen import generate
 from cardan.runtime.calls import lanes
@@ -248,6 +249,7 @@ def main() -> int:
         distance(cable_reference(), exact),
     )
     page.show(found)
+    save("superelements.md", page.figures(found))
     if not quick:
         page.write(found, FOLDER)
     return 0

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from benchmarks import all_figures
+from benchmarks import all_figures, gradient_figures, paths, profiles, superelement_page
 from benchmarks.batches import Way
 from benchmarks.figures import MULTIPLE, Figure, figures, multiple, ratio
 from benchmarks.measure import Found
@@ -108,6 +109,39 @@ def test_the_table_of_all_has_the_missed_first(
         ("three", "≤ 1 us", "2 us", "no", "b.md"),
         ("one", "≤ 1", "0.5", "yes", "a.md"),
     ]
+
+
+def test_every_program_with_figures_leaves_them() -> None:
+    """A page that says what is to be reached has its rows in the table of all."""
+    folder = Path(__file__).parent
+    makefile = (folder.parents[1] / "Makefile").read_text("utf-8").replace("\\\n", " ")
+    (listing,) = re.findall(r"^BENCHMARKS = (.*)$", makefile, re.MULTILINE)
+    programs = {*listing.split()} - {"all_figures"}
+    assert len(programs) >= 10
+    texts = {name: (folder / f"{name}.py").read_text("utf-8") for name in programs}
+    assert not [name for name, text in texts.items() if not re.search(r"^    save\(", text, re.M)]
+
+
+def test_rows_of_paths_gradients_profiles_and_superelements() -> None:
+    path = paths.Row("cantilever, 1000 elements", 6001, 10, 35, 0.0, 0.24, 1e-13)
+    long = replace(path, name="cantilever, 16000 elements", whole=7.2)
+    assert [row[2:] for row in paths.figures([path, long])] == [("24.0 ms", "yes"), ("30.0", "no")]
+    rows = [
+        ("double pendulum (5 parameters)", "cardan", "", "", "2.0", "1", ""),
+        ("", "CVODES", "", "", "10", "83", ""),
+        ("", "CVODES", "", "", "10", "79", ""),
+    ]
+    by_lanes = [("double pendulum", "13 / 13", "8 / 8", "10 / 11")]
+    assert [row[2:] for row in gradient_figures.figures(rows, by_lanes)] == [
+        ("2", "yes"), ("79", "no"), ("10 ns", "yes"),
+    ]  # fmt: skip
+    split = [("a call", "2 s", "2 s", "1 s: C", "2.0", "C"), ("a run", "2 s", "", "0 s", "", "C")]
+    assert list(profiles.figures(split)) == [("a call, by its floor", "≤ 3", "2.0", "yes")]
+    brick = superelement_page.Call("root", "balance", 9, True, 361.0, 1e-16)
+    crank = superelement_page.Step("chord frame", 24, 7.6, 2.26, 7e-7)
+    every = superelement_page.Found([brick], [], [crank], [], 0.0)
+    saved = [row[2:] for row in superelement_page.figures(every)]
+    assert saved == [("361 ns", "yes"), ("2.26", "no")]
 
 
 def test_programs_that_are_faster_are_named() -> None:

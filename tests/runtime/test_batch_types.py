@@ -93,6 +93,16 @@ def test_out_of_every_order(model: cd.CompiledModel) -> None:
         model.forward_dynamics(*drawn(50, "float32")[:2], out=np.empty((50, 3)))
 
 
+def test_out_has_a_place_for_every_number(model: cd.CompiledModel) -> None:
+    for dtype in TYPES:
+        q, u, tau = drawn(50, dtype)
+        one = np.zeros(3, dtype)
+        out = np.lib.stride_tricks.as_strided(one, (50, 3), (0, one.itemsize))
+        with pytest.raises(ArgumentError, match="out has one place for several numbers"):
+            model.forward_dynamics(q, u, tau=tau, out=out)
+        assert not one.any()
+
+
 def test_failing_states_leave_the_others_alone(model: cd.CompiledModel) -> None:
     for dtype, order in ((d, o) for d in TYPES for o in "CF"):
         q, u, tau = drawn(45, dtype, order)
@@ -242,6 +252,71 @@ def test_few_digits_deserve_a_word() -> None:
     found = cd.compile(made, functions=("forward_dynamics",), dtype="float32")
     with pytest.warns(BuildWarning, match="float32 differs from doubles by"):
         found.prepare("forward_dynamics", batch=True)
+
+
+def test_builds_that_were_made_before_get_the_word_too(cache_directory: object) -> None:
+    """Whoever made them; and with other parameters again."""
+    made = cd.Scene("near", gravity=(0, 0, -9.81))
+    mass = made.body("mass", mass=1.0)
+    made.joint("slide", cd.Prismatic("x"), made.ground, mass)
+    far = made.parameter("far", 1e6)
+    pull = sympy.sqrt((made.q("slide") + far) ** 2) - far
+    made.force("pull", cd.JointForce("slide", pull))
+    q = np.linspace(0, 1, 40, dtype=np.float32)[:, None]
+    for _ in range(3):
+        found = cd.compile(made, functions=("forward_dynamics",), dtype="float32")
+        with pytest.warns(BuildWarning, match="float32 differs from doubles by"):
+            found.forward_dynamics(q, q)
+        # once is enough
+        found.forward_dynamics(q, q)
+        near = found.with_parameters(far=1.0)
+        near.forward_dynamics(q, q)
+        with pytest.warns(BuildWarning, match="float32 differs from doubles by"):
+            near.with_parameters(far=2e6).forward_dynamics(q, q)
+
+
+@each("mass, text", [(1e-39, "1e-39"), (1e-300, "1e-300"), (1e42, r"1e\+42")])
+def test_parameters_that_floats_cannot_hold_are_refused(mass: float, text: str) -> None:
+    """As 0, or as infinity, they would give other motions in silence."""
+    made = cd.compile(scene(), functions=FUNCTIONS, dtype="float32")
+    error = (
+        rf"forward_dynamics: \S+, computed from parameters? 'upper.mass' \({text}\).* is outside"
+    )
+    other = made.with_parameters({"upper.mass": mass})
+    for order in "CF":
+        q, u, tau = drawn(40, "float32", order)
+        good = made.forward_dynamics(q, u, tau=tau)
+        with pytest.raises(ModelError, match=error):
+            other.forward_dynamics(q, u, tau=tau)
+        masses = np.full(40, 2.0)
+        masses[7] = mass
+        with pytest.raises(ModelError, match=r"computed from parameters? 'upper.mass',"):
+            made.forward_dynamics(q, u, tau=tau, parameters={"upper.mass": masses})
+        assert made.forward_dynamics(q, u, tau=tau).tobytes() == good.tobytes()
+    # doubles hold them
+    assert np.isfinite(other.forward_dynamics(*drawn(40)[:2])).all()
+
+
+def test_products_of_parameters_that_floats_cannot_hold_are_refused() -> None:
+    made = cd.Scene("small")
+    mass, length = made.parameter("m", 1.0, "kg"), made.parameter("l", 1.0, "m")
+    body = made.body("bob", mass=mass, com=(0, 0, -length))
+    made.joint("pivot", cd.Revolute("y"), made.ground, body)
+    found = cd.compile(made, functions=("mass_matrix",), dtype="float32")
+    q = np.zeros((40, 1), np.float32)
+    assert (found.mass_matrix(q) == 1).all()
+    small = found.with_parameters(m=1e-20, l=1e-15)
+    with pytest.raises(ModelError, match=r"1e-50, computed from parameters 'm' \(1e-20\), 'l'"):
+        small.mass_matrix(q)
+    assert small.mass_matrix(q.astype(float)) == pytest.approx(1e-50)
+
+
+def test_arguments_that_floats_cannot_hold_are_refused(model: cd.CompiledModel) -> None:
+    q, u, _ = drawn(40, "float32")
+    with pytest.raises(ArgumentError, match=r"tau: 1e\+39 is more than the 3.4e\+38"):
+        model.forward_dynamics(q, u, tau=[0.0, 1e39, 0.0])
+    with pytest.raises(ArgumentError, match=r"tau: -1e\+300 is more than"):
+        model.forward_dynamics(q, u, tau={"elbow": -1e300})
 
 
 @each(

@@ -21,6 +21,7 @@ from cardan import pipeline
 from cardan.errors import NoteOnFiles
 from cardan.scene.content import content_hash
 from cardan.scene.files.yaml import layout
+from cardan.schema.seal import sealed, unsealed
 from cardan.version import RUN as VERSIONS
 from mechanisms import ZOO
 from table import each
@@ -139,19 +140,75 @@ def test_damage_is_mended(cache_directory: Path, derivations: list[str]) -> None
     assert len(derivations) == 2
 
 
-@each("content", ["", "{", "[]", '{"folder": "../other", "available": null}',
-                  '{"folder": 3, "available": []}', '{"folder": "00", "more": 1}',
-                  '{"folder": "FOLDER", "available": {"energy": 1}}', "[" * 100_000,
-                  '{"folder": "FOLDER", "available": "energy"}'])  # fmt: skip
+@each("changes", [{"folder": "../other"}, {"folder": 3}, {"folder": "00"}, {"more": 1},
+                  {"available": {"energy": 1}}, {"available": "energy"}, {"available": 3},
+                  {"statement": 1}, {"statement": None}, {"statement": "0" * 64}])  # fmt: skip
 def test_an_entry_of_the_cache_is_not_believed(
-    content: str, cache_directory: Path, derivations: list[str]
+    changes: dict[str, object], cache_directory: Path, derivations: list[str]
 ) -> None:
+    """With the hash of its new content."""
     cd.compile(pendulum())
     (entry,) = (cache_directory / "models").glob("*.json")
-    entry.write_text(content.replace("FOLDER", json.loads(entry.read_text())["folder"]))
+    data = unsealed(entry.read_bytes(), by_hand=False)
+    entry.write_text(sealed({**data, **changes}))
     derivations.clear()
     cd.compile(pendulum()).forward_dynamics([0.3], [0.1])
     assert derivations == ["pendulum"]
+
+
+def test_a_damaged_byte_of_the_cache_is_not_believed(
+    cache_directory: Path, derivations: list[str]
+) -> None:
+    """Digits, letters and marks of the entry and the manifest, those of their hashes too."""
+    model = cd.compile(pendulum())
+    model.forward_dynamics([0.3], [0.1])
+    values = model.parameters.vector.copy()
+    (entry,) = (cache_directory / "models").glob("*.json")
+    folder = entry.parent / unsealed(entry.read_bytes())["folder"]
+    whole = {path: path.read_bytes() for path in (entry, *folder.iterdir())}
+    for damaged in (entry, folder / "manifest.json"):
+        content = whole[damaged]
+        head, step = 110, len(content) // 60
+        for place in (*range(2, head, 4), *range(head, len(content), step)):
+            byte = content[place]
+            other = ord("0") + (byte + 1) % 10 if chr(byte).isdigit() else byte ^ 1
+            damaged.write_bytes(content[:place] + bytes([other]) + content[place + 1 :])
+            derivations.clear()
+            model = cd.compile(pendulum())
+            assert derivations == ["pendulum"], content[place - 20 : place + 20]
+            assert np.array_equal(model.parameters.vector, values)
+            for path in {*folder.iterdir()} - whole.keys():
+                path.unlink()
+            for path, text in whole.items():
+                if not path.exists() or path.read_bytes() != text:
+                    path.write_bytes(text)
+
+
+@each("changes", [{"parameters": -9.81}, {"name": "other"}, {"cut": True}, {"unsealed": True}])
+def test_a_manifest_that_was_not_written_of_the_scene_is_made_anew(
+    changes: dict[str, Any], cache_directory: Path, derivations: list[str]
+) -> None:
+    """One that is whole in itself, but says something else; or that has lost its hash."""
+    value = cd.compile(pendulum()).forward_dynamics([0.3], [0.1])
+    (entry,) = (cache_directory / "models").glob("*.json")
+    path = entry.parent / unsealed(entry.read_bytes())["folder"] / "manifest.json"
+    data = unsealed(path.read_bytes())
+    if "parameters" in changes:
+        for row in data["parameters"]:
+            row["default"] = -1.62 if row["default"] == changes["parameters"] else row["default"]
+    elif "name" in changes:
+        data |= changes
+    elif "cut" in changes:
+        data["quaternions"] = [0]
+    path.write_text(json.dumps(data) if "unsealed" in changes else sealed(data))
+    derivations.clear()
+    again = cd.compile(pendulum())
+    assert derivations == ["pendulum"]
+    assert np.array_equal(again.forward_dynamics([0.3], [0.1]), value)
+    # and it is whole from then on
+    derivations.clear()
+    assert np.array_equal(cd.compile(pendulum()).forward_dynamics([0.3], [0.1]), value)
+    assert not derivations
 
 
 def test_a_model_that_was_pruned_is_derived_again(

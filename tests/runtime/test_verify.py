@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -61,7 +62,13 @@ def test_wrong_function_is_found_when_it_is_built(tmp_path, cache_directory, nam
 def test_only_new_builds_are_checked(directory, monkeypatch):
     CompiledModel(directory).prepare("rhs", "mass_matrix")
     asked = []
-    monkeypatch.setattr(checks, "verify", lambda model, functions: asked.append(functions))
+    nothing = checks.Verification("", 0, ())
+
+    def noted(model, functions):
+        asked.append(functions)
+        return nothing
+
+    monkeypatch.setattr(checks, "verify", noted)
     model = CompiledModel(directory)
     model.prepare("rhs", "mass_matrix")
     assert asked == []
@@ -180,3 +187,31 @@ def test_constraints_that_act_in_some_modes_alone():
     found = model.verify()
     assert {"constraint_jacobian", "multipliers", "forward_dynamics"} <= set(found.checked)
     assert found.worst < 1e-12
+
+
+def test_lost_digits_are_said_by_every_process(cache_directory: Path) -> None:
+    """Masses of 1e-12 to 1e12 along a chain: whoever compiled, by loops or straight lines."""
+
+    def chain(least: float) -> cd.Scene:
+        scene = cd.Scene("chain")
+        place = scene.ground.at(0, 0, 0)
+        for k, mass in enumerate(np.geomspace(least, 1 / least, 14)):
+            inertia = (0.02 * mass, 0.02 * mass, 0.01 * mass)
+            link = scene.body(f"link{k}", mass=float(mass), com=(0, 0, -0.25), inertia=inertia)
+            scene.joint(f"pin{k}", cd.Revolute("xyz"[k % 2]), place, link)
+            place = link.at(0, 0, -0.5)
+        return scene
+
+    q = np.linspace(-1, 1, 14)
+    for loops in (True, False, True, False):
+        model = cd.compile(chain(1e-12), loops=loops)
+        with pytest.warns(cd.SolveWarning, match="the mass matrix is singular"):
+            model.forward_dynamics(q, q)
+    # slopes alone, too
+    model = cd.compile(chain(1e-12), loops=False)
+    with pytest.warns(cd.SolveWarning, match="the mass matrix is singular"):
+        model.derivative("forward_dynamics", wrt="q")(q, q)
+    for _ in range(2):
+        cd.compile(chain(1.0)).forward_dynamics(q, q)
+    marks = [*cache_directory.glob("models/*/regular")]
+    assert len(marks) == 1

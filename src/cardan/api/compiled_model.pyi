@@ -1419,8 +1419,11 @@ class CompiledModel(LoadedModel):
     def _verify_built(
         self,
         fresh: Iterable[Key],
-    ) -> None:
-        """Check functions that were compiled just now.
+    ) -> bool:
+        """Check functions that were compiled just now, or of which nobody knows what a check said.
+
+        Returns:
+            Whether accelerations have digits: False with a warning where the mass matrix is singular.
 
         Raises:
             BuildError: a function is wrong.

@@ -22,9 +22,8 @@ from ..ir.trees.assembly import Form
 from ..processes import collector_paused
 from ..schema import kernel_files
 from ..schema.c_functions import FunctionRow
-from ..schema.fields import dumped
-from ..schema.manifest import Manifest, from_file, remember
-from ..schema.seal import sealed, unsealed
+from ..schema.manifest import Manifest, from_file, remember, statement
+from ..schema.seal import is_sealed, sealed, unsealed
 from ..version import ABI
 from . import header
 from .manifest import Base
@@ -57,11 +56,12 @@ def write_model(directory: Path, base: Base) -> None:
     directory.mkdir(parents=True, exist_ok=True)
     with processes.folder_lock(directory):
         there, damaged = _there(directory)
-        if there and not all(
-            _is_unchanged(directory, there, name) for name in _shared(there.sha256)
+        if there and not (
+            is_sealed(regular_file.content(directory / MANIFEST))
+            and all(_is_unchanged(directory, there, name) for name in _shared(there.sha256))
         ):
             there, damaged = None, True
-        if there is not None and _stated(there) == _stated(base.data):
+        if there is not None and statement(there) == statement(base.data):
             if list(there.available) != list(base.data.available):
                 _write_manifest(directory, there.replaced(available=base.data.available))
             return
@@ -217,11 +217,6 @@ def written(directory: Path) -> set[str]:
     if plain is None or not _has_version(plain):
         return set()
     return {MANIFEST, LOCK, *(Path(name).name for name in plain.get("sha256") or {})}
-
-
-def _stated(manifest: Manifest) -> str:
-    """Statement about a model, independent of its functions."""
-    return dumped(manifest.replaced(functions={}, sha256={}, available=[]))
 
 
 def read(directory: Path) -> Manifest | None:

@@ -32,6 +32,7 @@ from .fields import (
     Misfit,
     Record,
     count,
+    dumped,
     field,
     flag,
     listed,
@@ -342,6 +343,11 @@ def from_file(content: bytes, where: str) -> Manifest:
         manifest = checked_manifest(unsealed(content), where)
         remember(content, manifest)
     return manifest
+
+
+def statement(manifest: Manifest) -> str:
+    """Text of all that a manifest says of its model, whatever functions have been written of it."""
+    return dumped(manifest.replaced(functions={}, sha256={}, available=[]))
 
 
 def remember(content: bytes, manifest: Manifest) -> None:

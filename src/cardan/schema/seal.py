@@ -28,13 +28,24 @@ def sealed(data: Mapping[str, object], **options: object) -> str:
     return text.replace(ZEROS.decode(), digest, 1)
 
 
-def unsealed(content: bytes) -> Any:
-    """The data of a text, without its hash; one that was written by hand may have none.
+def is_sealed(content: bytes) -> bool:
+    """True for a text with a hash, whatever it is of."""
+    return SEAL.search(content, 0, HEAD) is not None
+
+
+def unsealed(content: bytes, by_hand: bool = True) -> Any:
+    """The data of a text, without its hash.
+
+    Args:
+        content: Of a file.
+        by_hand: Without a hash, it counts as one that was written by hand, else as damaged.
 
     Raises:
         ValueError: it is not JSON, or not what its hash is of.
     """
     seal = SEAL.search(content, 0, HEAD)
+    if not seal and not by_hand:
+        raise ValueError("it has no hash")
     if seal:
         blank = content[: seal.start(1)] + ZEROS + content[seal.end(1) :]
         if hashlib.sha256(blank).hexdigest().encode() != seal[1]:

@@ -6,11 +6,12 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from codegen.fmu.importing import Instance, unit
+from codegen.fmu.importing import Instance, equations_of, model_of, unit
 from codegen.fmu.scenes import CASES
 from codegen.running import compilers
 
@@ -182,6 +183,40 @@ def test_every_number_that_a_run_changes_is_in_its_state() -> None:
     assert numbers > CONSTANT
     stated = set(re.findall(r"F\((\w+)[,)]", text))
     assert stated == numbers - CONSTANT
+
+
+EXPORTED = {"GeneralizedAlpha": "alpha"}
+COUNTED = ("steps", "rejections", "evaluations", "jacobians", "factorizations")
+
+
+@pytest.mark.parametrize("method", ["GeneralizedAlpha", "Radau", "RK45", "Rosenbrock"])
+def test_a_first_step_takes_the_work_of_simulate(method: str, tmp_path: Path) -> None:
+    """What a method began with the run it goes on with: nothing is begun twice."""
+    from cardan.codegen.fmu.export import SOURCES
+
+    path = equations_of("pendulum").export(
+        tmp_path / "x.fmu", integrators=(EXPORTED.get(method, method.lower()),), kinds=("cs",)
+    )
+    with Instance(path) as one:
+        one.begin(1e-6, 0.25)
+        one.step(0.0, 0.25)
+        content = one.bytes_of(one.save())
+    text = (SOURCES / "fmu_state.c").read_text("utf-8")
+    integers = re.findall(r"F\((\w+),", text.split("#define INTEGERS")[1].split("#define REALS")[0])
+    # behind the places of signals and stops, which are known here, the reals begin with t
+    numbers = np.frombuffer(content[: len(content) // 8 * 8])
+    ends = [k for k, t in enumerate(numbers) if t == 0.25 and k >= len(integers)]
+    rows = [np.frombuffer(content[8 * (k - len(integers)) : 8 * k], np.int64) for k in ends]
+    (work,) = [
+        numbered
+        for row in rows
+        for numbered in [dict(zip(integers, row.tolist(), strict=True))]
+        if numbered["culprit"] == numbered["open_row"] == -1 and numbered["steps"] > 0
+    ]
+    motion = model_of("pendulum").simulate(0.25, rtol=1e-6, method=method)
+    assert {name: work[name] for name in COUNTED} == {
+        name: motion.statistics[name] for name in COUNTED
+    }
 
 
 def hashed(content: bytearray) -> bytes:

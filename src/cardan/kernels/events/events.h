@@ -1,4 +1,5 @@
-/* What the files about events share: event_transition.c, search.c, event_bracketing.c. Part of cardan. */
+/* What the files about events share, event_transition.c, search.c, event_bracketing.c, and what a run
+ * calls of them. Part of cardan. */
 #ifndef CARDAN_EVENTS_H
 #define CARDAN_EVENTS_H
 
@@ -27,6 +28,16 @@ typedef struct cardan_board {
     real *y;       /* (n) state at a time that is looked at */
     real *out;     /* (nx + ns) result of a transition */
 } cardan_board;
+
+/* event_transition.c and search.c, for the run */
+ptrdiff_t cardan_board_length(const cardan_run *run);
+void cardan_events_clock(cardan_run *run);
+int cardan_events_start(cardan_run *run);
+int cardan_events_seek(cardan_run *run);
+int cardan_events_apply(cardan_run *run);
+int cardan_events_full(const cardan_run *run);
+int cardan_events_due(const cardan_run *run);
+int cardan_events_tick(cardan_run *run);
 
 /* event_transition.c */
 cardan_board cardan_board_of(const cardan_run *run);

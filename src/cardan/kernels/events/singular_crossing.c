@@ -89,7 +89,7 @@ static real change(const cardan_run *run, const gauss *at, const real *f, const 
         for (ptrdiff_t i = 0; i < run->nx; i++) {
             real scale = cardan_scale(run, run->y, i);
             real off = fabs(at->h * at->weights[k] * (f[k * run->n + i] - g[k * run->n + i])) / scale;
-            worst = off <= worst ? worst : off;
+            worst = cardan_worst(worst, off);
         }
     return worst;
 }
@@ -118,7 +118,7 @@ static int sweeps(cardan_run *run, const gauss *at, real *f, real *y)
             integral(at->points, at->s, 0, at->points[j], w);
             add(run, at->h, w, old, at->s, run->y, y);
             status = on_constraints(run, run->t + at->points[j] * at->h, y, f + j * n);
-            correction = fmax(correction, run->correction);
+            correction = cardan_worst(correction, run->correction);
         }
         worst = status == 0 ? change(run, at, f, old) : 0;
         run->correction = correction;
@@ -148,7 +148,7 @@ static real error_of(const cardan_run *run, const gauss *at, const real *f)
         last = fabs(c[0]) + fabs(c[1]);
         before = fabs(c[2]) + fabs(c[3]);
         last *= fmin(1, last / fmax(before, 1e-300));
-        worst = fmax(worst, fabs(at->h) * last / scale);
+        worst = cardan_worst(worst, fabs(at->h) * last / scale);
     }
     return worst / (real)(2 * at->s);
 }
@@ -197,13 +197,13 @@ static int attempt(cardan_run *run, real tau, real h, real share, real *error)
     status = sweeps(run, &at, f, y);
     if (status != 0)
         return status;
-    *error = fmax(run->correction, 0);
+    *error = cardan_worst(0, run->correction);
     add(run, h, at.weights, f, at.s, run->y, run->trial);
-    *error = fmax(*error, error_of(run, &at, f)) / ACCEPTABLE;
+    *error = cardan_worst(*error, error_of(run, &at, f)) / ACCEPTABLE;
     cardan_normalize(run, run->trial);
     if (!cardan_near_singular(run, run->t + h, run->trial, 1)) {
         status = cardan_close(run, run->t + h, run->trial, 0);
-        *error = fmax(*error, run->correction);
+        *error = cardan_worst(*error, run->correction);
     }
     *error /= allowed(run, &at, share);
     if (status == 0 && *error <= 1) {

@@ -94,7 +94,7 @@ real cardan_mesh_squares(cardan_run *run, const cardan_mesh *mesh, const real *e
             const int moves = (pose && i >= 3) || (flat && i < 2) || slides;
             const real part = dx[start + i] * (moves ? length : 1);
             sum += part * part;
-            if (!(part * part <= *largest)) {
+            if (cardan_exceeds(part * part, *largest)) {
                 *largest = part * part;
                 run->culprit = mesh->q[place] + (pose ? 1 + i : i);
             }

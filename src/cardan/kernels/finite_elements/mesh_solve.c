@@ -177,7 +177,7 @@ static int fits(const cardan_mesh *mesh, const cardan_mesh_system *system, const
         return 0;
     cardan_sparse_multiply(mesh->plan, system->a, d, t);
     for (ptrdiff_t i = 0; i < mesh->plan->n; i++) {
-        left = fmax(left, fabs(system->rows[i] * r[i]));
+        left = cardan_worst(left, fabs(system->rows[i] * r[i]));
         taken = fmax(taken, fabs(system->rows[i] * t[i]));
         if (i < mesh->nu)
             forces = fmax(forces, fabs(system->rows[i] * r[i]));
@@ -197,7 +197,7 @@ static real left_of_rows(const cardan_mesh *mesh, const cardan_mesh_system *syst
         if (i < mesh->nu)
             moved = fmax(moved, fabs(x[i] / system->units[i]));
         else
-            left = fmax(left, fabs(system->rows[i] * r[i]));
+            left = cardan_worst(left, fabs(system->rows[i] * r[i]));
     }
     return left > 0 ? left / fmax(moved + required, CARDAN_LEAST) : 0;
 }

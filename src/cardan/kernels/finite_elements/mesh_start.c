@@ -13,7 +13,7 @@ static const real CLOSED = 1e-12, GOOD = 1e-9;
 static real largest(const real *x, ptrdiff_t n, real most)
 {
     for (ptrdiff_t i = 0; i < n; i++)
-        most = fmax(most, fabs(x[i]));
+        most = cardan_worst(most, fabs(x[i]));
     return most;
 }
 
@@ -35,7 +35,7 @@ static real moved(const real *locked, const real *x, const real *x0, ptrdiff_t n
 
     for (ptrdiff_t i = 0; i < n; i++)
         if (locked[i] != 0)
-            most = fmax(most, fabs(x[i] - x0[i]));
+            most = cardan_worst(most, fabs(x[i] - x0[i]));
     return most;
 }
 

@@ -56,7 +56,7 @@ static ptrdiff_t worst_of(const cardan_run *run, const cardan_explicit *method, 
 
     for (ptrdiff_t i = 0; i < run->nx; i++) {
         const real each = fabs(method->part(run, against, i));
-        if (!(each <= worst) && (worst == worst || each != each)) {
+        if (cardan_exceeds(each, worst)) {
             worst = each;
             culprit = i;
         }

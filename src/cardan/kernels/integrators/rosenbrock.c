@@ -134,7 +134,7 @@ static real error_of(cardan_run *run)
 
     for (ptrdiff_t i = 0; i < run->nx; i++) {
         real e = error[i] / cardan_scale(run, run->trial, i);
-        if (!(e * e <= worst)) {
+        if (cardan_exceeds(e * e, worst)) {
             worst = e * e;
             run->culprit = i;
         }

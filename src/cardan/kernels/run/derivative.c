@@ -83,18 +83,24 @@ static real inside(real start, real end)
     return next != start ? next : nextafter(start, end);
 }
 
-/* Start over at t, where something has changed: steps go to the next stop or tick. */
-void cardan_restart(cardan_run *run)
+/* Let steps go to the next stop or tick; what the method remembers stays. */
+void cardan_head_for_stop(cardan_run *run)
 {
-    run->segment = run->t;
-    run->in_segment = run->begun = 0;
-    run->fresh = run->pass_parts = 0;
     run->until = run->stops[run->next_stop];
     for (ptrdiff_t i = 0; i < run->tick_count; i++)
         if (run->ticks[i].next < run->until)
             run->until = run->ticks[i].next;
     run->early = inside(run->segment, run->until);
     run->late = inside(run->until, run->segment);
+}
+
+/* Start over at t, where something has changed: steps go to the next stop or tick. */
+void cardan_restart(cardan_run *run)
+{
+    run->segment = run->t;
+    run->in_segment = run->begun = 0;
+    run->fresh = run->pass_parts = 0;
+    cardan_head_for_stop(run);
 }
 
 /* Start the segment that lies ahead of t: choose the pieces of its inputs.

@@ -32,6 +32,7 @@
  *     run.ne = ..., run.kinds = ..., run.log = ..., run.log_capacity = ...;
  *     run.ns = ...;
  */
+#include "events.h"
 #include "run.h"
 
 /* Point every array of a run into the block; returns how many numbers that takes. */

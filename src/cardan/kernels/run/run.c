@@ -2,6 +2,7 @@
  *
  * Part of cardan. Caller owns all memory.
  */
+#include "events.h"
 #include "run.h"
 #include <math.h>
 #include <stdint.h>

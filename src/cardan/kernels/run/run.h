@@ -306,6 +306,7 @@ int cardan_evaluate(cardan_run *run, real t, const real *y, real *xdot, real *po
 int cardan_derivative(cardan_run *run, real t, const real *y, real *f);
 int cardan_refresh(cardan_run *run);
 int cardan_segment(cardan_run *run);
+void cardan_head_for_stop(cardan_run *run);
 void cardan_restart(cardan_run *run);
 void cardan_signals_at(cardan_run *run, real t);
 void cardan_record_row(cardan_run *run, real t);
@@ -346,6 +347,19 @@ static inline real cardan_most(real most, real x)
     return x > most ? x : most;
 }
 
+/* Whether x is larger than the largest so far. What is not a number is larger than all that are, and
+ * no number is larger than it: `!(x <= worst)` would let the next one take its place. */
+static inline int cardan_exceeds(real x, real worst)
+{
+    return x > worst || x != x;
+}
+
+/* The larger of two, not a number where one of them is not: of errors, which fmax would drop. */
+static inline real cardan_worst(real worst, real x)
+{
+    return cardan_exceeds(x, worst) ? x : worst;
+}
+
 /* Size against which an error of entry i counts. */
 static inline real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i)
 {
@@ -355,15 +369,6 @@ static inline real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t 
 /* implicit.c: the Jacobian of a run, for the methods that need one */
 ptrdiff_t cardan_jacobian_length(const cardan_run *run);
 int cardan_jacobian(cardan_run *run, real h, real *jacobian);
-/* event_transition.c and event_bracketing.c */
-ptrdiff_t cardan_board_length(const cardan_run *run);
-void cardan_events_clock(cardan_run *run);
-int cardan_events_start(cardan_run *run);
-int cardan_events_seek(cardan_run *run);
-int cardan_events_apply(cardan_run *run);
-int cardan_events_full(const cardan_run *run);
-int cardan_events_due(const cardan_run *run);
-int cardan_events_tick(cardan_run *run);
 
 /* A method. Its file ends with one, called cardan_<method>_method. */
 typedef struct cardan_method {

@@ -256,7 +256,7 @@ static int pass_sweep(const cardan_adjoint *adjoint, real t, real h, real factor
             return CARDAN_MODEL;
         for (ptrdiff_t i = 0; i < nx; i++) {
             real *by = adjoint->pulled + s * nx + i;
-            *change = fmax(*change, fabs(by_x[i] - *by));
+            *change = cardan_worst(*change, fabs(by_x[i] - *by));
             *size = fmax(*size, fmax(fabs(by_x[i]), fabs(adjoint->lam[i])));
             *by = by_x[i];
         }

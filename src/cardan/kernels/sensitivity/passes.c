@@ -64,7 +64,7 @@ static int sweep(const cardan_pass *pass, real t, real h, const real *y, real *c
         if (status == 0)
             status = cardan_rates_at(steps, t + steps->nodes[s] * h, x, steps->end);
         for (ptrdiff_t i = 0; i < nx; i++) {
-            *change = fmax(*change, fabs(h * (steps->end[i] - slope[i])));
+            *change = cardan_worst(*change, fabs(h * (steps->end[i] - slope[i])));
             *size = fmax(*size, fmax(fabs(h * steps->end[i]), fabs(y[i])));
             slope[i] = steps->end[i];
         }

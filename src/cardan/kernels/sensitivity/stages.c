@@ -128,10 +128,10 @@ static int iterate(const cardan_steps *steps, const rooms *at, real t, real h, c
     for (int block = 0; block < 3; block++) {
         for (ptrdiff_t k = 0; k < at->size; k++)
             if (k % nx >= ends[block] && k % nx < ends[block + 1])
-                sizes[block] = fmax(sizes[block], fabs(steps->slopes[k] + at->change[k]));
-        for (ptrdiff_t k = 0; k < at->size && sizes[block] > 0; k++)
+                sizes[block] = cardan_worst(sizes[block], fabs(steps->slopes[k] + at->change[k]));
+        for (ptrdiff_t k = 0; k < at->size && sizes[block] != 0; k++)
             if (k % nx >= ends[block] && k % nx < ends[block + 1])
-                *left = fmax(*left, fabs(at->change[k]) / sizes[block]);
+                *left = cardan_worst(*left, fabs(at->change[k]) / sizes[block]);
     }
     for (ptrdiff_t i = 0; i < at->size; i++)
         steps->slopes[i] += at->change[i];

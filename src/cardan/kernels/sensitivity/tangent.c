@@ -315,7 +315,7 @@ static int pass_sweep(const cardan_tangent *tangent, real t, real h, const real 
         for (ptrdiff_t i = 0; i < nx; i++)
             for (ptrdiff_t k = 0; k < tangent->columns; k++) {
                 const real now = tangent->changed[i * wide + k];
-                *by = fmax(*by, fabs(h * (now - rising[i * wide + k])));
+                *by = cardan_worst(*by, fabs(h * (now - rising[i * wide + k])));
                 *size = fmax(*size, fmax(fabs(h * now), fabs(old[k * nx + i])));
                 rising[i * wide + k] = now;
             }

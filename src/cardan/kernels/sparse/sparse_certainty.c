@@ -42,6 +42,7 @@ void cardan_sparse_bound(const cardan_sparse *plan, ptrdiff_t s, const cardan_pa
     }
     terms = sums[2 * s + 1] + (double)(n + later + SCALED);
     here = 3 * terms * DBL_EPSILON * (sums[2 * s] + here);
-    if (!(here <= *left))
+    /* what is not a number stays: no supernode after it makes the solution certain */
+    if (here > *left || here != here)
         *left = here;
 }

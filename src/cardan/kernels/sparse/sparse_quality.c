@@ -101,7 +101,7 @@ double cardan_sparse_perturbation(const cardan_sparse *plan, const cardan_sparse
     for (ptrdiff_t w = 0; w < f->weak; w++) {
         const int32_t i = plan->order[f->replaced[w]];
         const double backward = fabs(f->shift[w] * x[i]) / (f->columns ? f->columns[i] : 1);
-        if (!(backward <= most))
+        if (backward > most || backward != backward)
             most = backward, *unknown = i;
     }
     for (ptrdiff_t i = 0; i < plan->n; i++)

@@ -80,6 +80,8 @@ cdef class Results:
     cdef Py_ssize_t operations, few
     cdef Py_ssize_t out_size, work_size
     cdef object caller, shape, held
+    # whether constant blocks are there as floats
+    cdef bint constant_singles
     cdef tuple empty_arguments
     # what batches go through, and its lane builds as they were last seen, of doubles and of floats
     cdef tuple batches
@@ -95,8 +97,7 @@ cdef class Results:
         self.operations, self.few, self.parts = caller.operations, caller.few, 0
         self.batches, self.lanes = (caller.batch, caller.single), [None, None]
         self.hold(0, caller.constants(np.float64))
-        if caller.single is not None:
-            self.hold(1, caller.constants(np.float32))
+        self.constant_singles = False
         for i, argument in enumerate(caller.arguments):
             self.places[i] = len(argument.blocks)
             for k, (slot, first) in enumerate(argument.blocks):
@@ -217,6 +218,12 @@ cdef class Results:
         direct = self.batches[kind].direct
         if direct is None or states > direct.most:
             return None
+        # once the caller has refused what floats cannot hold, and said what they lose
+        if kind and not self.constant_singles:
+            if not self.caller.compared:
+                return None
+            self.hold(1, self.caller.constants(np.float32))
+            self.constant_singles = True
         lanes = self.lanes[kind]
         if lanes is None or lanes.direct is not direct:
             lanes = Lanes(direct, self.out_size, self.work_size)

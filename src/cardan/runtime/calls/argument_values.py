@@ -1,8 +1,8 @@
-"""Arguments of users as arrays."""
+"""Arguments of users as arrays; what single precision cannot hold is refused by name."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,13 +14,18 @@ from ...errors import ArgumentError, ModelError, near
 if TYPE_CHECKING:
     from .calling import Argument
 
+RANGE = np.finfo(np.float32)
+CURE = "Give arrays of float64, or choose other units"
+# parameters by name and value that a prepared one, by its place, is computed from
+Sources = Callable[[int], dict[str, float]]
+
 
 def numbers(where: str, value: object, dtype: Numbers = np.float64) -> Array:
     """A value as an array of float64, or float32, in the order in memory that it has.
 
     Raises:
-        ArgumentError: it holds other things than real numbers, masked ones, or rows of different
-            lengths.
+        ArgumentError: it holds other things than real numbers, masked ones, rows of different
+            lengths, or what single precision cannot hold.
     """
     try:
         array = np.asarray(value)
@@ -32,7 +37,7 @@ def numbers(where: str, value: object, dtype: Numbers = np.float64) -> Array:
         raise ArgumentError(f"{where} has masked entries. Fill them: .filled(number)")
     if array.dtype.kind not in "fiub":
         raise ArgumentError(f"{where} must be real numbers, not {array.dtype}")
-    return np.asarray(array, dtype=dtype)
+    return converted(where, array, dtype)
 
 
 def common(where: str, shapes: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
@@ -81,3 +86,51 @@ def by_name(where: str, argument: Argument, values: Mapping[str, ArrayLike]) -> 
     for name, value in read.items():
         result[..., argument.places[name]] = value
     return result
+
+
+def converted(where: str, value: ArrayLike, dtype: Numbers) -> Array:
+    """A value as an array of a type.
+
+    Raises:
+        ArgumentError: a finite number is infinite in single precision.
+    """
+    if dtype == np.float64:
+        return np.asarray(value, dtype=dtype)
+    with np.errstate(over="ignore"):
+        result = np.asarray(value, dtype=dtype)
+    if result is not value:
+        numbers = np.asarray(value)
+        lost = np.isinf(result) & np.isfinite(numbers)
+        if lost.any():
+            raise ArgumentError(
+                f"{where}: {numbers[lost][0]:g} is more than the {RANGE.max:.1e} that single "
+                f"precision can hold. {CURE}"
+            )
+    return result
+
+
+def prepared(where: str, w: Array, sources: Sources | None) -> Array:
+    """Prepared parameters (..., nw) in single precision.
+
+    Args:
+        where: The function, for errors.
+        w: In doubles.
+        sources: Names what one of them comes from.
+
+    Raises:
+        ModelError: one would be 0, or lose digits, as it is too small, or would be infinite.
+    """
+    size = np.abs(w)
+    # below the smallest normal number digits are lost one by one, and some processors take 0
+    wrong = ((size > 0) & (size < RANGE.tiny)) | ((size > RANGE.max) & np.isfinite(w))
+    if wrong.any():
+        place = tuple(map(int, np.argwhere(wrong)[0]))
+        named = sources(place[-1]) if sources else {}
+        # states may have other values than the model
+        among = ", ".join(f"'{n}'" + f" ({x:g})" * (w.ndim == 1) for n, x in named.items())
+        of = f"{w[place]:g}, computed from parameter{'s' * (len(named) != 1)} {among},"
+        raise ModelError(
+            f"{where}: {of} is outside of what single precision can hold, {RANGE.tiny:.1e} to "
+            f"{RANGE.max:.1e}. {CURE}"
+        )
+    return np.ascontiguousarray(w, np.float32)

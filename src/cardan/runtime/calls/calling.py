@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from functools import cached_property
 from math import prod
 from typing import NamedTuple, cast
@@ -15,7 +15,7 @@ from ...errors import ArgumentError, SolveError, SolveWarning, warn
 from ...records import dataclass
 from ...schema.blocks import ORDER, SLOT
 from . import abi
-from .argument_values import by_name, common, numbers
+from .argument_values import Sources, by_name, common, converted, numbers, prepared
 from .batch import Batch
 from .interpreted import Interpreted
 from .lanes import States
@@ -25,6 +25,7 @@ MAX_PRINTED = 12
 ANY = -1
 LITTLE = 200_000  # operations that take no longer than a look at all arguments
 MOST = 4096  # states that are done without one
+COMPARED = 64  # states at which single precision is compared with doubles
 LARGEST = np.iinfo(np.intp).max // 8  # numbers that can be addressed
 
 
@@ -117,6 +118,7 @@ class Caller:
         evaluator: What stands in for the C function where there is no compiler.
         batch: What goes through many states.
         single: The same in single precision, for models that have it.
+        sources: Parameters that a prepared one comes from, for errors.
         w_slot: Where w stands in cardan_in.
     """
 
@@ -133,6 +135,7 @@ class Caller:
         evaluator: Interpreted | None = None,
         batch: Batch | None = None,
         single: Batch | None = None,
+        sources: Sources | None = None,
     ) -> None:
         self.name = name
         self.address = address
@@ -147,6 +150,9 @@ class Caller:
         self.evaluator = evaluator
         self.batch = Batch(name, None, sizes=sizes(arguments)) if batch is None else batch
         self.single = single
+        self.sources = sources
+        # by whether states have parameters of their own: single precision was compared with doubles
+        self._compared: set[bool] = set()
         self.w_slot = SLOT["w"]
         self._constant_blocks: dict[Numbers, list[Array | None]] = {}
 
@@ -189,7 +195,8 @@ class Caller:
                 blocks[slot] = flat[first * spacing :] if first else flat
                 strides[slot], spacings[slot] = stride, spacing
         if w is not None:
-            flat, strides[self.w_slot], _ = laid_out(np.ascontiguousarray(w, dtype), lead, 1)
+            numbers_of_states = self._prepared(w, dtype)
+            flat, strides[self.w_slot], _ = laid_out(numbers_of_states, lead, 1)
             blocks[self.w_slot] = flat
         # lanes look at the numbers while they have them at hand
         watched = batch.watches(strides[self.w_slot] != 0, count)
@@ -206,6 +213,8 @@ class Caller:
         if count:
             states = States(blocks, strides, result, spacings)
             status, failed, finite = batch.run(self.call, states)
+            if batch is self.single:
+                self.judge(replace(states, out=result[:COMPARED]), w)
             if not finite:
                 for argument, array in later:
                     self._check_finite(argument, array)
@@ -219,12 +228,44 @@ class Caller:
             blocks = [None] * len(ORDER)
             for argument in self.arguments:
                 default = np.zeros(argument.size) if argument.default is None else argument.default
-                flat = np.ascontiguousarray(default, dtype).reshape(-1)
+                where = f"{self.name}: {argument}"
+                flat = np.ascontiguousarray(converted(where, default, dtype)).reshape(-1)
                 for slot, first in argument.blocks:
                     blocks[slot] = flat[first:]
-            blocks[self.w_slot] = np.ascontiguousarray(self.w, dtype)
+            blocks[self.w_slot] = self._prepared(self.w, dtype)
             self._constant_blocks[dtype] = blocks
         return blocks
+
+    def _prepared(self, w: Array, dtype: Numbers) -> Array:
+        """Prepared parameters (..., nw) in the type of a batch."""
+        if dtype == np.float64:
+            return np.ascontiguousarray(w, dtype)
+        return prepared(self.name, w, self.sources)
+
+    @property
+    def compared(self) -> bool:
+        """True if single precision was compared with doubles, with the parameters of the model."""
+        return False in self._compared
+
+    def judge(self, states: States, w: Array | None = None) -> None:
+        """Warn where single precision leaves few digits: once for these parameters, whoever made
+        the build.
+
+        Args:
+            states: In single precision, with results.
+            w: Prepared parameters of the states, (..., nw), where they have their own.
+        """
+        lanes = states.strides[self.w_slot] != 0
+        if self.single is None or lanes in self._compared or not self.single.ready(lanes):
+            return
+        self._compared.add(lanes)
+        blocks = [*states.blocks]
+        if w is None:
+            # what the parameters lose counts too
+            blocks[self.w_slot] = self.w
+        exact = replace(states, blocks=blocks).rows(0, len(states.out), self.single.sizes)
+        self.call(exact.blocks, exact.strides, exact.out)
+        self.single.judge(exact.out, states.out)
 
     def _read_all(self, values: Sequence[object], dtype: Numbers) -> list[tuple[Argument, Array]]:
         """The arguments that are not left out, and those whose default is not finite."""
@@ -236,7 +277,8 @@ class Caller:
             elif argument.default is None and argument.size:
                 raise ArgumentError(f"{self.name} needs {argument}=")
             elif not argument.finite and argument.default is not None:
-                arrays.append((argument, argument.default.astype(dtype)))
+                where = f"{self.name}: {argument}"
+                arrays.append((argument, converted(where, argument.default, dtype)))
         return arrays
 
     def _precision(self, values: Sequence[object]) -> tuple[Batch, Numbers]:
@@ -266,8 +308,8 @@ class Caller:
     def _read(self, argument: Argument, value: object, dtype: Numbers) -> Array:
         """The value as float64, or float32, with the trailing axes of the argument."""
         if isinstance(value, Mapping) and argument.start is not None:
-            vector = by_name(f"{self.name}, {argument}", argument, value)
-            return vector.astype(dtype, copy=False)
+            where = f"{self.name}, {argument}"
+            return converted(where, by_name(where, argument, value), dtype)
         n = len(argument.shape)
         if type(value) is np.ndarray and value.dtype == dtype:
             array = value

@@ -4,16 +4,33 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING, final
 
 from ...build_progress import listed, stage
+from ..build import cache_folder
 from .code import Code
 from .loaded_function import LoadedFunction, assemble, batches
 from .objects import Key
 
 if TYPE_CHECKING:
     from ..models.loaded_model import LoadedModel
+
+
+REGULAR = "regular"  # an empty file beside the C of a model whose accelerations have digits
+SOLVING = ("forward_dynamics", "rhs")
+
+
+def _solves(name: str, of: str | None) -> bool:
+    """True for accelerations and their derivatives."""
+    return name in SOLVING or (of is not None and of.split(":")[0] in SOLVING)
+
+
+def _mark(folder: Path) -> Path | None:
+    """The file that says so of a folder of the cache; None for one that users look after."""
+    return folder / REGULAR if folder.parent == cache_folder.directory() / "models" else None
 
 
 class Source(ABC):
@@ -41,7 +58,13 @@ class Generated(Source):
         objects, loaded = model._objects, model._functions
         codes = objects.codes(missing)
         fresh = {key: c.symbol for key, c in zip(missing, codes, strict=True) if c.fresh}
-        p = model.parameters.vector
+        mark = _mark(objects.directory)
+        # what a check warned of is said by every process, whoever compiled
+        unsettled = [
+            key
+            for key in missing
+            if key not in fresh and mark is not None and _solves(*key) and not mark.exists()
+        ]
         try:
             for (name, of), code in zip(missing, codes, strict=True):
                 arguments = model._layout.reads(name, of, code.entry.vector)
@@ -50,11 +73,15 @@ class Generated(Source):
                         code, arguments, objects.threads, objects.dtype
                     )
                 ways = objects.batches[code.symbol]
-                loaded[name, of] = assemble(name, of, code, arguments, p, ways)
-            if fresh:
-                names = listed([" of ".join(filter(None, key)) for key in fresh])
+                loaded[name, of] = assemble(name, of, code, arguments, model.parameters, ways)
+            checked = [*fresh, *unsettled]
+            if checked:
+                names = listed([" of ".join(filter(None, key)) for key in checked])
                 with stage(f"model '{model.name}': checking {names}"):
-                    model._verify_built(fresh)
+                    regular = model._verify_built(checked)
+                if regular and mark is not None and any(_solves(*key) for key in checked):
+                    with suppress(OSError):  # else it is checked again
+                        mark.touch()
             for key, symbol in fresh.items():
                 function: LoadedFunction = loaded[key]
                 loaded[key] = replace(function, code=objects.publish(symbol))

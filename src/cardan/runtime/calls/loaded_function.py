@@ -20,6 +20,7 @@ from .batch import Batch
 from .calling import Argument, Caller, sizes
 from .code import Code
 from .lanes import packed
+from .parameters import Parameters
 
 
 @dataclass(frozen=True)
@@ -154,7 +155,7 @@ def assemble(
     of: str | None,
     code: Code,
     arguments: list[Argument],
-    p: Array,
+    p: Parameters,
     ways: Mapping[str, Batch],
 ) -> LoadedFunction:
     """A loaded function out of its C, what it takes, parameter values and the ways of batches.
@@ -170,7 +171,7 @@ def assemble(
     outputs = code.entry.outputs
     # one result keeps its shape; several are handed on as one flat row
     shape = tuple(outputs[0].shape) if len(outputs) == 1 else (code.entry.output_size,)
-    w = prepare(code, p)
+    w = prepare(code, p.vector)
     caller = Caller(
         f"{name}('{of}')" if of else name,
         code.address,
@@ -183,10 +184,20 @@ def assemble(
         code.interpreted,
         ways["float64"],
         ways.get("float32"),
+        partial(_sources, code, p),
     )
     interpreted = code.interpreted is not None
     fast = caller if interpreted else abi.fast(caller)
     return LoadedFunction(name, of, code, w, caller, fast, interpreted)
+
+
+def _sources(code: Code, p: Parameters, place: int) -> dict[str, float]:
+    """Parameters, with their values, that change a prepared one, by its place."""
+    before = prepare(code, p.vector)[place]
+    changed = np.tile(p.vector, (len(p), 1))
+    np.fill_diagonal(changed, np.where(p.vector == 0, 1.0, 2 * p.vector))
+    after = prepare(code, changed)[:, place]
+    return {name: p[name] for name, x in zip(p, after, strict=True) if x != before}
 
 
 def entry_names(outputs: Sequence[ResultRow]) -> list[str]:

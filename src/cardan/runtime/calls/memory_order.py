@@ -82,7 +82,8 @@ def into(result: Array, out: object, where: str = "") -> Array:
         where: What errors begin with.
 
     Raises:
-        ArgumentError: it is not an array of the same shape and type, or must not be written to.
+        ArgumentError: it is not an array of the same shape and type, must not be written to, or
+            has entries that share their memory.
     """
     if out is None:
         return result
@@ -94,6 +95,8 @@ def into(result: Array, out: object, where: str = "") -> Array:
         )
     if not out.flags.writeable:
         raise ArgumentError(f"{where}out is read-only. Give an array that can be written to")
+    if any(n > 1 and stride == 0 for n, stride in zip(out.shape, out.strides, strict=True)):
+        raise ArgumentError(f"{where}out has one place for several numbers. Give an array of them")
     if not np.may_share_memory(out, result):
         out[...] = result
     return out

@@ -9,6 +9,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...schema.blocks import ORDER, SLOT
+from .argument_values import prepared
 from .lanes import States
 from .loaded_function import LoadedFunction
 
@@ -63,7 +64,9 @@ def states(
     w = function.w
     if lane_parameters:
         w, strides[SLOT["w"]] = np.tile(w, count), len(w)
-    blocks[SLOT["w"]] = w.astype(dtype, copy=False)
+    if dtype == "float32":
+        w = prepared(function.caller.name, w, function.caller.sources)
+    blocks[SLOT["w"]] = w
     return States(blocks, strides, np.empty((count, prod(function.caller.shape)), dtype))
 
 
@@ -78,5 +81,9 @@ def build(model: LoadedModel, function: LoadedFunction, lane_parameters: bool = 
     if caller.single is not None:
         floats = states(function, arrays, STATES, lane_parameters, "float32")
         caller.single.build(lane_parameters, caller.call, floats)
+        run = caller.single.lane_run(lane_parameters, floats)
+        if run is not None:
+            run(0, STATES)
+            caller.judge(floats)
     doubles = states(function, arrays, STATES, lane_parameters)
     return caller.batch.build(lane_parameters, caller.call, doubles)

@@ -317,8 +317,8 @@ class LoadedModel(Description):
     # who verifies builds stands above: the class that users hold
 
     @abstractmethod
-    def _verify_built(self, fresh: Iterable[Key]) -> None:
-        """Check functions that were just built: (name, of)."""
+    def _verify_built(self, fresh: Iterable[Key]) -> bool:
+        """Check functions that were just built: (name, of). False: accelerations have no digits."""
 
     @abstractmethod
     def _verify_elements(self, elements: Elements, fresh: Iterable[str]) -> None:

@@ -42,8 +42,6 @@ static void begin_polynomials(fmu_instance *m, double end)
 static int extend(fmu_instance *m, double end)
 {
     cardan_run *run = &m->at.run;
-    const real segment = run->segment;
-    const ptrdiff_t in_segment = run->in_segment, fresh = run->fresh, parts = run->pass_parts;
     int status = 0;
 
     if (m->is.polynomials)
@@ -53,9 +51,10 @@ static int extend(fmu_instance *m, double end)
     for (ptrdiff_t k = 0; k < m->is.jump_count; k++)
         m->is.stale_inputs |= m->jumps[k] == run->t;
     fmu_set_stops(m, end);
-    cardan_restart(run);
-    if (!m->is.stale_inputs)
-        run->segment = segment, run->in_segment = in_segment, run->fresh = fresh, run->pass_parts = parts;
+    if (m->is.stale_inputs)
+        cardan_restart(run);
+    else
+        cardan_head_for_stop(run);
     m->is.stale_inputs = 0;
     return status;
 }

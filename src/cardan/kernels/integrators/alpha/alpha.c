@@ -109,8 +109,8 @@ static real error_of(cardan_run *run, const cardan_alpha *v, real h, int *status
     culprit = run->culprit;
     inside = *status == 0 ? cardan_alpha_misfit(run, v, h, status) : 0;
     if (run->nz > 0)
-        inside = fmax(inside, cardan_alpha_internal_error(run, v, h));
-    if (!(inside <= error))
+        inside = cardan_worst(inside, cardan_alpha_internal_error(run, v, h));
+    if (cardan_exceeds(inside, error))
         return inside;
     run->culprit = culprit;
     return error;

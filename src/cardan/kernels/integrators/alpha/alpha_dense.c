@@ -74,7 +74,7 @@ real cardan_alpha_misfit(cardan_run *run, const cardan_alpha *v, real h, int *st
         const real size = fmax(v->amplitude[i], fabs(run->trial[i]));
         const real missed = (cubic[i] - v->moved[i]) / (run->atol + run->rtol * size);
         sum += missed * missed;
-        if (!(missed * missed <= largest)) {
+        if (cardan_exceeds(missed * missed, largest)) {
             largest = missed * missed;
             run->culprit = i;
         }

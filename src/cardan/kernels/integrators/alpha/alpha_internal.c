@@ -148,7 +148,7 @@ static real largest(const cardan_run *run, const cardan_alpha *v, ptrdiff_t *wor
 
     for (ptrdiff_t i = 0; i < run->nz; i++) {
         const real part = v->gap[i] == 0 ? 0 : fabs(v->gap[i]) / v->terms[i];
-        if (!(part <= most)) {
+        if (cardan_exceeds(part, most)) {
             most = part;
             *worst = i;
         }

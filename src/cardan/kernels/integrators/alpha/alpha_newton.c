@@ -61,7 +61,7 @@ real cardan_alpha_norm(cardan_run *run, const cardan_alpha *v, const real *dx, r
         const real size = fmax(v->amplitude[i], fabs(run->trial[i]));
         const real part = v->rates[i] == 0 ? 0 : v->rates[i] / (atol + rtol * size);
         sum += part * part;
-        if (!(part * part <= largest)) {
+        if (cardan_exceeds(part * part, largest)) {
             largest = part * part;
             run->culprit = i;
         }

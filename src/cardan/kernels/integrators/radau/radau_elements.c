@@ -134,16 +134,16 @@ real cardan_radau_squares(cardan_run *run, const cardan_radau_stages *v, const r
 
     /* each in units of its tolerance; the largest of all is the culprit */
     sum = cardan_mesh_squares(run, v->mesh, extent, d, &most) / (tolerance * tolerance);
-    if (most / (tolerance * tolerance) <= *largest)
+    if (!cardan_exceeds(most / (tolerance * tolerance), *largest))
         run->culprit = culprit;
-    *largest = fmax(*largest, most / (tolerance * tolerance));
+    *largest = cardan_worst(*largest, most / (tolerance * tolerance));
     most = *largest * rate * rate;
     sum += cardan_mesh_squares(run, v->mesh, extent, u, &most) / (rate * rate);
     *largest = most / (rate * rate);
     for (ptrdiff_t i = 0; i < v->nz; i++) {
         const real part = z[i] / cardan_scale(run, run->trial, run->nq + v->nu + i);
         sum += part * part;
-        if (!(part * part <= *largest)) {
+        if (cardan_exceeds(part * part, *largest)) {
             *largest = part * part;
             run->culprit = run->nq + v->nu + i;
         }

@@ -36,7 +36,7 @@ static int open_gaps(cardan_run *run, const cardan_radau_stages *v, real h, real
     *largest = 0;
     for (ptrdiff_t k = 0; k < mp + v->m; k++) {
         const real unit = k < mp ? 1 : fmax(1, v->now[RADAU_FASTEST]);
-        *largest = fmax(*largest, fabs(v->residual[v->nu + k]) / unit);
+        *largest = cardan_worst(*largest, fabs(v->residual[v->nu + k]) / unit);
     }
     return run->model_status == 0 ? 0 : CARDAN_MODEL;
 }

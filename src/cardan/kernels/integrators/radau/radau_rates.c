@@ -202,7 +202,7 @@ static int error_of(cardan_run *run, real h, int again, real *error)
     cardan_shift_solve(&alone, ALONE / h, 0, mem.error, NULL);
     for (ptrdiff_t i = 0; i < nx; i++) {
         real e = mem.error[i] / cardan_scale(run, run->trial, i);
-        if (!(e * e <= worst)) {
+        if (cardan_exceeds(e * e, worst)) {
             worst = e * e;
             run->culprit = i;
         }
