@@ -94,7 +94,7 @@ int cardan_explicit_step(cardan_run *run, const cardan_explicit *method)
             if (run->steps % LOOKS == 0 && !run->charted)
                 look(run, method, h);
             /* the change made by the projection counts as an error of the step */
-            cardan_accept_step(run, h, fmax(error, run->correction), method->order);
+            cardan_accept_explicit_step(run, h, fmax(error, run->correction), method->order);
             return 0;
         }
         /* rejected: retry with a smaller h; status 0 unless h fell below its minimum */

@@ -88,6 +88,7 @@ void cardan_restart(cardan_run *run)
 {
     run->segment = run->t;
     run->in_segment = run->begun = 0;
+    run->error_before = 1;
     run->fresh = run->pass_parts = 0;
     run->until = run->stops[run->next_stop];
     for (ptrdiff_t i = 0; i < run->tick_count; i++)

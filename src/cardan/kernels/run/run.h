@@ -172,6 +172,7 @@ struct cardan_run {
     real rtol, atol, max_step;
     real h; /* next step, signed */
     real moment; /* in which the state at the start does something: beside t = 0 what counts as time */
+    real error_before; /* of the last step of an explicit method, in units of tolerance; 1 before any */
     real correction; /* what the projection of the last trial changed, in units of tolerance */
     ptrdiff_t fresh, is_dense, rejected;
     ptrdiff_t on_grid; /* 1: every step is h long */
@@ -328,6 +329,7 @@ real cardan_least_span(const cardan_run *run);
 int cardan_first_step(cardan_run *run, int order);
 int cardan_trial_step(cardan_run *run, real *h, real *t_new);
 void cardan_accept_step(cardan_run *run, real h, real error, int order);
+void cardan_accept_explicit_step(cardan_run *run, real h, real error, int order);
 int cardan_reject_step(cardan_run *run, real h, real error, int order, int status);
 ptrdiff_t cardan_rank_length(const cardan_run *run);
 void cardan_first_rank(cardan_run *run);
