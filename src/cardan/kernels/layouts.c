@@ -45,8 +45,8 @@ const size_t cardan_lane_method_layout[4] = {
 #include "position.h"
 #include "solids.h"
 #include "wasm_calls.h"
-extern const size_t cardan_run_layout[147];
-const size_t cardan_run_layout[147] = {
+extern const size_t cardan_run_layout[148];
+const size_t cardan_run_layout[148] = {
     sizeof(cardan_run), offsetof(cardan_run, init), offsetof(cardan_run, step), offsetof(cardan_run,
     dense), offsetof(cardan_run, length), offsetof(cardan_run, rhs.function), offsetof(cardan_run,
     rhs.w), offsetof(cardan_run, power.function), offsetof(cardan_run, power.w),
@@ -91,22 +91,24 @@ const size_t cardan_run_layout[147] = {
     offsetof(cardan_run, pass_points), offsetof(cardan_run, pass_part), offsetof(cardan_run,
     pass_parts), offsetof(cardan_run, passes), offsetof(cardan_run, pass_capacity),
     offsetof(cardan_run, pass_count), offsetof(cardan_run, rows), offsetof(cardan_run, nlam),
-    offsetof(cardan_run, spreads), offsetof(cardan_run, times), offsetof(cardan_run, time_count),
-    offsetof(cardan_run, next_time), offsetof(cardan_run, capacity), offsetof(cardan_run, count),
-    offsetof(cardan_run, row_open), offsetof(cardan_run, log), offsetof(cardan_run, log_capacity),
-    offsetof(cardan_run, log_count), offsetof(cardan_run, event_pending), offsetof(cardan_run,
-    at_once), offsetof(cardan_run, occurred), offsetof(cardan_run, steps), offsetof(cardan_run,
-    rejections), offsetof(cardan_run, evaluations), offsetof(cardan_run, budget),
-    offsetof(cardan_run, culprit), offsetof(cardan_run, model_status), offsetof(cardan_run,
-    open_row), offsetof(cardan_run, projections), offsetof(cardan_run, passed), offsetof(cardan_run,
-    looked), offsetof(cardan_run, limited), offsetof(cardan_run, jacobians), offsetof(cardan_run,
-    factorizations), offsetof(cardan_run, stop)
+    offsetof(cardan_run, spreads), offsetof(cardan_run, later), offsetof(cardan_run, times),
+    offsetof(cardan_run, time_count), offsetof(cardan_run, next_time), offsetof(cardan_run,
+    capacity), offsetof(cardan_run, count), offsetof(cardan_run, row_open), offsetof(cardan_run,
+    log), offsetof(cardan_run, log_capacity), offsetof(cardan_run, log_count), offsetof(cardan_run,
+    event_pending), offsetof(cardan_run, at_once), offsetof(cardan_run, occurred),
+    offsetof(cardan_run, steps), offsetof(cardan_run, rejections), offsetof(cardan_run,
+    evaluations), offsetof(cardan_run, budget), offsetof(cardan_run, culprit), offsetof(cardan_run,
+    model_status), offsetof(cardan_run, open_row), offsetof(cardan_run, projections),
+    offsetof(cardan_run, passed), offsetof(cardan_run, looked), offsetof(cardan_run, limited),
+    offsetof(cardan_run, jacobians), offsetof(cardan_run, factorizations), offsetof(cardan_run,
+    stop)
 };
-extern const size_t cardan_method_layout[8];
-const size_t cardan_method_layout[8] = {
+extern const size_t cardan_method_layout[10];
+const size_t cardan_method_layout[10] = {
     sizeof(cardan_method), offsetof(cardan_method, init), offsetof(cardan_method, step),
     offsetof(cardan_method, dense), offsetof(cardan_method, length), offsetof(cardan_method, sound),
-    offsetof(cardan_method, stages), offsetof(cardan_method, dense_rows)
+    offsetof(cardan_method, stages), offsetof(cardan_method, dense_rows), offsetof(cardan_method,
+    sources), offsetof(cardan_method, source_rows)
 };
 extern const size_t cardan_signal_layout[6];
 const size_t cardan_signal_layout[6] = {

@@ -189,6 +189,7 @@ struct cardan_run {
     real *rows;    /* (capacity, 1 + n + nr + ns + nlam) */
     ptrdiff_t nlam; /* 0 unless the method finds multipliers itself */
     real *spreads; /* (capacity, dense_rows, n), NULL if only `times` are wanted */
+    const struct cardan_method *later; /* NULL; else spreads: (capacity, source_rows + 1, n) */
     const real *times; /* (time_count) wanted times, NULL for a row at every step */
     ptrdiff_t time_count, next_time;
     ptrdiff_t capacity, count;
@@ -375,6 +376,8 @@ typedef struct cardan_method {
     ptrdiff_t (*length)(const cardan_run *run); /* of its own memory */
     int (*sound)(const cardan_run *run); /* whether places held there exist; NULL: it holds none */
     ptrdiff_t stages, dense_rows; /* derivatives it keeps, rows of its dense output */
+    /* those that its dense output reads besides that at the end; NULL: it evaluates none */
+    const ptrdiff_t *sources; ptrdiff_t source_rows;
 } cardan_method;
 
 ptrdiff_t cardan_no_memory(const cardan_run *run);
