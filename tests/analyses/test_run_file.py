@@ -141,7 +141,7 @@ def test_ctrl_c_and_a_cut_file(double: cd.CompiledModel, tmp_path: Path) -> None
     options: dict[str, Any] = {"t": 20.0, "q": {"elbow": 0.7}, "rtol": 1e-10}
 
     def stop(done: float) -> None:
-        if done > 0.5:
+        if done > 0.2:
             os.kill(os.getpid(), signal.SIGINT)
 
     with pytest.warns(cd.SolveWarning, match="kept in .*run, and the same call goes on") as told:

@@ -30,12 +30,13 @@ def test_steps_are_as_many(tmp_path: Path) -> None:
     start = swing(0.0)
     ours = Problem(tmp_path, SWING).run((0.0, 4.0), start, rtol=1e-9, atol=1e-9)
     theirs = solve_ivp(right, (0, 4), start, method="DOP853", rtol=1e-9, atol=1e-9)
-    # the same control with slightly different bounds of growth
-    assert abs(ours.statistics["steps"] - (len(theirs.t) - 1)) <= 3
-    # 12 evaluations a trial, the first of a step is the last of the one before; 3 for what is
-    # between, 2 to begin
+    # another control, which aims at a smaller error and so rejects less: by a tenth
+    assert abs(ours.statistics["steps"] - (len(theirs.t) - 1)) <= 0.1 * len(theirs.t)
+    assert ours.statistics["rejections"] <= (theirs.nfev - 2) // 11 - len(theirs.t)
+    # 12 evaluations a trial, the first of a step is the last of the one before; 2 to begin. What is
+    # between waits for somebody to ask
     count = ours.statistics
-    expected = 12 * count["steps"] + 11 * count["rejections"] + 3 * count["steps"] + 2
+    expected = 12 * count["steps"] + 11 * count["rejections"] + 2
     assert count["evaluations"] == expected
 
 
@@ -56,5 +57,8 @@ def test_output_times_cost_nothing_where_none_falls_in_a_step(tmp_path: Path) ->
     dense = problem.run((0.0, 3.0), swing(0.0), rtol=1e-10)
     steps = dense.statistics["steps"]
     assert ends.statistics["steps"] == steps
-    assert ends.statistics["evaluations"] == dense.statistics["evaluations"] - 3 * steps
+    assert ends.statistics["evaluations"] == dense.statistics["evaluations"]
+    # three evaluations for every step that has one inside
+    inside = problem.run((0.0, 3.0), swing(0.0), t_eval=np.array([0.0, 1.0, 3.0]), rtol=1e-10)
+    assert inside.statistics["evaluations"] == ends.statistics["evaluations"] + 3
     np.testing.assert_array_equal(ends.x[-1], dense.x[-1])

@@ -6,8 +6,8 @@
 
 #if CARDAN_LANES > 1
 #include "simd_steps.h"
-extern const size_t cardan_simd_layout[46];
-const size_t cardan_simd_layout[46] = {
+extern const size_t cardan_simd_layout[47];
+const size_t cardan_simd_layout[47] = {
     sizeof(cardan_simd), offsetof(cardan_simd, rhs), offsetof(cardan_simd, w), offsetof(cardan_simd,
     owner), offsetof(cardan_simd, inputs), offsetof(cardan_simd, alone), offsetof(cardan_simd,
     quaternions), offsetof(cardan_simd, quaternion_count), offsetof(cardan_simd, n),
@@ -15,15 +15,15 @@ const size_t cardan_simd_layout[46] = {
     offsetof(cardan_simd, trial_step), offsetof(cardan_simd, dense), offsetof(cardan_simd, worst),
     offsetof(cardan_simd, rtol), offsetof(cardan_simd, atol), offsetof(cardan_simd, max_step),
     offsetof(cardan_simd, order), offsetof(cardan_simd, last_stage), offsetof(cardan_simd, t),
-    offsetof(cardan_simd, size), offsetof(cardan_simd, until), offsetof(cardan_simd, span),
-    offsetof(cardan_simd, idle), offsetof(cardan_simd, rejected), offsetof(cardan_simd, steps),
-    offsetof(cardan_simd, rejections), offsetof(cardan_simd, evaluations), offsetof(cardan_simd, h),
-    offsetof(cardan_simd, t_new), offsetof(cardan_simd, at), offsetof(cardan_simd, error),
-    offsetof(cardan_simd, culprit), offsetof(cardan_simd, taken), offsetof(cardan_simd, failed),
-    offsetof(cardan_simd, ended), offsetof(cardan_simd, y), offsetof(cardan_simd, trial),
-    offsetof(cardan_simd, next), offsetof(cardan_simd, k), offsetof(cardan_simd, interpolant),
-    offsetof(cardan_simd, r), offsetof(cardan_simd, s), offsetof(cardan_simd, zeros),
-    offsetof(cardan_simd, work)
+    offsetof(cardan_simd, size), offsetof(cardan_simd, until), offsetof(cardan_simd, error_before),
+    offsetof(cardan_simd, span), offsetof(cardan_simd, idle), offsetof(cardan_simd, rejected),
+    offsetof(cardan_simd, steps), offsetof(cardan_simd, rejections), offsetof(cardan_simd,
+    evaluations), offsetof(cardan_simd, h), offsetof(cardan_simd, t_new), offsetof(cardan_simd, at),
+    offsetof(cardan_simd, error), offsetof(cardan_simd, culprit), offsetof(cardan_simd, taken),
+    offsetof(cardan_simd, failed), offsetof(cardan_simd, ended), offsetof(cardan_simd, y),
+    offsetof(cardan_simd, trial), offsetof(cardan_simd, next), offsetof(cardan_simd, k),
+    offsetof(cardan_simd, interpolant), offsetof(cardan_simd, r), offsetof(cardan_simd, s),
+    offsetof(cardan_simd, zeros), offsetof(cardan_simd, work)
 };
 extern const size_t cardan_lane_method_layout[4];
 const size_t cardan_lane_method_layout[4] = {
@@ -45,8 +45,8 @@ const size_t cardan_lane_method_layout[4] = {
 #include "position.h"
 #include "solids.h"
 #include "wasm_calls.h"
-extern const size_t cardan_run_layout[146];
-const size_t cardan_run_layout[146] = {
+extern const size_t cardan_run_layout[148];
+const size_t cardan_run_layout[148] = {
     sizeof(cardan_run), offsetof(cardan_run, init), offsetof(cardan_run, step), offsetof(cardan_run,
     dense), offsetof(cardan_run, length), offsetof(cardan_run, rhs.function), offsetof(cardan_run,
     rhs.w), offsetof(cardan_run, power.function), offsetof(cardan_run, power.w),
@@ -83,14 +83,15 @@ const size_t cardan_run_layout[146] = {
     offsetof(cardan_run, early), offsetof(cardan_run, late), offsetof(cardan_run, jumps),
     offsetof(cardan_run, in_segment), offsetof(cardan_run, begun), offsetof(cardan_run, rtol),
     offsetof(cardan_run, atol), offsetof(cardan_run, max_step), offsetof(cardan_run, h),
-    offsetof(cardan_run, moment), offsetof(cardan_run, correction), offsetof(cardan_run, fresh),
-    offsetof(cardan_run, is_dense), offsetof(cardan_run, rejected), offsetof(cardan_run, on_grid),
-    offsetof(cardan_run, rank_margin), offsetof(cardan_run, best_rank_margin), offsetof(cardan_run,
-    pass_start), offsetof(cardan_run, pass_length), offsetof(cardan_run, constraint_rank),
-    offsetof(cardan_run, ranks), offsetof(cardan_run, pass_points), offsetof(cardan_run, pass_part),
-    offsetof(cardan_run, pass_parts), offsetof(cardan_run, passes), offsetof(cardan_run,
-    pass_capacity), offsetof(cardan_run, pass_count), offsetof(cardan_run, rows),
-    offsetof(cardan_run, nlam), offsetof(cardan_run, spreads), offsetof(cardan_run, times),
+    offsetof(cardan_run, moment), offsetof(cardan_run, error_before), offsetof(cardan_run,
+    correction), offsetof(cardan_run, fresh), offsetof(cardan_run, is_dense), offsetof(cardan_run,
+    rejected), offsetof(cardan_run, on_grid), offsetof(cardan_run, rank_margin),
+    offsetof(cardan_run, best_rank_margin), offsetof(cardan_run, pass_start), offsetof(cardan_run,
+    pass_length), offsetof(cardan_run, constraint_rank), offsetof(cardan_run, ranks),
+    offsetof(cardan_run, pass_points), offsetof(cardan_run, pass_part), offsetof(cardan_run,
+    pass_parts), offsetof(cardan_run, passes), offsetof(cardan_run, pass_capacity),
+    offsetof(cardan_run, pass_count), offsetof(cardan_run, rows), offsetof(cardan_run, nlam),
+    offsetof(cardan_run, spreads), offsetof(cardan_run, later), offsetof(cardan_run, times),
     offsetof(cardan_run, time_count), offsetof(cardan_run, next_time), offsetof(cardan_run,
     capacity), offsetof(cardan_run, count), offsetof(cardan_run, row_open), offsetof(cardan_run,
     log), offsetof(cardan_run, log_capacity), offsetof(cardan_run, log_count), offsetof(cardan_run,
@@ -102,11 +103,12 @@ const size_t cardan_run_layout[146] = {
     offsetof(cardan_run, jacobians), offsetof(cardan_run, factorizations), offsetof(cardan_run,
     stop)
 };
-extern const size_t cardan_method_layout[8];
-const size_t cardan_method_layout[8] = {
+extern const size_t cardan_method_layout[10];
+const size_t cardan_method_layout[10] = {
     sizeof(cardan_method), offsetof(cardan_method, init), offsetof(cardan_method, step),
     offsetof(cardan_method, dense), offsetof(cardan_method, length), offsetof(cardan_method, sound),
-    offsetof(cardan_method, stages), offsetof(cardan_method, dense_rows)
+    offsetof(cardan_method, stages), offsetof(cardan_method, dense_rows), offsetof(cardan_method,
+    sources), offsetof(cardan_method, source_rows)
 };
 extern const size_t cardan_signal_layout[6];
 const size_t cardan_signal_layout[6] = {

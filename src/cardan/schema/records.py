@@ -95,8 +95,8 @@ EXPORT_RECORDS = {
 }
 # fields of SimdSteps that are one number per lane: of its run, of its trial
 PER_LANE = (
-    *("t", "size", "until", "span", "idle", "rejected", "steps", "rejections", "evaluations"),
-    *("h", "t_new", "at", "error", "culprit", "taken", "failed", "ended"),
+    *("t", "size", "until", "error_before", "span", "idle", "rejected", "steps", "rejections"),
+    *("evaluations", "h", "t_new", "at", "error", "culprit", "taken", "failed", "ended"),
 )
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 _FUNCTION = re.compile(r"\(\*(\w+)\)\(")

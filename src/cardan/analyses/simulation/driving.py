@@ -29,7 +29,7 @@ from .method_choice import JACOBIAN, Case, choose, reconsider
 from .method_requirements import suited
 from .outcome import explain
 from .progress import showing
-from .recorder import Recorder
+from .recorder import Recorder, can_wait
 from .run import ROWS, Runner
 from .settings import Settings, Start, Values, blocks, settings, start, watched
 from .signals import Signals, signals
@@ -261,7 +261,9 @@ def driven(
     recorder, problem, full = Recorder(runner), None, False
     runner.loosen(begin.closure_tol)
     most = ROWS if store is None else store.capacity
-    runner.want(over.times, dense=dense and over.times is None, most=most)
+    inside = dense and over.times is None
+    later = inside and store is None and can_wait(runner)
+    runner.want(over.times, dense=inside, most=most, later=later)
     clock = time.perf_counter()
     with showing(progress, runner.model.name) as show, runner.interruptible():
         try:

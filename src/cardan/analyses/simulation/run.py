@@ -232,8 +232,6 @@ class Runner:
             return 1
         return 0
 
-    # running
-
     @property
     def ledger(self) -> Ledger | None:
         """Closure errors of the loops; None without constraints."""
@@ -253,12 +251,12 @@ class Runner:
         self.record.stops = self.stops.ctypes.data
         self.record.stop_count, self.record.next_stop = len(self.stops), 0
 
-    def want(self, times: Array | None, dense: bool, most: int = ROWS) -> None:
+    def want(self, times: Array | None, dense: bool, most: int = ROWS, later: bool = False) -> None:
         """Say which rows to write: at ``times``, or at every step.
 
         Args:
             times: Output times, in the direction of the run.
-            dense: Keep the dense output of every step.
+            dense, later: Keep the dense output of every step, or what it is made of.
             most: Rows of steps until somebody takes them.
 
         Raises:
@@ -280,8 +278,10 @@ class Runner:
         if times is not None:
             self._times = np.ascontiguousarray(times)
             run.times, run.time_count = self._times.ctypes.data, len(times)
-        if dense and len(self.dense_room) < most:
-            self.dense_room = np.empty((most, self.method.dense_rows, self.n))
+        rows = self.method.source_rows + 1 if later else self.method.dense_rows
+        run.later = ctypes.addressof(self.method) if later else None
+        if dense and (len(self.dense_room) < most or self.dense_room.shape[1] != rows):
+            self.dense_room = np.empty((most, rows, self.n))
             self._spreads_at = self.dense_room.ctypes.data
         self.spreads = self.dense_room[: most if dense else 0]
         run.spreads = self._spreads_at if dense else None

@@ -84,6 +84,7 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     library.cardan_account_of.argtypes = [ctypes.POINTER(Account)]
     library.cardan_account_of.restype = None
     library.cardan_run_at.argtypes = [record, REAL, POINTER]
+    library.cardan_dense_later.argtypes = [record, ctypes.c_ssize_t, *[POINTER] * 4]
     library.cardan_adjoint_sweep.argtypes = [ctypes.POINTER(Adjoint)]
     library.cardan_tangent_sweep.argtypes = [ctypes.POINTER(Tangent)]
     library.cardan_stages_length.argtypes = [record, ctypes.c_ssize_t]

@@ -245,4 +245,4 @@ static int sound(const cardan_run *run)
 }
 
 const cardan_method cardan_conserving_method
-    = {init, step, dense, length, sound, 1, 3};
+    = {init, step, dense, length, sound, 1, 3, NULL, 0};

@@ -94,7 +94,7 @@ int cardan_explicit_step(cardan_run *run, const cardan_explicit *method)
             if (run->steps % LOOKS == 0 && !run->charted)
                 look(run, method, h);
             /* the change made by the projection counts as an error of the step */
-            cardan_accept_step(run, h, fmax(error, run->correction), method->order);
+            cardan_accept_explicit_step(run, h, fmax(error, run->correction), method->order);
             return 0;
         }
         /* rejected: retry with a smaller h; status 0 unless h fell below its minimum */
@@ -123,4 +123,33 @@ void cardan_hermite(cardan_run *run, const real *first, real *last)
         interpolant[n + i] = h * first[i] - rise;
         interpolant[2 * n + i] = 2 * rise - h * (last[i] + first[i]);
     }
+}
+
+static void copy(real *to, const real *from, ptrdiff_t count)
+{
+    for (ptrdiff_t i = 0; i < count; i++)
+        to[i] = from[i];
+}
+
+/* Dense outputs (count, dense_rows, n) of steps from t and y (count + 1, n), their ends, and from what
+ * was kept of them: as the run would have made them, if inputs and discrete states are constant. */
+int cardan_dense_later(cardan_run *run, ptrdiff_t count, const real *t, const real *y,
+                       const real *sources, real *spreads)
+{
+    const cardan_method *method = run->later;
+    const ptrdiff_t n = run->n, rows = method->source_rows, size = run->dense_rows * n;
+    int status = 0;
+
+    for (ptrdiff_t i = 0; i < count && status == 0; i++, sources += (rows + 1) * n) {
+        run->t_old = t[i], run->t = t[i + 1];
+        copy(run->y_old, y + i * n, n);
+        copy(run->y, y + (i + 1) * n, n);
+        copy(run->f, sources + rows * n, n);
+        (void)cardan_enter(run, run->y_old, run->f, run->k);
+        for (ptrdiff_t j = 0; j < rows; j++)
+            copy(run->k + method->sources[j] * n, sources + j * n, n);
+        status = run->dense(run);
+        copy(spreads + i * size, run->interpolant, size);
+    }
+    return status;
 }

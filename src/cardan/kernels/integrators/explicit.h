@@ -38,6 +38,8 @@ int cardan_fixed_init(cardan_run *run);
 real cardan_grid(const cardan_run *run);
 int cardan_explicit_step(cardan_run *run, const cardan_explicit *method);
 void cardan_hermite(cardan_run *run, const real *first, real *last);
+int cardan_dense_later(cardan_run *run, ptrdiff_t count, const real *t, const real *y,
+                       const real *sources, real *spreads);
 
 /* chart.c */
 const real *cardan_enter(cardan_run *run, const real *y, const real *f, real *first);

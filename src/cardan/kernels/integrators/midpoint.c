@@ -173,4 +173,4 @@ static int dense(cardan_run *run)
 }
 
 const cardan_method cardan_midpoint_method
-    = {init, step, dense, length, NULL, 3, 3};
+    = {init, step, dense, length, NULL, 3, 3, NULL, 0};

@@ -46,4 +46,4 @@ static int dense(cardan_run *run)
 }
 
 const cardan_method cardan_rk4_method
-    = {init, step, dense, cardan_no_memory, NULL, 4, 3};
+    = {init, step, dense, cardan_no_memory, NULL, 4, 3, NULL, 0};

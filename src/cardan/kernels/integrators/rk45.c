@@ -84,4 +84,4 @@ static int dense(cardan_run *run)
 }
 
 const cardan_method cardan_rk45_method
-    = {init, step, dense, cardan_no_memory, NULL, 7, 4};
+    = {init, step, dense, cardan_no_memory, NULL, 7, 4, NULL, 0};

@@ -199,4 +199,4 @@ static int dense(cardan_run *run)
 }
 
 const cardan_method cardan_rosenbrock_method
-    = {init, step, dense, length, NULL, 8, 4};
+    = {init, step, dense, length, NULL, 8, 4, NULL, 0};

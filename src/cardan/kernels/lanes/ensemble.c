@@ -100,6 +100,7 @@ static void enter(cardan_ensemble *e, ptrdiff_t j)
     a->t[j] = run->t;
     a->size[j] = run->h;
     a->until[j] = run->until;
+    a->error_before[j] = run->error_before;
     a->span[j] = cardan_least_span(run);
     a->rejected[j] = run->rejected;
     a->steps[j] = run->steps;
@@ -116,6 +117,7 @@ static void settle(cardan_ensemble *e, ptrdiff_t j)
 
     run->t = a->t[j];
     run->h = a->size[j];
+    run->error_before = a->error_before[j];
     run->steps = a->steps[j];
     run->rejections = a->rejections[j];
     run->evaluations = a->evaluations[j];
@@ -164,10 +166,11 @@ static void park(cardan_ensemble *e, ptrdiff_t j, ptrdiff_t other)
 {
     cardan_simd *a = e->simd;
     const cardan_run *run = e->lanes[other].run;
-    double *const columns[] = {a->y, a->k, a->r, a->s, e->w ? a->w : NULL, a->t, a->size, a->until};
-    const ptrdiff_t sizes[] = {run->n, run->n, run->nr, run->ns, e->w ? e->w_size : 0, 1, 1, 1};
+    double *const columns[] = {a->y, a->k, a->r, a->s, e->w ? a->w : NULL, a->t, a->size,
+                               a->error_before, a->until};
+    const ptrdiff_t sizes[] = {run->n, run->n, run->nr, run->ns, e->w ? e->w_size : 0, 1, 1, 1, 1};
 
-    for (int k = 0; k < 8; k++)
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++)
         for (ptrdiff_t i = 0; i < sizes[k]; i++)
             columns[k][i * e->lane_count + j] = columns[k][i * e->lane_count + other];
     e->lanes[j].parked = 1;

@@ -59,13 +59,14 @@ static void judge(cardan_simd *a, const real *least, real *growth)
     const cardan_mask refused = ~taken & ~*(const cardan_mask *)a->idle
                                 & (cardan_mask)(*(const cardan_mask *)a->ended == 0);
     const cardan_mask again = (cardan_mask)(*rejected != 0);
-    real next;
+    real next, damped;
 
     *(cardan_mask *)a->taken = taken;
     *failed |= good & ~finite & (uint64_t)NOT_FINITE;
     *culprit = CARDAN_CHOICE(good & ~taken, CARDAN_REAL((double)SIMD_WORST), CARDAN_REAL(-1.0));
     cardan_growth((int)a->order, &error, growth);
-    cardan_accepted_size((const real *)a->h, size, &again, growth, a->max_step, &next);
+    cardan_damped_growth((int)a->order, &error, (const real *)a->error_before, &damped);
+    cardan_accepted_size((const real *)a->h, size, &again, &damped, a->max_step, &next);
     *size = CARDAN_CHOICE(taken, next, *size);
     *rejected &= ~taken;
     refuse(a, &refused, growth, least);
@@ -74,6 +75,7 @@ static void judge(cardan_simd *a, const real *least, real *growth)
 ptrdiff_t cardan_simd_try(cardan_simd *a)
 {
     const cardan_mask *const ended = (const cardan_mask *)a->ended;
+    real *const before = (real *)a->error_before;
     cardan_mask fallen;
     real least, growth;
 
@@ -87,6 +89,7 @@ ptrdiff_t cardan_simd_try(cardan_simd *a)
     fallen = *(const cardan_mask *)a->taken;
     if (cardan_some(&fallen))
         cardan_simd_commit(a);
+    *before = CARDAN_CHOICE(*(const cardan_mask *)a->taken, *(const real *)a->error, *before);
     *(cardan_mask *)a->steps -= *(const cardan_mask *)a->taken;
     fallen &= ~*(const cardan_mask *)a->taken;
     if (cardan_some(&fallen))

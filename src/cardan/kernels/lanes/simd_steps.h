@@ -34,6 +34,7 @@ struct cardan_simd {
 
     /* numbers per lane, of its run */
     double *t, *size, *until; /* present time, size that control asks for, where steps end */
+    double *error_before;     /* of the last step, 1 before any */
     double *span;             /* of time, against which a step is too small beside t = 0 */
     ptrdiff_t *idle;          /* -1 where no run is under way, else 0 */
     ptrdiff_t *rejected;      /* how often the present step was */

@@ -53,7 +53,7 @@ static size_t lay_lanes(const cardan_export *model, const cardan_run *run, carda
 {
     const ptrdiff_t n = run->n, work = (ptrdiff_t)cardan_work_length(model);
     ptrdiff_t used = 0;
-    double **const numbers[] = {&a->t, &a->size, &a->until, &a->span, &a->h, &a->t_new, &a->at,
+    double **const numbers[] = {&a->t, &a->size, &a->until, &a->error_before, &a->span, &a->h, &a->t_new, &a->at,
                                 &a->error, &a->culprit};
     ptrdiff_t **const counts[] = {&a->idle, &a->rejected, &a->steps, &a->rejections, &a->evaluations,
                                   &a->taken, &a->failed, &a->ended};

@@ -129,16 +129,33 @@ int cardan_trial_step(cardan_run *run, real *h, real *t_new)
     return lost ? CARDAN_TOO_SMALL : 0;
 }
 
+static void accept(cardan_run *run, real h, const real *growth)
+{
+    const cardan_boolean rejected = run->rejected != 0;
+
+    cardan_accepted_size(&h, &run->h, &rejected, growth, run->max_step, &run->h);
+    run->rejected = 0;
+}
+
 /* Next step after one of size h was good enough; a step cut at a stop does not shrink it. */
 void cardan_accept_step(cardan_run *run, real h, real error, int order)
 {
-    const cardan_boolean rejected = run->rejected != 0;
     const real counted = error > 1 ? 1 : error;
     real growth;
 
     cardan_growth(order, &counted, &growth);
-    cardan_accepted_size(&h, &run->h, &rejected, &growth, run->max_step, &run->h);
-    run->rejected = 0;
+    accept(run, h, &growth);
+}
+
+/* The same of explicit methods, which look at the error of the step before as well. */
+void cardan_accept_explicit_step(cardan_run *run, real h, real error, int order)
+{
+    const real counted = error > 1 ? 1 : error;
+    real growth;
+
+    cardan_damped_growth(order, &counted, &run->error_before, &growth);
+    accept(run, h, &growth);
+    run->error_before = counted;
 }
 
 /* Next trial after a step of size h was not good enough or failed with a status.

@@ -3,8 +3,9 @@
  * Part of cardan. control.c includes it where a `real` is a number, lane_control.c where it is a
  * vector of one number per lane: what decides about a step has the same bits in both. Products in
  * sums are exact, so that nothing is left to how compilers fuse them.
- * Source: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed.,
- * section II.4.
+ * Sources: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed.,
+ * section II.4; K. Gustafsson, Control theoretic techniques for stepsize selection in explicit
+ * Runge-Kutta methods, ACM Transactions on Mathematical Software 17 (1991).
  */
 #ifndef CARDAN_CONTROL_H
 #define CARDAN_CONTROL_H
@@ -26,6 +27,8 @@ typedef int cardan_boolean;
 #define CARDAN_SIGNED(x, y) CARDAN_WHERE((y) < 0.0, -(x), x)
 
 static const double CARDAN_SAFETY = 0.9, CARDAN_SHRINK = 1.0 / 3, CARDAN_GROW = 6;
+/* of a control that rejects less; errors of the step before that are smaller tell nothing */
+static const double CARDAN_DAMPED_SAFETY = 0.93, CARDAN_LEAST_ERROR = 1e-2;
 
 /* The smallest step that t can resolve, beside t = 0 that is something to a time `span`. */
 CARDAN_INLINE void cardan_least_step(const real *t, const real *span, real *least)
@@ -63,6 +66,27 @@ CARDAN_INLINE void cardan_growth(int order, const real *error, real *growth)
         *growth = CARDAN_SAFETY / cardan_sqrt(fourth);
     } else {
         *growth = CARDAN_SAFETY * cardan_pow(*error, CARDAN_REAL(-1.0 / (double)order));
+    }
+}
+
+/* The same after a step that was good enough, by its error and that `before` of the step before it:
+ * a PI controller with gains 3/8 and 3/8, (before^(3/8) / error^(3/4))^(1 / order).
+ *
+ * Against (1 / error)^(1 / order) it takes a tenth fewer evaluations for the same error of the motion,
+ * over scenes with joints of all kinds, and rejects half as many trials: docs/integrators.md.
+ */
+CARDAN_INLINE void cardan_damped_growth(int order, const real *error, const real *before,
+                                        real *growth)
+{
+    const real earlier = CARDAN_LARGER(CARDAN_LEAST_ERROR, *before);
+    const real better = cardan_sqrt(earlier) / *error;
+
+    if (order == 8) {
+        /* to the power of 1/16 + 1/32 */
+        const real root = cardan_sqrt(cardan_sqrt(better)), sixteenth = cardan_sqrt(cardan_sqrt(root));
+        *growth = CARDAN_DAMPED_SAFETY * sixteenth * cardan_sqrt(sixteenth);
+    } else {
+        *growth = CARDAN_DAMPED_SAFETY * cardan_pow(better, CARDAN_REAL(0.75 / (double)order));
     }
 }
 

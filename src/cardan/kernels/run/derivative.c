@@ -99,6 +99,7 @@ void cardan_restart(cardan_run *run)
 {
     run->segment = run->t;
     run->in_segment = run->begun = 0;
+    run->error_before = 1;
     run->fresh = run->pass_parts = 0;
     cardan_head_for_stop(run);
 }

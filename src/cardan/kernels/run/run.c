@@ -52,6 +52,22 @@ int cardan_run_at(cardan_run *run, real t, real *y)
     return status == CARDAN_CONSTRAINT_OPEN ? 0 : status;
 }
 
+static void copy(real *to, const real *from, ptrdiff_t count)
+{
+    for (ptrdiff_t i = 0; i < count; i++)
+        to[i] = from[i];
+}
+
+/* What the dense output of the last step is made of: derivatives, the last one that at its end. */
+static void note_sources(const cardan_run *run, real *out)
+{
+    const cardan_method *method = run->later;
+
+    for (ptrdiff_t j = 0; j < method->source_rows; j++)
+        copy(out + j * run->n, run->k + method->sources[j] * run->n, run->n);
+    copy(out + method->source_rows * run->n, run->f, run->n);
+}
+
 /* Numbers of a row: t, y, r, s, multipliers. */
 ptrdiff_t cardan_row_width(const cardan_run *run)
 {
@@ -112,9 +128,13 @@ int cardan_write_rows(cardan_run *run)
         if (run->spreads && run->steps > 0) {
             ptrdiff_t size = run->dense_rows * run->n;
             const int jump = run->row_open == 2;
-            status = run->is_dense || jump ? 0 : run->dense(run);
-            for (ptrdiff_t i = 0; i < size && status == 0; i++)
-                run->spreads[run->count * size + i] = jump ? 0 : run->interpolant[i];
+            if (run->later) {
+                note_sources(run, run->spreads + run->count * (run->later->source_rows + 1) * run->n);
+            } else {
+                status = run->is_dense || jump ? 0 : run->dense(run);
+                for (ptrdiff_t i = 0; i < size && status == 0; i++)
+                    run->spreads[run->count * size + i] = jump ? 0 : run->interpolant[i];
+            }
         }
         if (status == 0)
             status = put(run, run->t);

@@ -172,6 +172,7 @@ struct cardan_run {
     real rtol, atol, max_step;
     real h; /* next step, signed */
     real moment; /* in which the state at the start does something: beside t = 0 what counts as time */
+    real error_before; /* of the last step of an explicit method, in units of tolerance; 1 before any */
     real correction; /* what the projection of the last trial changed, in units of tolerance */
     ptrdiff_t fresh, is_dense, rejected;
     ptrdiff_t on_grid; /* 1: every step is h long */
@@ -188,6 +189,7 @@ struct cardan_run {
     real *rows;    /* (capacity, 1 + n + nr + ns + nlam) */
     ptrdiff_t nlam; /* 0 unless the method finds multipliers itself */
     real *spreads; /* (capacity, dense_rows, n), NULL if only `times` are wanted */
+    const struct cardan_method *later; /* NULL; else spreads: (capacity, source_rows + 1, n) */
     const real *times; /* (time_count) wanted times, NULL for a row at every step */
     ptrdiff_t time_count, next_time;
     ptrdiff_t capacity, count;
@@ -329,6 +331,7 @@ real cardan_least_span(const cardan_run *run);
 int cardan_first_step(cardan_run *run, int order);
 int cardan_trial_step(cardan_run *run, real *h, real *t_new);
 void cardan_accept_step(cardan_run *run, real h, real error, int order);
+void cardan_accept_explicit_step(cardan_run *run, real h, real error, int order);
 int cardan_reject_step(cardan_run *run, real h, real error, int order, int status);
 ptrdiff_t cardan_rank_length(const cardan_run *run);
 void cardan_first_rank(cardan_run *run);
@@ -378,6 +381,8 @@ typedef struct cardan_method {
     ptrdiff_t (*length)(const cardan_run *run); /* of its own memory */
     int (*sound)(const cardan_run *run); /* whether places held there exist; NULL: it holds none */
     ptrdiff_t stages, dense_rows; /* derivatives it keeps, rows of its dense output */
+    /* those that its dense output reads besides that at the end; NULL: it evaluates none */
+    const ptrdiff_t *sources; ptrdiff_t source_rows;
 } cardan_method;
 
 ptrdiff_t cardan_no_memory(const cardan_run *run);

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cached_property
+
 import numpy as np
 
 from ...arrays import Array
@@ -50,6 +53,40 @@ class Dense:
         # at the end of the run the sum may miss the last bit
         values[times == self.t[-1]] = self.y[-1]
         return values
+
+
+class LaterDense(Dense):
+    """The same, whose rows are made when somebody first asks for them.
+
+    Attributes:
+        make: Makes them; it is asked once.
+    """
+
+    def __init__(
+        self,
+        t: Array,
+        y: Array,
+        make: Callable[[], Array],
+        quaternions: tuple[int, ...],
+        charted: bool,
+    ) -> None:
+        values = {"t": t, "y": y, "quaternions": quaternions, "charted": charted, "make": make}
+        self.__dict__.update(values)
+
+    @cached_property
+    def spreads(self) -> Array:
+        """F0, F1, ... of every step (n, rows, size)."""
+        make: Callable[[], Array] | None = self.__dict__.get("make")
+        # another thread has it made meanwhile
+        rows: Array = self.__dict__["spreads"] if make is None else make()
+        self.__dict__["spreads"] = rows
+        # which holds what the rows are made of
+        self.__dict__.pop("make", None)
+        return rows
+
+    def as_data(self) -> Dense:
+        """As data."""
+        return Dense(self.t, self.y, self.spreads, self.quaternions, self.charted)
 
 
 def rotated(q: Array, v: Array) -> Array:

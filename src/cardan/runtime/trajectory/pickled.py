@@ -15,7 +15,7 @@ from ...schema.fields import dumped
 from ...schema.manifest import Manifest, checked_manifest
 from ...version import PICKLE, VERSION
 from .closure_errors import Ledger, Worst
-from .dense_output import Dense
+from .dense_output import Dense, LaterDense
 from .event_log import EventLog
 from .input_history import PiecewiseInput, Recorded
 from .solver_info import SolverInfo
@@ -38,6 +38,8 @@ def parts(motion: TrajectoryRecord) -> tuple[dict[str, Any], str]:
         for body in model.bodies:
             model._objects.symbol("pose", body)
     values = {field.name: getattr(motion, field.name) for field in fields(motion)}
+    if isinstance(motion.dense, LaterDense):
+        values["dense"] = motion.dense.as_data()
     # histories are computed again; those of a file, and what the method found, cannot be
     stored = {name: x for name, x in motion.stored.items() if name == "multipliers"}
     values["stored"] = stored if motion.model is not None else dict(motion.stored)

@@ -30,7 +30,7 @@ COUNTS = (
 )
 TIMES = ("t", "t_old", "t_start", "segment", "h")
 REALS = (
-    *("until", "early", "late", "moment", "correction", "size"),
+    *("until", "early", "late", "moment", "error_before", "correction", "size"),
     *("rank_margin", "best_rank_margin", "pass_start", "pass_length"),
 )
 POINTS = 10  # MOST_POINTS of kernels/events/gauss.h

@@ -29,8 +29,8 @@ static const double BEHIND = 1e6;
     F(pass_parts, 0, run->rates > 0 ? MOST : 0) F(pass_part, 0, run->pass_parts)                   \
     F(pass_points, run->pass_parts > 0, POINTS)
 #define REALS(F)                                                                                   \
-    F(t) F(t_old) F(t_start) F(segment) F(h) F(until) F(early) F(late) F(moment) F(correction)     \
-    F(size) F(rank_margin) F(best_rank_margin) F(pass_start) F(pass_length)
+    F(t) F(t_old) F(t_start) F(segment) F(h) F(until) F(early) F(late) F(moment) F(error_before)   \
+    F(correction) F(size) F(rank_margin) F(best_rank_margin) F(pass_start) F(pass_length)
 
 #define INTEGER_FIELD(name, least, most) ptrdiff_t name;
 #define REAL_FIELD(name) real name;

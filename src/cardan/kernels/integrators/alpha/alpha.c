@@ -290,4 +290,4 @@ static int step(cardan_run *run)
 }
 
 const cardan_method cardan_alpha_method
-    = {init, step, cardan_alpha_dense, cardan_alpha_length, cardan_alpha_sound, 1, 3};
+    = {init, step, cardan_alpha_dense, cardan_alpha_length, cardan_alpha_sound, 1, 3, NULL, 0};

@@ -274,4 +274,4 @@ static int dense(cardan_run *run)
 }
 
 const cardan_method cardan_radau_method
-    = {init, step, dense, length, sound, 3, 3};
+    = {init, step, dense, length, sound, 3, 3, NULL, 0};
