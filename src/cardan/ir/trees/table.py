@@ -9,11 +9,16 @@ from ...records import dataclass
 
 # entries that a vector of C holds: paths and rows of M begin at multiples of it
 CHUNK = 8
-# columns that are solved together, at most
+# columns that go together, at most
 PANEL = 2 * CHUNK
 # numbers of a body and of a speed: of tree_mass.h, of tree_derivatives.h
 MASS_BODY, MASS_SPEED, MASS_STRIDE = 10, 6, 16
-BODY, SPEED, STRIDE, PATHS = 28, 22, 32, 21
+BODY, SPEED = 28, 22
+# scratch of tree_sides.h: of a body, of a level; of tree_articulated.h: of a body, of a speed
+SIDE_STRIDE, PATHS = 24, 21
+MATRIX, GAINS, CAUSE = 9 * CHUNK, 2 * CHUNK + 10, 7 * CHUNK
+# speeds of a joint, at most
+MOST_SPEEDS = 6
 S, ETA_Q, ZETA_Q, LOAD = 6, 12, 15, 21
 WRENCH = 22
 
@@ -133,9 +138,45 @@ class Tree:
             return ()
         return ("tau",) if self.forward else ("udot",)
 
+    @property
+    def branching(self) -> dict[int, int]:
+        """Bodies with several children, numbered: the first child of a body stands behind it."""
+        several = {b.parent for i, b in enumerate(self.bodies) if 0 <= b.parent < i - 1}
+        return {body: number for number, body in enumerate(sorted(several))}
+
+    def ends(self) -> list[int]:
+        """The speed behind those that a body carries, of every body."""
+        ends = [body.first + body.speeds for body in self.bodies]
+        for i in range(len(ends) - 1, -1, -1):
+            parent = self.bodies[i].parent
+            if parent >= 0:
+                ends[parent] = max(ends[parent], ends[i])
+        return ends
+
+    def columns_by_speeds(self) -> tuple[Entry, ...]:
+        """Changes with columns along q and u by speeds instead of slots, in the order of these."""
+        half, n = chunks(len(self.speeds)), len(self.speeds)
+        by_slot = {speed.slot: k for k, speed in enumerate(self.speeds)}
+
+        def of_speeds(column: int) -> int:
+            begin = half * min(column // half, 2) if half else 0
+            return begin + by_slot[column - begin] if begin < 2 * half and n else column
+
+        changes = [entry._replace(column=of_speeds(entry.column)) for entry in self.changes]
+        return tuple(sorted(changes, key=lambda entry: entry.column))
+
     def table(self) -> tuple[int, ...]:
-        """All rows, one behind the other."""
-        rows = (*self.bodies, *self.speeds, *self.outputs, *self.changes, *self.rotors)
+        """All rows, one behind the other, with what follows from them."""
+        branching, joints = self.branching, list[int]()
+        bodies = [
+            (*body, end, branching.get(i, -1))
+            for i, (body, end) in enumerate(zip(self.bodies, self.ends(), strict=True))
+        ]
+        for body in self.bodies:
+            joints += [body.first] * body.speeds
+        speeds = [(*speed, joint) for speed, joint in zip(self.speeds, joints, strict=True)]
+        changes = self.columns_by_speeds() if self.forward else self.changes
+        rows = (*bodies, *speeds, *self.outputs, *changes, *self.rotors)
         return tuple(number for row in rows for number in row)
 
 

@@ -33,14 +33,19 @@ typedef double cardan_wide
 #define CARDAN_READ(x) (*(const cardan_wide *)(x))
 
 /* columns of a table: of a body, of a speed */
-enum { CARDAN_PARENT, CARDAN_FIRST, CARDAN_COUNT, CARDAN_NUMBERS, CARDAN_MODES, CARDAN_BODY_ROW };
-enum { CARDAN_SLOT, CARDAN_LEVEL, CARDAN_RUN, CARDAN_BEFORE, CARDAN_PLACE, CARDAN_SPEED_ROW };
+enum { CARDAN_PARENT, CARDAN_FIRST, CARDAN_COUNT, CARDAN_NUMBERS, CARDAN_MODES, CARDAN_END,
+       CARDAN_BRANCH, CARDAN_BODY_ROW };
+enum { CARDAN_SLOT, CARDAN_LEVEL, CARDAN_RUN, CARDAN_BEFORE, CARDAN_PLACE, CARDAN_JOINT,
+       CARDAN_SPEED_ROW };
 
 typedef struct cardan_tree {
     int bodies, speeds, depth; /* depth: levels, rounded up to a chunk */
     int serial;                /* every speed has its own number as slot, and is inboard of the next */
-    const int *body;           /* parent, first speed, number of speeds, its numbers, its modes */
-    const int *speed;          /* slot, level, first speed of its run, speed before it, row of M */
+    const int *body;  /* parent, first speed, number of speeds, its numbers, its modes, the speed
+                         behind those that it carries, its number among bodies with several
+                         children or -1 */
+    const int *speed; /* slot, level, first speed of its run, speed before it, row of M, first speed
+                         of its joint */
 } cardan_tree;
 
 CARDAN_INLINE cardan_tree cardan_tree_of(int bodies, int speeds, int depth, int serial,
