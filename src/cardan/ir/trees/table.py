@@ -153,29 +153,17 @@ class Tree:
                 ends[parent] = max(ends[parent], ends[i])
         return ends
 
-    def columns_by_speeds(self) -> tuple[Entry, ...]:
-        """Changes with columns along q and u by speeds instead of slots, in the order of these."""
-        half, n = chunks(len(self.speeds)), len(self.speeds)
-        by_slot = {speed.slot: k for k, speed in enumerate(self.speeds)}
-
-        def of_speeds(column: int) -> int:
-            begin = half * min(column // half, 2) if half else 0
-            return begin + by_slot[column - begin] if begin < 2 * half and n else column
-
-        changes = [entry._replace(column=of_speeds(entry.column)) for entry in self.changes]
-        return tuple(sorted(changes, key=lambda entry: entry.column))
-
     def table(self) -> tuple[int, ...]:
         """All rows, one behind the other, with what follows from them."""
-        branching, joints = self.branching, list[int]()
+        branching = self.branching
         bodies = [
             (*body, end, branching.get(i, -1))
             for i, (body, end) in enumerate(zip(self.bodies, self.ends(), strict=True))
         ]
-        for body in self.bodies:
-            joints += [body.first] * body.speeds
-        speeds = [(*speed, joint) for speed, joint in zip(self.speeds, joints, strict=True)]
-        changes = self.columns_by_speeds() if self.forward else self.changes
+        joints = [body.first for body in self.bodies for _ in range(body.speeds)]
+        of_slot = {speed.slot: k for k, speed in enumerate(self.speeds)}
+        speeds = [(*speed, joints[k], of_slot[k]) for k, speed in enumerate(self.speeds)]
+        changes = sorted(self.changes, key=lambda entry: entry.column)
         rows = (*bodies, *speeds, *self.outputs, *changes, *self.rotors)
         return tuple(number for row in rows for number in row)
 

@@ -29,12 +29,17 @@ CARDAN_APART void cardan_half_sides(const cardan_articulated *t, const cardan_co
                                     int changes, const int *change, real *panel, int *low, int *high)
 {
     const cardan_slopes *const s = &t->slopes;
+    const int *const speed = s->tree.speed;
     const int first = columns->first + columns->at, end = first + columns->count;
     int n = 0, last = changes;
 
     if (columns->kind == CARDAN_OF_M) {
-        for (int c = 0; c < columns->count; ++c)
-            panel[CARDAN_PANEL * (columns->at + c) + c] = CARDAN_REAL(1.0);
+        for (int c = 0; c < columns->count; ++c) {
+            const int row = speed[CARDAN_SPEED_ROW * (columns->at + c) + CARDAN_OF_SLOT];
+            panel[CARDAN_PANEL * row + c] = CARDAN_REAL(1.0);
+            if (row < *low) *low = row;
+            if (row > *high) *high = row;
+        }
         return;
     }
     /* changes stand by columns */
@@ -58,10 +63,14 @@ CARDAN_APART void cardan_half_sides(const cardan_articulated *t, const cardan_co
         const int *const body = s->tree.body + CARDAN_BODY_ROW * i;
         const int joint = body[CARDAN_FIRST], count = body[CARDAN_COUNT];
         if (body[CARDAN_MODES] < 0) continue;
-        for (int k = joint > first ? joint : first; k < joint + count && k < end; ++k)
+        for (int k = 0; k < count; ++k) {
+            const int column = speed[CARDAN_SPEED_ROW * (joint + k) + CARDAN_SLOT];
+            if (column < first || column >= end) continue;
             for (int j = 0; j < count; ++j)
-                panel[CARDAN_PANEL * (joint + j) + k - first] -= cardan_six(
-                    s->numbers + body[CARDAN_MODES] + 6 * (j * count + k - joint), s->wrench + CARDAN_SIX * i);
+                panel[CARDAN_PANEL * (joint + j) + column - first] -=
+                    cardan_six(s->numbers + body[CARDAN_MODES] + 6 * (j * count + k),
+                               s->wrench + CARDAN_SIX * i);
+        }
     }
 }
 
@@ -69,26 +78,25 @@ CARDAN_APART void cardan_half_sides(const cardan_articulated *t, const cardan_co
 CARDAN_APART void cardan_half_of(const cardan_articulated *t, const cardan_columns *columns,
                                  cardan_half *half)
 {
-    const int of_q = columns->first == 0, at = columns->at;
-    const int *const speed = t->slopes.tree.speed;
-    const int by_speeds = columns->kind == CARDAN_OF_M || columns->first <= columns->half;
+    const int of_q = columns->first == 0;
 
-    half->out = columns->out;
-    half->width = columns->width;
+    half->at = columns->at;
     half->count = columns->count;
-    half->contiguous = columns->count == CARDAN_WIDTH;
-    half->columns[0] = 0;
-    for (int c = 0; c < columns->count; ++c) {
-        half->columns[c] = by_speeds ? speed[CARDAN_SPEED_ROW * (at + c) + CARDAN_SLOT] : at + c;
-        half->contiguous &= half->columns[c] == half->columns[0] + c;
-    }
-    /* changes of q and u act at their speeds; ones of M^-1 and other right sides do not */
-    half->first = at;
+    half->width = columns->width;
+    half->out = columns->out;
+    half->low = t->slopes.tree.speeds;
+    half->high = -1;
     half->force = half->displaced = half->along = NULL;
-    if (columns->kind == CARDAN_OF_M || !by_speeds || !columns->count) return;
+    /* changes of q and u act at their speeds; ones of M^-1 and other right sides do not */
+    if (columns->kind == CARDAN_OF_M || columns->first > columns->half || !columns->count) return;
     half->force = t->causes + (of_q ? CARDAN_FORCE_Q : CARDAN_FORCE_U);
     half->along = t->causes + (of_q ? CARDAN_ALONG_Q : CARDAN_ALONG_U);
     if (of_q) half->displaced = t->causes + CARDAN_DISPLACED;
+    for (int c = 0; c < half->count; ++c) {
+        const int k = t->slopes.tree.speed[CARDAN_SPEED_ROW * (half->at + c) + CARDAN_OF_SLOT];
+        if (k < half->low) half->low = k;
+        if (k > half->high) half->high = k;
+    }
 }
 
 /* A panel of two halves: right sides, then accelerations, to their outputs. */
@@ -99,20 +107,18 @@ CARDAN_APART void cardan_panel_solve(const cardan_articulated *t, const cardan_c
     cardan_half half[2];
 
     for (int h = 0; h < 2; ++h) {
-        const int at = columns[h].at, end = at + columns[h].count;
         cardan_half_of(t, columns + h, half + h);
         if (!columns[h].count) continue;
         cardan_half_sides(t, columns + h, changes, change, t->panel + CARDAN_WIDTH * h, &low, &high);
-        if (!half[h].force && columns[h].kind != CARDAN_OF_M) continue;
-        if (at < low) low = at;
-        if (end - 1 > high) high = end - 1;
+        if (half[h].low < low) low = half[h].low;
+        if (half[h].high > high) high = half[h].high;
     }
     cardan_panel_inward(t, low, high, half);
     cardan_panel_outward(t, half);
 }
 
 /*
- * Derivatives of the accelerations to out. Columns at the same speeds of all outputs go together:
+ * Derivatives of the accelerations to out. Columns of the same slots of all outputs go together:
  * they pass over the same bodies inward.
  */
 CARDAN_APART void cardan_forward_slopes(const cardan_articulated *t, int half, int outputs,
@@ -161,9 +167,8 @@ CARDAN_APART void cardan_forward_slopes(const cardan_articulated *t, int half, i
  * room: of the rows of M. serial: as of a tree. branches: bodies with several children. forward: of
  * the accelerations under tau; else of the forces at in->udot. columns: right sides besides those
  * along q and u. outputs: rows of (kind, columns, first column). changes: rows of (speed, column,
- * place) that add to right sides; rotors: rows of (speed, speed, place) that add to M. Columns along q
- * and u are those of slots, of derivatives of the accelerations those of speeds, by which their
- * changes are sorted. The numbers of the bodies begin at work + start, scratch at work + scratch.
+ * place) that add to right sides, sorted by columns; rotors: rows of (speed, speed, place) that add
+ * to M. The numbers of the bodies begin at work + start, scratch at work + scratch.
  */
 CARDAN_APART int cardan_tree_derivatives(int bodies, int speeds, int depth, int room, int serial,
                                          int branches, int forward, int columns, int outputs,

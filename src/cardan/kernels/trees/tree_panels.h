@@ -29,30 +29,28 @@ typedef int cardan_wide_mask;
 #define CARDAN_NINE_TIMES(step) CARDAN_SIX_TIMES(step); step(6); step(7); step(8)
 
 /*
- * The columns of half a panel: changes at speeds from `first` on act in them, one in each. Causes are
- * those of speed 0; NULL where nothing acts. Results go to columns of `out`.
+ * The columns of half a panel, `count` of those of `out` from `at` on. Changes at the speeds of these
+ * slots act in them; causes are those of speed 0, NULL where nothing acts.
  */
 typedef struct cardan_half {
-    int first;
+    int at, count;
+    int low, high; /* all of these speeds lie between; low > high where nothing acts */
     const real *force;     /* the force that a change asks for (6) */
     const real *displaced; /* what joins it inboard of the joint (6) */
     const real *along;     /* zeta and eta (9) */
     real *out;             /* (speeds, width) by slots */
     int width;
-    int count;                 /* columns that go there */
-    int contiguous;            /* they follow each other, as many as there are */
-    int columns[CARDAN_WIDTH]; /* of out */
 } cardan_half;
 
 /* Columns of a panel's row to a row of out. */
 CARDAN_INLINE void cardan_half_out(const cardan_half *half, int slot, const real *x)
 {
-    real *const row = half->out + slot * half->width;
+    real *const row = half->out + slot * half->width + half->at;
 
-    if (half->contiguous)
-        CARDAN_AT(row + half->columns[0]) = CARDAN_READ(x);
+    if (half->count == CARDAN_WIDTH)
+        CARDAN_AT(row) = CARDAN_READ(x);
     else
-        for (int c = 0; c < half->count; ++c) row[half->columns[c]] = x[c];
+        for (int c = 0; c < half->count; ++c) row[c] = x[c];
 }
 
 /* x less the product of six numbers with a force, in two sums that do not wait for each other */
@@ -185,17 +183,12 @@ CARDAN_INLINE void cardan_panel_joint_outward(int count, int moves, const real *
         }
 }
 
-/* Memory that is about to be written is fetched this many rows ahead. */
+/* rows between one that is written and one whose memory is fetched for that */
 #define CARDAN_AHEAD 12
-#ifdef __GNUC__
-#define CARDAN_PREPARE(x) __builtin_prefetch((x), 1)
-#else
-#define CARDAN_PREPARE(x) ((void)(x))
-#endif
 
 CARDAN_INLINE void cardan_half_ahead(const cardan_half *half, int slot)
 {
-    const real *const row = half->out + slot * half->width + half->columns[0];
+    const real *const row = half->out + slot * half->width + half->at;
 
     CARDAN_PREPARE(row);
     if (CARDAN_WIDTH > 1) CARDAN_PREPARE(row + CARDAN_WIDTH - 1);
@@ -219,19 +212,16 @@ CARDAN_INLINE void cardan_panel_out(const cardan_tree *tree, int first, int end,
     }
 }
 
-/* The speeds of a body, from `first` on and before `end`, that are those of half a panel, as k. */
-#define CARDAN_SPEEDS_OF(half, first_of, end, k)                                                   \
-    for (int k = (first_of) > (half)->first ? (first_of) : (half)->first;                          \
-         k < (end) && k < (half)->first + CARDAN_WIDTH; ++k)
-
 /* Forces (6) that changes at the speeds of a body cause, to y (6). */
-CARDAN_INLINE void cardan_half_forces(const cardan_half *half, const real *causes, int first,
-                                      int end, cardan_wide *y)
+CARDAN_INLINE void cardan_half_forces(const cardan_half *half, const real *causes,
+                                      const cardan_tree *tree, int first, int end, cardan_wide *y)
 {
-    if (!causes) return;
-    CARDAN_SPEEDS_OF(half, first, end, k) {
+    if (!causes || first > half->high || end <= half->low) return;
+    for (int k = first; k < end; ++k) {
+        const int lane = tree->speed[CARDAN_SPEED_ROW * k + CARDAN_SLOT] - half->at;
+        if (lane < 0 || lane >= CARDAN_WIDTH) continue;
         const real *const x = causes + CARDAN_CAUSE * k;
-        const cardan_wide_mask mask = CARDAN_LANE(k - half->first);
+        const cardan_wide_mask mask = CARDAN_LANE(lane);
 #define CARDAN_JOIN(c) y[c] += CARDAN_ONLY(x[c], mask)
         CARDAN_SIX_TIMES(CARDAN_JOIN);
 #undef CARDAN_JOIN
@@ -240,12 +230,15 @@ CARDAN_INLINE void cardan_half_forces(const cardan_half *half, const real *cause
 }
 
 /* zeta and eta (9) of changes at the speeds of a body, to y (9). */
-CARDAN_INLINE void cardan_half_motion(const cardan_half *half, int first, int end, cardan_wide *y)
+CARDAN_INLINE void cardan_half_motion(const cardan_half *half, const cardan_tree *tree, int first,
+                                      int end, cardan_wide *y)
 {
-    if (!half->along) return;
-    CARDAN_SPEEDS_OF(half, first, end, k) {
+    if (first > half->high || end <= half->low) return;
+    for (int k = first; k < end; ++k) {
+        const int lane = tree->speed[CARDAN_SPEED_ROW * k + CARDAN_SLOT] - half->at;
+        if (lane < 0 || lane >= CARDAN_WIDTH) continue;
         const real *const x = half->along + CARDAN_CAUSE * k;
-        const cardan_wide_mask mask = CARDAN_LANE(k - half->first);
+        const cardan_wide_mask mask = CARDAN_LANE(lane);
 #define CARDAN_JOIN(c) y[c] += CARDAN_ONLY(x[c], mask)
         CARDAN_NINE_TIMES(CARDAN_JOIN);
 #undef CARDAN_JOIN
@@ -283,12 +276,12 @@ CARDAN_APART void cardan_panel_inward(const cardan_articulated *t, int low, int 
             CARDAN_SIX_TIMES(CARDAN_ARRIVE);
             cardan_clear(6 * CARDAN_PANEL, there);
         }
-        cardan_half_forces(half, half->force, first, end, p);
-        cardan_half_forces(half + 1, half[1].force, first, end, r);
+        cardan_half_forces(half, half->force, tree, first, end, p);
+        cardan_half_forces(half + 1, half[1].force, tree, first, end, r);
         cardan_panel_joint_inward(end - first, t->gains + CARDAN_GAINS * first,
                                   t->panel + CARDAN_PANEL * first, p, r);
-        cardan_half_forces(half, half->displaced, first, end, p);
-        cardan_half_forces(half + 1, half[1].displaced, first, end, r);
+        cardan_half_forces(half, half->displaced, tree, first, end, p);
+        cardan_half_forces(half + 1, half[1].displaced, tree, first, end, r);
         /* the parent that comes next has the force in registers, any other one in memory */
         if (parent >= 0 && parent != i - 1) {
             real *const there = t->inward
@@ -335,8 +328,8 @@ CARDAN_APART void cardan_panel_outward(const cardan_articulated *t, const cardan
                                    t->panel + CARDAN_PANEL * first, a, b);
         cardan_panel_out(tree, first, end, t->panel, half);
         /* what changes at these speeds cause acts on all that they carry */
-        cardan_half_motion(half, first, end, a);
-        cardan_half_motion(half + 1, first, end, b);
+        cardan_half_motion(half, tree, first, end, a);
+        cardan_half_motion(half + 1, tree, first, end, b);
         if (branch >= 0) {
             real *const there = t->outward + 9 * CARDAN_PANEL * branch;
             CARDAN_NINE_TIMES(CARDAN_LEAVE);
