@@ -22,7 +22,7 @@ REQUEST = "inverse_dynamics: q u udot"
 
 def forked() -> cd.Scene:
     """A chain with a branch, so that paths are not all in one row."""
-    scene = chain(5)
+    scene = chain(6)
     twig = scene.body("twig", mass=1.0, com=(0.1, 0.2, 0.3), inertia=(0.1, 0.2, 0.2))
     scene.joint("fork", cd.Universal(), scene.bodies["rod1"], twig)
     scene.joint("tip", cd.Revolute("x"), twig, scene.body("leaf", mass=1.0, inertia=(1, 1, 1)))
@@ -60,11 +60,14 @@ def damaged() -> dict[str, tuple[dict[str, Any], str]]:
     damage("count", "body 2")["tree"]["bodies"][1][2] = 3
     damage("slot", "slots of u")["tree"]["speeds"][0][0] = 1
     damage("level", "speed 3")["tree"]["speeds"][3][1] = 0
-    damage("before", "speed 5")["tree"]["speeds"][5][3] = 7
+    damage("before", "speed 6")["tree"]["speeds"][6][3] = 7
     damage("columns", "'columns'")["tree"]["columns"] = -1
     damage("first", "columns that are not there")["tree"]["outputs"][0][2] = 1000
+    damage("some columns", "columns that are not there")["tree"]["outputs"][0][1] = 8
     damage("size", "results")["tree"]["outputs"].pop()
     damage("change", "adds a number")["tree"]["changes"] = [[0, 0, 10**6]]
+    damage("gap", "column that is not there")["tree"]["changes"] = [[0, 9, 0]]
+    damage("rotor", "ties joints together")["tree"]["rotors"] = [[3, 1, 0]]
     damage("parts", "saved function has")["parts"] = None
     return found
 

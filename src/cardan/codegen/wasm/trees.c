@@ -16,11 +16,11 @@ int exported_tree_mass(int bodies, int speeds, int depth, int serial, int rotors
 }
 
 EXPORT(cardan_tree_derivatives)
-int exported_tree_derivatives(int bodies, int speeds, int depth, int room, int serial, int forward,
-                              int columns, int outputs, int changes, int rotors, int start,
-                              int scratch, const int *table, const cardan_in *in, double *out,
-                              double *work)
+int exported_tree_derivatives(int bodies, int speeds, int depth, int room, int serial, int branches,
+                              int forward, int columns, int outputs, int changes, int rotors,
+                              int start, int scratch, const int *table, const cardan_in *in,
+                              double *out, double *work)
 {
-    return cardan_tree_derivatives(bodies, speeds, depth, room, serial, forward, columns, outputs,
-                                   changes, rotors, start, scratch, table, in, out, work);
+    return cardan_tree_derivatives(bodies, speeds, depth, room, serial, branches, forward, columns,
+                                   outputs, changes, rotors, start, scratch, table, in, out, work);
 }

@@ -13,11 +13,21 @@ import numpy as np
 
 from ...errors import counted
 from ...ir.function import Block, Function, Output, live
-from ...ir.graph import ZERO, Graph
+from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
 from ...ir.recursion import Recursion
 from ...ir.trees.assembly import Assembly
-from ...ir.trees.table import BODY, MASS_BODY, MASS_SPEED, SPEED, Entry, OutputRow, Tree, chunks
+from ...ir.trees.table import (
+    BODY,
+    MASS_BODY,
+    MASS_SPEED,
+    MOST_SPEEDS,
+    SPEED,
+    Entry,
+    OutputRow,
+    Tree,
+    chunks,
+)
 from ...records import dataclass
 from ...schema.request import Request
 from ...topology.system import System
@@ -36,7 +46,15 @@ from .body_numbers import BODY as BODY_NAMES
 from .body_numbers import COLUMN, INERTIA, Slopes, body_names, mass_numbers
 from .body_numbers import SPEED as SPEED_NAMES
 from .ground_motion import GroundMotion
-from .tree_table import TreeTable, Widths, inboard_pairs, speeds_of, tree_table
+from .tree_table import (
+    TreeTable,
+    Widths,
+    all_entries,
+    entry_pattern,
+    inboard_pairs,
+    speeds_of,
+    tree_table,
+)
 
 # pairs of a speed and one inboard of it above which kernels are taken: below, straight-line code is
 # faster, as measured on arms, legged robots and chains
@@ -72,6 +90,8 @@ def refusal(system: System, name: str, of: str | None, chosen: bool, short: bool
     for joint in system.joints:
         if joint.coupling is not None:
             return f"joint '{joint.name}' is coupled"
+        if joint.u >= 0 and len(joint.element.speeds) > MOST_SPEEDS:
+            return f"joint '{joint.name}' has more than {MOST_SPEEDS} speeds"
     if friction_forces(system):
         return "friction follows from reactions"
     far = _far(system)
@@ -142,7 +162,7 @@ def mass_matrix(system: System, names: Names, loops: bool | None) -> Assembly:
     speeds = names.entries["u"]
     entries = tuple(f"{a},{b}" for a in speeds for b in speeds)
     shape = (system.nu, system.nu)
-    nodes = _pattern(table, system, related=True)
+    nodes = entry_pattern(table, system, related=True)
     output = Output("M", shape, nodes, entries)
     return Assembly(names.symbol, names.inputs, (output,), parts, "tree_mass", tree, names.about)
 
@@ -210,9 +230,9 @@ def derivative(
         )
         related = not forward
         nodes = (
-            _pattern(table, system, related)
+            entry_pattern(table, system, related)
             if count == n and wrt in ("q", "u", "tau", "udot")
-            else _all(n * count)
+            else all_entries(n * count)
         )
         outputs.append(Output(f"d_{wrt}", (n, count), nodes, labels_of_entries))
     width = len(columns) - 2 * n
@@ -374,26 +394,3 @@ def _homes(table: TreeTable, numbering: Sequence[int]) -> list[int]:
         start, end = table.start[number], table.start[number + 1]
         homes[start:end] = [i] * (end - start)
     return homes
-
-
-def _all(count: int) -> tuple[int, ...]:
-    """Nodes of entries any of which may be other than 0."""
-    return (Graph().atom("assembled"),) * count
-
-
-def _pattern(table: TreeTable, system: System, related: bool) -> tuple[int, ...]:
-    """Nodes of a matrix over the speeds that say which entries may be other than 0.
-
-    Args:
-        related: Whether only entries of a speed and its ancestors are; else all of one tree.
-    """
-    some, n = Graph().atom("assembled"), system.nu
-    nodes = [ZERO] * (n * n)
-    tree = Tree(table.bodies, table.speeds)
-    base = [list(tree.inboard(k))[-1] for k in range(n)]
-    for k, speed in enumerate(table.speeds):
-        blocks_at = tree.inboard(k) if related else (j for j in range(n) if base[j] == base[k])
-        for j in blocks_at:
-            slot = table.speeds[j].slot
-            nodes[speed.slot * n + slot] = nodes[slot * n + speed.slot] = some
-    return tuple(nodes)

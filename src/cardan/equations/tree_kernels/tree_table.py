@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from ...ir.trees.table import BodyRow, Entry, SpeedRow, chunks
+from ...ir.graph import ZERO, Graph
+from ...ir.trees.table import BodyRow, Entry, SpeedRow, Tree, chunks
 from ...records import dataclass
 from ...topology.system import System
 
@@ -136,3 +137,26 @@ def _speed(speeds: Sequence[SpeedRow], inboard: int, slot: int, place: int) -> S
     if inboard == len(speeds) - 1:
         return SpeedRow(slot, level, speeds[inboard].run, speeds[inboard].before, place)
     return SpeedRow(slot, level, len(speeds), inboard, place)
+
+
+def all_entries(count: int) -> tuple[int, ...]:
+    """Nodes of entries any of which may be other than 0."""
+    return (Graph().atom("assembled"),) * count
+
+
+def entry_pattern(table: TreeTable, system: System, related: bool) -> tuple[int, ...]:
+    """Nodes of a matrix over the speeds that say which entries may be other than 0.
+
+    Args:
+        related: Whether only entries of a speed and its ancestors are; else all of one tree.
+    """
+    some, n = Graph().atom("assembled"), system.nu
+    nodes = [ZERO] * (n * n)
+    tree = Tree(table.bodies, table.speeds)
+    base = [list(tree.inboard(k))[-1] for k in range(n)]
+    for k, speed in enumerate(table.speeds):
+        blocks_at = tree.inboard(k) if related else (j for j in range(n) if base[j] == base[k])
+        for j in blocks_at:
+            slot = table.speeds[j].slot
+            nodes[speed.slot * n + slot] = nodes[slot * n + speed.slot] = some
+    return tuple(nodes)

@@ -6,7 +6,19 @@ from collections.abc import Mapping
 from typing import TypeVar
 
 from .kernels import KERNELS
-from .table import BODY, MASS_BODY, MASS_SPEED, SPEED, BodyRow, Entry, OutputRow, SpeedRow, Tree
+from .table import (
+    BODY,
+    MASS_BODY,
+    MASS_SPEED,
+    MOST_SPEEDS,
+    SPEED,
+    BodyRow,
+    Entry,
+    OutputRow,
+    SpeedRow,
+    Tree,
+    chunks,
+)
 
 Row = TypeVar("Row", BodyRow, SpeedRow, OutputRow, Entry)
 ROWS = ("bodies", "speeds", "rotors", "outputs", "changes")
@@ -75,7 +87,7 @@ def _check_bodies(tree: Tree, body_width: int, speed_width: int, numbers: int) -
     first = 0
     for i, body in enumerate(tree.bodies):
         end = body.numbers + body_width + body.speeds * speed_width
-        inside = body.speeds >= 0 and body.numbers >= 0 and end <= numbers
+        inside = 0 <= body.speeds <= MOST_SPEEDS and body.numbers >= 0 and end <= numbers
         if body.modes != -1:
             inside &= body.modes >= 0 and body.modes + 6 * body.speeds**2 <= numbers
         if not (-1 <= body.parent < i and body.first == first and inside):
@@ -99,16 +111,26 @@ def _check_speeds(tree: Tree, speeds: int) -> None:
 
 def _check_results(tree: Tree, numbers: int, size: int) -> None:
     """Results fill what there is; what is added has a row, a column and a place."""
-    n, width = len(tree.speeds), tree.width
+    n, width, half = len(tree.speeds), tree.width, chunks(len(tree.speeds))
     for row in tree.outputs:
-        last = n if row.of_mass else width
-        if not (row.first >= 0 and row.columns >= 0 and row.first + row.columns <= last):
+        # M and what is along q and u come with all columns
+        if row.of_mass or row.first < 2 * half:
+            fits = row.columns == n and row.first in ((0,) if row.of_mass else (0, half))
+        else:
+            fits = row.columns >= 0 and row.first + row.columns <= width
+        if not fits:
             raise ValueError("a saved table names columns that are not there")
     expected = n * (sum(row.columns for row in tree.outputs) if tree.outputs else n)
     if expected != size:
         raise ValueError(f"a saved table gives {expected} results; there are {size}")
+    joints = [i for i, body in enumerate(tree.bodies) for _ in range(body.speeds)]
     for entries, columns in ((tree.rotors, n), (tree.changes, width)):
         for entry in entries:
             bounds = (n, columns, numbers)
             if not all(0 <= x < most for x, most in zip(entry, bounds, strict=True)):
                 raise ValueError("a saved table adds a number that is not there")
+    for rotor in tree.rotors:
+        if not (rotor.column <= rotor.row and joints[rotor.row] == joints[rotor.column]):
+            raise ValueError("a saved table has a rotor that ties joints together")
+    if any(n <= entry.column % half < half for entry in tree.changes if entry.column < 2 * half):
+        raise ValueError("a saved table adds a number to a column that is not there")

@@ -9,11 +9,16 @@ from ...records import dataclass
 
 # entries that a vector of C holds: paths and rows of M begin at multiples of it
 CHUNK = 8
-# columns that are solved together, at most
+# columns that go together, at most
 PANEL = 2 * CHUNK
 # numbers of a body and of a speed: of tree_mass.h, of tree_derivatives.h
 MASS_BODY, MASS_SPEED, MASS_STRIDE = 10, 6, 16
-BODY, SPEED, STRIDE, PATHS = 28, 22, 32, 21
+BODY, SPEED = 28, 22
+# scratch of tree_sides.h: of a body, of a level; of tree_articulated.h: of a body, of a speed
+SIDE_STRIDE, PATHS = 24, 21
+MATRIX, GAINS, CAUSE = 9 * CHUNK, 2 * CHUNK + 10, 7 * CHUNK
+# speeds of a joint, at most
+MOST_SPEEDS = 6
 S, ETA_Q, ZETA_Q, LOAD = 6, 12, 15, 21
 WRENCH = 22
 
@@ -133,9 +138,33 @@ class Tree:
             return ()
         return ("tau",) if self.forward else ("udot",)
 
+    @property
+    def branching(self) -> dict[int, int]:
+        """Bodies with several children, numbered: the first child of a body stands behind it."""
+        several = {b.parent for i, b in enumerate(self.bodies) if 0 <= b.parent < i - 1}
+        return {body: number for number, body in enumerate(sorted(several))}
+
+    def ends(self) -> list[int]:
+        """The speed behind those that a body carries, of every body."""
+        ends = [body.first + body.speeds for body in self.bodies]
+        for i in range(len(ends) - 1, -1, -1):
+            parent = self.bodies[i].parent
+            if parent >= 0:
+                ends[parent] = max(ends[parent], ends[i])
+        return ends
+
     def table(self) -> tuple[int, ...]:
-        """All rows, one behind the other."""
-        rows = (*self.bodies, *self.speeds, *self.outputs, *self.changes, *self.rotors)
+        """All rows, one behind the other, with what follows from them."""
+        branching = self.branching
+        bodies = [
+            (*body, end, branching.get(i, -1))
+            for i, (body, end) in enumerate(zip(self.bodies, self.ends(), strict=True))
+        ]
+        joints = [body.first for body in self.bodies for _ in range(body.speeds)]
+        of_slot = {speed.slot: k for k, speed in enumerate(self.speeds)}
+        speeds = [(*speed, joints[k], of_slot[k]) for k, speed in enumerate(self.speeds)]
+        changes = sorted(self.changes, key=lambda entry: entry.column)
+        rows = (*bodies, *speeds, *self.outputs, *changes, *self.rotors)
         return tuple(number for row in rows for number in row)
 
 

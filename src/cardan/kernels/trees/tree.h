@@ -33,14 +33,19 @@ typedef double cardan_wide
 #define CARDAN_READ(x) (*(const cardan_wide *)(x))
 
 /* columns of a table: of a body, of a speed */
-enum { CARDAN_PARENT, CARDAN_FIRST, CARDAN_COUNT, CARDAN_NUMBERS, CARDAN_MODES, CARDAN_BODY_ROW };
-enum { CARDAN_SLOT, CARDAN_LEVEL, CARDAN_RUN, CARDAN_BEFORE, CARDAN_PLACE, CARDAN_SPEED_ROW };
+enum { CARDAN_PARENT, CARDAN_FIRST, CARDAN_COUNT, CARDAN_NUMBERS, CARDAN_MODES, CARDAN_END,
+       CARDAN_BRANCH, CARDAN_BODY_ROW };
+enum { CARDAN_SLOT, CARDAN_LEVEL, CARDAN_RUN, CARDAN_BEFORE, CARDAN_PLACE, CARDAN_JOINT,
+       CARDAN_OF_SLOT, CARDAN_SPEED_ROW };
 
 typedef struct cardan_tree {
     int bodies, speeds, depth; /* depth: levels, rounded up to a chunk */
     int serial;                /* every speed has its own number as slot, and is inboard of the next */
-    const int *body;           /* parent, first speed, number of speeds, its numbers, its modes */
-    const int *speed;          /* slot, level, first speed of its run, speed before it, row of M */
+    const int *body;  /* parent, first speed, number of speeds, its numbers, its modes, the speed
+                         behind those that it carries, its number among bodies with several
+                         children or -1 */
+    const int *speed; /* slot, level, first speed of its run, speed before it, row of M, first speed
+                         of its joint; the speed whose slot is the number of the row */
 } cardan_tree;
 
 CARDAN_INLINE cardan_tree cardan_tree_of(int bodies, int speeds, int depth, int serial,
@@ -64,6 +69,13 @@ CARDAN_INLINE int cardan_inboard(const cardan_tree *tree, int k)
     return k == row[CARDAN_RUN] ? row[CARDAN_BEFORE] : k - 1;
 }
 
+/* memory that is about to be written */
+#ifdef __GNUC__
+#define CARDAN_PREPARE(x) __builtin_prefetch((x), 1)
+#else
+#define CARDAN_PREPARE(x) ((void)(x))
+#endif
+
 /* a number rounded up to full chunks */
 CARDAN_INLINE int cardan_chunks(int n) { return (n + CARDAN_CHUNK - 1) / CARDAN_CHUNK * CARDAN_CHUNK; }
 
@@ -77,21 +89,22 @@ CARDAN_INLINE void cardan_clear(int n, real *x)
  * Numbers of a body with all bodies outboard of it: mass, first moment (3), inertia about the origin
  * (xx, xy, xz, yy, yz, zz), then whatever else adds up.
  *
- * numbers: of every body at its place; sums: (bodies, stride), stride a multiple of a chunk.
+ * numbers: of every body at its place; sums: (bodies, stride), stride a multiple of a chunk, of which
+ * what lies behind `count` is read by nobody.
  */
 CARDAN_APART void cardan_tree_sums(const cardan_tree *tree, int count, int stride,
                                    const real *numbers, real *sums)
 {
     for (int i = 0; i < tree->bodies; ++i) {
         const real *const body = numbers + tree->body[CARDAN_BODY_ROW * i + CARDAN_NUMBERS];
-        for (int k = 0; k < count; ++k) sums[i * stride + k] = body[k];
-        cardan_clear(stride - count, sums + i * stride + count);
+        for (int k = 0; k < count; k += CARDAN_WIDTH)
+            CARDAN_AT(sums + i * stride + k) = CARDAN_READ(body + k);
     }
     /* inward: children stand behind their parents */
     for (int i = tree->bodies - 1; i >= 0; --i) {
         const int parent = tree->body[CARDAN_BODY_ROW * i + CARDAN_PARENT];
         if (parent < 0) continue;
-        for (int k = 0; k < stride; k += CARDAN_WIDTH)
+        for (int k = 0; k < count; k += CARDAN_WIDTH)
             CARDAN_AT(sums + parent * stride + k) += CARDAN_READ(sums + i * stride + k);
     }
 }
@@ -153,6 +166,9 @@ CARDAN_APART void cardan_tree_square(const cardan_tree *tree, const real *rows, 
         const int last = first + CARDAN_CHUNK < n ? first + CARDAN_CHUNK : n;
         for (int k = first; k < last; ++k) {
             const real *const row = rows + tree->speed[CARDAN_SPEED_ROW * k + CARDAN_PLACE];
+            const int next = k + CARDAN_CHUNK;
+            for (int j = 0; CARDAN_WIDTH > 1 && next < n && j < n; j += CARDAN_WIDTH)
+                CARDAN_PREPARE(out + next * n + j);
             memcpy(out + k * n, row, (size_t)(k + 1) * sizeof(real));
             for (int j = first; j < k; ++j) out[j * n + k] = row[j];
         }

@@ -1,275 +1,220 @@
 /*
- * tree_derivatives.h: derivatives of the inverse and the forward dynamics of a tree.
+ * tree_derivatives.h: derivatives of the forward or the inverse dynamics of a tree.
  *
- * A change of q or u at a joint moves what is outboard of it as one rigid body; besides, it changes
- * the angular velocity there by eta and the acceleration by a field zeta, linear in place. The bodies
- * outboard of a joint answer with the force I zeta + B eta, where I and B are sums over them: their
- * inertia and the flow of their momentum. So the entry of a speed and an ancestor is one product of a
- * row with a path, for what the ancestor causes at the speed and for what the speed causes there.
- *
- * Of forward dynamics M udot = drive comes first; changes of the accelerations follow with the same
- * factors: M dudot = change of the forces - change of the inverse dynamics at udot.
- *
- * Source: S. Singh, R. Russell, P. Wensing, Efficient analytical derivatives of rigid-body dynamics
- * using spatial vector algebra, IEEE Robotics and Automation Letters 7 (2022).
+ * Of forward dynamics M udot = drive comes first, body by body. A change of q or u at a joint acts on
+ * what the joint carries as one acceleration and one change of angular velocity (tree_sides.h); the
+ * accelerations that follow from it take a product of a row with six numbers per body and column,
+ * where M as a matrix takes one per pair of bodies and column.
  */
 #ifndef CARDAN_TREE_DERIVATIVES_H
 #define CARDAN_TREE_DERIVATIVES_H
 
-#include "tree_slopes.h"
+#include "tree_panels.h"
+#include "tree_sides.h"
 
-/* kinds of outputs */
-enum { CARDAN_COLUMNS, CARDAN_OF_M };
+/* What derivatives of forward dynamics are asked for. */
+typedef struct cardan_columns {
+    int half;   /* columns along q, rounded up to a chunk: those along u begin there */
+    int moving; /* whether columns of S change besides moving with their bodies */
+    int kind;   /* of an output */
+    int first;  /* column of its first one */
+    int width;  /* number of its columns */
+    int count;  /* of those in half a panel, from `at` of the output on */
+    int at;
+    real *out;  /* the output (speeds, width) */
+} cardan_columns;
 
-/* y (6) += B eta: (tr K - K) eta and eta x P */
-CARDAN_INLINE void cardan_flow_force(const real *body, const real *eta, real *y)
+/* Right sides of half a panel: ones of M^-1, forces of elements, changes of the columns of S. */
+CARDAN_APART void cardan_half_sides(const cardan_articulated *t, const cardan_columns *columns,
+                                    int changes, const int *change, real *panel, int *low, int *high)
 {
-    const real *const k = body + CARDAN_FLOW_K;
+    const cardan_slopes *const s = &t->slopes;
+    const int *const speed = s->tree.speed;
+    const int first = columns->first + columns->at, end = first + columns->count;
+    int n = 0, last = changes;
 
-    y[0] += (k[4] + k[8]) * eta[0] - k[1] * eta[1] - k[2] * eta[2];
-    y[1] += (k[0] + k[8]) * eta[1] - k[3] * eta[0] - k[5] * eta[2];
-    y[2] += (k[0] + k[4]) * eta[2] - k[6] * eta[0] - k[7] * eta[1];
-    cardan_cross_more(eta, body + CARDAN_FLOW_P, y + 3);
+    if (columns->kind == CARDAN_OF_M) {
+        for (int c = 0; c < columns->count; ++c) {
+            const int row = speed[CARDAN_SPEED_ROW * (columns->at + c) + CARDAN_OF_SLOT];
+            panel[CARDAN_PANEL * row + c] = CARDAN_REAL(1.0);
+            if (row < *low) *low = row;
+            if (row > *high) *high = row;
+        }
+        return;
+    }
+    /* changes stand by columns */
+    while (n < last) {
+        const int middle = (n + last) / 2;
+        if (change[3 * middle + 1] < first)
+            n = middle + 1;
+        else
+            last = middle;
+    }
+    /* forces of elements: rows that no column of the panel reaches widen what goes inward */
+    for (; n < changes && change[3 * n + 1] < end; ++n) {
+        const int row = change[3 * n];
+        panel[CARDAN_PANEL * row + change[3 * n + 1] - first] += s->numbers[change[3 * n + 2]];
+        if (row < *low) *low = row;
+        if (row > *high) *high = row;
+    }
+    /* columns of S that change with q take another part of the force on their joint */
+    if (columns->first || !columns->moving) return;
+    for (int i = 0; i < s->tree.bodies; ++i) {
+        const int *const body = s->tree.body + CARDAN_BODY_ROW * i;
+        const int joint = body[CARDAN_FIRST], count = body[CARDAN_COUNT];
+        if (body[CARDAN_MODES] < 0) continue;
+        for (int k = 0; k < count; ++k) {
+            const int column = speed[CARDAN_SPEED_ROW * (joint + k) + CARDAN_SLOT];
+            if (column < first || column >= end) continue;
+            for (int j = 0; j < count; ++j)
+                panel[CARDAN_PANEL * (joint + j) + column - first] -=
+                    cardan_six(s->numbers + body[CARDAN_MODES] + 6 * (j * count + k),
+                               s->wrench + CARDAN_SIX * i);
+        }
+    }
 }
 
-/* g (3) = B^T S: the part of B eta along S is g . eta */
-CARDAN_INLINE void cardan_flow_along(const real *body, const real *s, real *g)
+/* What changes in the columns of half a panel cause, and where results go. */
+CARDAN_APART void cardan_half_of(const cardan_articulated *t, const cardan_columns *columns,
+                                 cardan_half *half)
 {
-    const real *const k = body + CARDAN_FLOW_K;
+    const int of_q = columns->first == 0;
 
-    g[0] = (k[4] + k[8]) * s[0] - k[3] * s[1] - k[6] * s[2];
-    g[1] = (k[0] + k[8]) * s[1] - k[1] * s[0] - k[7] * s[2];
-    g[2] = (k[0] + k[4]) * s[2] - k[2] * s[0] - k[5] * s[1];
-    cardan_cross_more(body + CARDAN_FLOW_P, s + 3, g);
+    half->at = columns->at;
+    half->count = columns->count;
+    half->width = columns->width;
+    half->out = columns->out;
+    half->low = t->slopes.tree.speeds;
+    half->high = -1;
+    half->force = half->displaced = half->along = NULL;
+    /* changes of q and u act at their speeds; ones of M^-1 and other right sides do not */
+    if (columns->kind == CARDAN_OF_M || columns->first > columns->half || !columns->count) return;
+    half->force = t->causes + (of_q ? CARDAN_FORCE_Q : CARDAN_FORCE_U);
+    half->along = t->causes + (of_q ? CARDAN_ALONG_Q : CARDAN_ALONG_U);
+    if (of_q) half->displaced = t->causes + CARDAN_DISPLACED;
+    for (int c = 0; c < half->count; ++c) {
+        const int k = t->slopes.tree.speed[CARDAN_SPEED_ROW * (half->at + c) + CARDAN_OF_SLOT];
+        if (k < half->low) half->low = k;
+        if (k > half->high) half->high = k;
+    }
+}
+
+/* A panel of two halves: right sides, then accelerations, to their outputs. */
+CARDAN_APART void cardan_panel_solve(const cardan_articulated *t, const cardan_columns *columns,
+                                     int changes, const int *change)
+{
+    int low = t->slopes.tree.speeds, high = -1;
+    cardan_half half[2];
+
+    for (int h = 0; h < 2; ++h) {
+        cardan_half_of(t, columns + h, half + h);
+        if (!columns[h].count) continue;
+        cardan_half_sides(t, columns + h, changes, change, t->panel + CARDAN_WIDTH * h, &low, &high);
+        if (half[h].low < low) low = half[h].low;
+        if (half[h].high > high) high = half[h].high;
+    }
+    cardan_panel_inward(t, low, high, half);
+    cardan_panel_outward(t, half);
 }
 
 /*
- * row[l] = x (9) times the column of nine rows of a path at level l < count. The row lies in
- * panels, which begin `further` numbers apart: in the first one from `offset` on.
+ * Derivatives of the accelerations to out. Columns of the same slots of all outputs go together:
+ * they pass over the same bodies inward.
  */
-CARDAN_APART void cardan_path_nine(int count, int depth, int further, int offset, const real *x,
-                                   const real *path, real *row)
+CARDAN_APART void cardan_forward_slopes(const cardan_articulated *t, int half, int outputs,
+                                        const int *output, int changes, const int *change, real *out)
 {
-    for (int l = 0; l < count; l += CARDAN_WIDTH) {
-        const real *const at = path + l;
-        cardan_wide sum = x[0] * CARDAN_READ(at);
-        sum += x[1] * CARDAN_READ(at + depth);
-        sum += x[2] * CARDAN_READ(at + 2 * depth);
-        sum += x[3] * CARDAN_READ(at + 3 * depth);
-        sum += x[4] * CARDAN_READ(at + 4 * depth);
-        sum += x[5] * CARDAN_READ(at + 5 * depth);
-        sum += x[6] * CARDAN_READ(at + 6 * depth);
-        sum += x[7] * CARDAN_READ(at + 7 * depth);
-        sum += x[8] * CARDAN_READ(at + 8 * depth);
-        CARDAN_AT(row + (l + offset) / CARDAN_PANEL * further + (l + offset) % CARDAN_PANEL) = sum;
-    }
-}
+    const int speeds = t->slopes.tree.speeds;
+    cardan_columns columns[2];
+    int next = 1, filled = 0;
 
-/* Entries of the speeds of one joint with each other; forces come negated. */
-CARDAN_INLINE void cardan_slope_block(const cardan_slopes *s, const int *body, int k,
-                                      const real *along_q, const real *along_u, const real *wrench)
-{
-    const int first = body[CARDAN_FIRST], count = body[CARDAN_COUNT];
-    const int slot = s->tree.speed[CARDAN_SPEED_ROW * k + CARDAN_SLOT];
-
-    for (int j = 0; j < count; ++j) {
-        const real *const column = cardan_slope_speed(s, body, first + j) + CARDAN_S;
-        real of_q = cardan_six(column, along_q);
-        if (body[CARDAN_MODES] >= 0) {
-            const real *const change =
-                s->numbers + body[CARDAN_MODES] + 6 * (j * count + k - first);
-            of_q -= cardan_six(change, wrench);
-        }
-        *cardan_entry(s, first + j, slot) = of_q;
-        *cardan_entry(s, first + j, s->half + slot) = cardan_six(column, along_u);
-    }
-}
-
-/* Entries of speed k at its ancestors and of these at it, run by run; `row` holds both by levels. */
-CARDAN_INLINE void cardan_slope_scatter(const cardan_slopes *s, int k, int inboard, int level)
-{
-    const cardan_tree *const tree = &s->tree;
-    const int depth = tree->depth, panel = CARDAN_PANEL;
-    const int slot = tree->speed[CARDAN_SPEED_ROW * k + CARDAN_SLOT];
-    real *const of_q = cardan_entry(s, 0, slot), *const of_u = cardan_entry(s, 0, s->half + slot);
-
-    for (int l = level - 1, j = inboard; l >= 0; --l) {
-        of_q[j * panel] = s->row[l];
-        of_u[j * panel] = s->row[depth + l];
-        if (!tree->serial) {
-            const int at = tree->speed[CARDAN_SPEED_ROW * j + CARDAN_SLOT];
-            *cardan_entry(s, k, at) = s->row[2 * depth + l];
-            *cardan_entry(s, k, s->half + at) = s->row[3 * depth + l];
-        }
-        j = cardan_inboard(tree, j);
-    }
-}
-
-/* y (6) = - x (6) */
-CARDAN_INLINE void cardan_negative(const real *x, real *y)
-{
-    for (int c = 0; c < 6; ++c) y[c] = -x[c];
-}
-
-/* Right sides: changes of the inverse dynamics along q and u, negated. */
-CARDAN_APART void cardan_slope_sides(const cardan_slopes *s)
-{
-    const cardan_tree *const tree = &s->tree;
-    const int depth = tree->depth, serial = tree->serial;
-    const int further = serial ? tree->speeds * CARDAN_PANEL : CARDAN_PANEL;
-    const int offset = serial ? s->half % CARDAN_PANEL : 0;
-
-    cardan_clear(CARDAN_PATHS * depth, s->path);
-    for (int i = 0; i < tree->bodies; ++i) {
-        const int *const body = tree->body + CARDAN_BODY_ROW * i;
-        const real *const sums = s->sums + CARDAN_SLOPE_STRIDE * i;
-        const real *const wrench = sums + CARDAN_WRENCH;
-        const int first = body[CARDAN_FIRST], count = body[CARDAN_COUNT];
-        const int level = count ? tree->speed[CARDAN_SPEED_ROW * first + CARDAN_LEVEL] : 0;
-        const int inboard = count ? cardan_inboard(tree, first) : -1;
-        for (int k = first; k < first + count; ++k) {
-            const real *const numbers = cardan_slope_speed(s, body, k);
-            const real *const column = numbers + CARDAN_S, *const zeta = s->zeta + 6 * k;
-            real along_q[6], along_u[6], moved[6], there[6], answer[12];
-
-            /* how the speed answers to what its ancestors cause: rows of serial speeds go to their
-             * panels, and what stands behind their ends there is overwritten later */
-            cardan_momentum(sums, column, there);
-            cardan_flow_along(sums, column, moved);
-            for (int c = 0; c < 3; ++c) answer[c] = answer[9 + c] = -moved[c];
-            for (int c = 0; c < 6; ++c) answer[3 + c] = -there[c];
-            cardan_path_nine(level, depth, further, 0, answer, s->path + CARDAN_ETA_Q * depth,
-                             serial ? cardan_entry(s, k, 0) : s->row + 2 * depth);
-            cardan_path_nine(level, depth, further, offset, answer + 3,
-                             s->path + CARDAN_ZETA_U * depth,
-                             serial ? cardan_entry(s, k, s->half) - offset : s->row + 3 * depth);
-
-            /* what the speed asks of all that it moves */
-            cardan_momentum(sums, zeta, there);
-            cardan_flow_force(sums, numbers + CARDAN_ETA_Q, there);
-            cardan_negative(there, along_q);
-            cardan_momentum(sums, numbers + CARDAN_ZETA_U, moved);
-            cardan_flow_force(sums, column, moved);
-            cardan_negative(moved, along_u);
-            cardan_slope_block(s, body, k, along_q, along_u, wrench);
-
-            /* inboard of the joint, forces are displaced too */
-            cardan_cross_more(column, wrench, there);
-            cardan_cross_more(column + 3, wrench + 3, there);
-            cardan_cross_more(column, wrench + 3, there + 3);
-            cardan_negative(there, along_q);
-            cardan_path_six(level, depth, along_q, s->path + CARDAN_S * depth, s->row);
-            cardan_path_six(level, depth, along_u, s->path + CARDAN_S * depth, s->row + depth);
-            cardan_slope_scatter(s, k, inboard, level);
-        }
-        for (int k = first; k < first + count; ++k) {
-            const real *const numbers = cardan_slope_speed(s, body, k);
-            cardan_path_enter(tree, k, CARDAN_ZETA_Q, numbers, s->path);
-            cardan_path_enter(tree, k, 6, s->zeta + 6 * k, s->path + CARDAN_ZETA_Q * depth);
-        }
-    }
-}
-
-/* M^-1 (speeds, speeds) to out: of a panel only what lies on and above the diagonal. */
-CARDAN_APART void cardan_slope_inverse(const cardan_slopes *s, real *panel, real *out)
-{
-    const cardan_tree *const tree = &s->tree;
-    const int n = tree->speeds;
-
-    for (int first = 0; first < n; first += CARDAN_PANEL) {
-        const int last = first + CARDAN_PANEL < n ? first + CARDAN_PANEL : n;
-        cardan_clear(n * CARDAN_PANEL, panel);
-        for (int k = first; k < last; ++k) panel[k * CARDAN_PANEL + k - first] = CARDAN_REAL(1.0);
-        cardan_tree_panel(tree, last, s->rows, panel);
-        for (int k = first; k < last; ++k) {
-            const int slot = tree->speed[CARDAN_SPEED_ROW * k + CARDAN_SLOT];
-            for (int j = 0; j <= k; ++j) {
-                const int at = tree->speed[CARDAN_SPEED_ROW * j + CARDAN_SLOT];
-                const real entry = panel[j * CARDAN_PANEL + k - first];
-                out[slot * n + at] = entry;
-                out[at * n + slot] = entry;
+    columns[0].half = columns[1].half = half;
+    columns[0].moving = 0;
+    for (int i = 0; i < t->slopes.tree.bodies; ++i)
+        columns[0].moving |= t->slopes.tree.body[CARDAN_BODY_ROW * i + CARDAN_MODES] >= 0;
+    columns[1].moving = columns[0].moving;
+    for (int at = 0; next; at += CARDAN_WIDTH) {
+        real *place = out;
+        next = 0;
+        for (int n = 0; n < outputs; ++n) {
+            const int width = output[3 * n + 1];
+            cardan_columns *const part = columns + filled;
+            if (at < width) {
+                part->kind = output[3 * n];
+                part->first = output[3 * n + 2];
+                part->width = width;
+                /* the last columns reach back over some before them, so that vectors are full */
+                part->count = CARDAN_WIDTH < width ? CARDAN_WIDTH : width;
+                part->at = at + part->count < width ? at : width - part->count;
+                part->out = place;
+                next = 1;
+                filled = !filled;
+                if (!filled) cardan_panel_solve(t, columns, changes, change);
             }
+            place += speeds * width;
         }
     }
-}
-
-/* Columns of the right sides, or of the solutions in their place, to rows of out by slots. */
-CARDAN_INLINE void cardan_slope_columns(const cardan_slopes *s, int width, int first, real *out)
-{
-    for (int k = 0; k < s->tree.speeds; ++k) {
-        real *const row = out + s->tree.speed[CARDAN_SPEED_ROW * k + CARDAN_SLOT] * width;
-        for (int c = 0, count; c < width; c += count) {
-            const int inside = CARDAN_PANEL - (first + c) % CARDAN_PANEL;
-            count = inside < width - c ? inside : width - c;
-            memcpy(row + c, cardan_entry(s, k, first + c), (size_t)count * sizeof(real));
-        }
+    if (filled) {
+        columns[1] = columns[0];
+        columns[1].count = 0;
+        cardan_panel_solve(t, columns, changes, change);
     }
 }
 
 /*
  * Derivatives to out.
  *
- * room: of the rows of M. serial: as of a tree. forward: of the accelerations under tau; else of the
- * forces at in->udot. columns: right sides besides those along q and u. outputs: rows of (kind,
- * columns, first column). changes: rows of (speed, column, place) that add to right sides; rotors:
- * rows of (speed, speed, place) that add to M. The numbers of the bodies begin at work + start,
- * scratch at work + scratch.
+ * room: of the rows of M. serial: as of a tree. branches: bodies with several children. forward: of
+ * the accelerations under tau; else of the forces at in->udot. columns: right sides besides those
+ * along q and u. outputs: rows of (kind, columns, first column). changes: rows of (speed, column,
+ * place) that add to right sides, sorted by columns; rotors: rows of (speed, speed, place) that add
+ * to M. The numbers of the bodies begin at work + start, scratch at work + scratch.
  */
 CARDAN_APART int cardan_tree_derivatives(int bodies, int speeds, int depth, int room, int serial,
-                                         int forward, int columns, int outputs, int changes,
-                                         int rotors, int start, int scratch, const int *table,
-                                         const cardan_in *in, real *out, real *work)
+                                         int branches, int forward, int columns, int outputs,
+                                         int changes, int rotors, int start, int scratch,
+                                         const int *table, const cardan_in *in, real *out, real *work)
 {
-    const int half = cardan_chunks(speeds), count = 2 * half + columns;
-    const int panels = (count + CARDAN_PANEL - 1) / CARDAN_PANEL, panel = speeds * CARDAN_PANEL;
-    cardan_slopes s;
+    const int half = cardan_chunks(speeds);
+    real *place = work + scratch;
+    cardan_slopes slopes;
     int status = CARDAN_OK;
 
-    s.tree = cardan_tree_of(bodies, speeds, depth, serial, table);
-    const int *const output = s.tree.speed + CARDAN_SPEED_ROW * speeds;
+    slopes.tree = cardan_tree_of(bodies, speeds, depth, serial, table);
+    const int *const output = slopes.tree.speed + CARDAN_SPEED_ROW * speeds;
     const int *const change = output + 3 * outputs, *const rotor = change + 3 * changes;
-    s.half = half;
-    s.numbers = work + start;
-    s.sums = work + scratch;
-    s.path = s.sums + CARDAN_SLOPE_STRIDE * bodies;
-    s.row = s.path + CARDAN_PATHS * depth;
-    s.rows = s.row + 4 * depth;
-    s.further = s.rows + room;
-    s.udot = s.further + 12 * bodies;
-    s.zeta = s.udot + speeds;
-    s.panels = s.zeta + 6 * speeds;
-
-    cardan_tree_sums(&s.tree, CARDAN_SLOPE_BODY, CARDAN_SLOPE_STRIDE, s.numbers, s.sums);
-    cardan_slope_rows(&s, rotors, rotor, forward ? in->tau : NULL);
+    slopes.numbers = work + start;
+    slopes.further = place, place += CARDAN_SIX * bodies;
+    slopes.wrench = place, place += CARDAN_SIX * bodies;
+    slopes.udot = place, place += speeds;
+    slopes.zeta = place, place += CARDAN_SIX * speeds;
     if (forward) {
-        status = cardan_tree_factor(&s.tree, s.rows);
-        cardan_tree_solve(&s.tree, s.rows, s.udot);
+        cardan_articulated t;
+        t.slopes = slopes;
+        t.matrices = place, place += CARDAN_MATRIX * bodies;
+        t.gains = place, place += CARDAN_GAINS * speeds;
+        t.causes = place, place += CARDAN_CAUSE * speeds;
+        t.inward = place, place += 6 * CARDAN_PANEL * branches;
+        t.outward = place, place += 9 * CARDAN_PANEL * branches;
+        t.panel = place;
+        status = cardan_tree_articulate(&t, rotors, rotor, in->tau);
+        cardan_tree_accelerate(&t);
+        cardan_tree_causes(&t);
+        cardan_clear(6 * CARDAN_PANEL * branches, t.inward);
+        cardan_clear(CARDAN_PANEL * speeds, t.panel);
+        cardan_forward_slopes(&t, half, outputs, output, changes, change, out);
     } else {
+        cardan_sides s;
+        s.slopes = slopes;
+        s.half = half;
+        s.sums = place, place += CARDAN_SIDE_STRIDE * bodies;
+        s.path = place, place += CARDAN_PATHS * depth;
+        s.row = place, place += 4 * depth;
+        s.rows = place, place += room;
+        s.panels = place;
         for (int k = 0; k < speeds; ++k)
-            s.udot[k] = in->udot[s.tree.speed[CARDAN_SPEED_ROW * k + CARDAN_SLOT]];
-    }
-    cardan_slope_accelerate(&s);
-    cardan_clear(panels * panel, s.panels);
-    cardan_slope_sides(&s);
-    for (int n = 0; n < changes; ++n)
-        *cardan_entry(&s, change[3 * n], change[3 * n + 1]) += s.numbers[change[3 * n + 2]];
-    for (int p = 0; p < panels; ++p) {
-        real *const side = s.panels + p * panel;
-        if (forward)
-            cardan_tree_panel(&s.tree, speeds, s.rows, side);
-        else
-            for (int m = 0; m < panel; ++m) side[m] = -side[m];
-    }
-
-    for (int n = 0; n < outputs; ++n) {
-        const int width = output[3 * n + 1], first = output[3 * n + 2];
-        if (output[3 * n] != CARDAN_OF_M)
-            cardan_slope_columns(&s, width, first, out);
-        else if (forward)
-            cardan_slope_inverse(&s, s.panels + panels * panel, out);
-        else
-            cardan_tree_square(&s.tree, s.rows, out);
-        out += speeds * width;
+            slopes.udot[k] = in->udot[slopes.tree.speed[CARDAN_SPEED_ROW * k + CARDAN_SLOT]];
+        cardan_side_derivatives(&s, columns, outputs, output, changes, change, rotors, rotor, out);
     }
     return status;
 }
