@@ -34,6 +34,7 @@ from .equations.formalism_choice import (
 )
 from .equations.record import EquationRecord
 from .errors import BuildError, CodegenError, DerivationError, SolveWarning, near, warn
+from .processes import collector_paused
 from .runtime.build import cache_folder as cache
 from .runtime.verification.closed_states import unjudged
 from .schema.functions import OF_ELEMENTS
@@ -206,6 +207,7 @@ def _absolute(
     return equations
 
 
+@collector_paused()
 def compile_scene(
     scene: SceneRecord | EquationRecord | FiniteElementRecord,
     functions: Sequence[str],

@@ -10,6 +10,7 @@ import pytest
 
 import cardan as cd
 from cardan.codegen import generate, layout, manifest
+from cardan.codegen.finite_elements import model_folder
 from cardan.equations.record import EquationRecord
 from cardan.errors import CodegenError
 from codegen.models import arm
@@ -124,3 +125,26 @@ def test_model_header_names_every_slot(tmp_path: Path) -> None:
     assert "u_float_u_px = 3," in text
     assert "p_m = 0, /* m [kg] */" in text
     assert "cardan_nq = 9," in text
+
+
+def test_a_model_of_elements_writes_its_manifest_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written, write = list[str](), layout._write
+
+    def noted(path: Path, text: str | bytes) -> str:
+        written.append(path.name)
+        return write(path, text)
+
+    monkeypatch.setattr(layout, "_write", noted)
+    equations = cd.derive(arm(), coordinates="absolute")
+    model_folder.write(tmp_path, equations, ("rhs",))
+    assert written.count("manifest.json") == 1
+    data = check_whole(tmp_path)
+    assert data["functions"].keys() == {f.name for f in model_folder.functions(equations)}
+    # what is there is not written again
+    model_folder.write(tmp_path, equations, ("rhs",))
+    assert written.count("manifest.json") == 1
+    (tmp_path / "node__move.c").write_text("damaged", "utf-8")
+    model_folder.write(tmp_path, equations, ("rhs",))
+    assert check_whole(tmp_path)["functions"] == data["functions"]

@@ -6,7 +6,7 @@ import re
 import pytest
 
 from cardan.codegen import generate
-from cardan.codegen.program.naming import RESERVED, Names, comment, mangle
+from cardan.codegen.program.naming import RESERVED, Names, comment, comments, mangle, mangled
 from cardan.ir.function import Block, Function, Output
 from cardan.ir.graph import Graph
 from codegen.running import call, compilers, expected
@@ -128,3 +128,16 @@ def test_comment_text_is_one_harmless_line(text: str) -> None:
 
 def test_comment_leaves_harmless_text_alone() -> None:
     assert comment("udot: arm.u [rad/s^2], 90°, Größe") == "udot: arm.u [rad/s^2], 90°, Größe"
+
+
+def test_many_names_at_once_are_those_one_by_one() -> None:
+    draw, letters = random.Random(2), "ab1_.- *?/\nθcardan"
+    for _ in range(500):
+        words = ["".join(draw.choices(letters, k=draw.randint(0, 9))) for _ in range(4)]
+        words += ["cardan_x", "x" * 70, "1a", "FP_a", "double"][: draw.randint(0, 5)]
+        assert mangled(words) == [mangle(word) for word in words]
+        assert comments(words) == [comment(word) for word in words]
+        bases = [mangle(word) for word in words]
+        one, several = Names(bases[:1]), Names(bases[:1])
+        for part in (bases[2:4], bases, bases[1:]):
+            assert several.several(part) == [one.new(base) for base in part]

@@ -9,7 +9,7 @@ from ..schema.c_functions import FunctionRow, ResultRow
 from ..schema.entries import Entry
 from ..schema.manifest import Manifest
 from ..schema.rows import Rows
-from .program.naming import Names, comment, mangle
+from .program.naming import Names, comment, comments, mangled
 
 BLOCKS = {
     "q": "generalized coordinates",
@@ -92,13 +92,20 @@ def _entries(block: str, rows: Sequence[Entry], names: Names) -> list[str]:
             f"; {run.count} of them, {len(run.pattern)} apart",
         )
         start += len(run)
-    lines = []
-    for k, row in listed:
-        about = row.name + (f" [{row.unit}]" if row.unit else "") + repeated.get(k, "")
-        comma = "," if k != listed[-1][0] else ""
-        name = names.new(f"{block}_{mangle(row.name)}")
-        lines.append(f"    {name} = {k}{comma} /* {comment(about)} */")
-    return lines
+    abouts = [
+        f"{row.name} [{row.unit}]{repeated.get(k, '')}"
+        if row.unit
+        else row.name + repeated.get(k, "")
+        for k, row in listed
+    ]
+    bases = [f"{block}_{name}" for name in mangled([row.name for _, row in listed])]
+    signs = [","] * (len(listed) - 1) + [""]
+    return [
+        f"    {name} = {k}{comma} /* {about} */"
+        for (k, _), name, comma, about in zip(
+            listed, names.several(bases), signs, comments(abouts), strict=True
+        )
+    ]
 
 
 def prototypes(

@@ -29,8 +29,10 @@ from . import header
 from .manifest import Base
 from .writing import CFile
 
-# what every function stands on
 T = TypeVar("T")
+# writes files that belong to a model, gives its manifest with them
+Step = Callable[[Manifest], Manifest]
+# what every function stands on
 HEADERS = ("cardan.h", "lanes.h", "sincos.h")
 # frames up to which a manifest is written for people
 READ = 1000
@@ -43,12 +45,14 @@ class Damaged(CodegenError):
 
 
 @collector_paused()
-def write_model(directory: Path, base: Base) -> None:
+def write_model(directory: Path, base: Base, steps: Sequence[Step] = ()) -> None:
     """Prepare a directory for the functions of a model; what is there of the same model stays.
 
     Args:
         directory: Made if it does not exist.
         base: From :func:`cardan.codegen.manifest.base`.
+        steps: What else is written before the manifest is, see :func:`with_files` and
+            :func:`with_functions`.
 
     Raises:
         CodegenError: the directory holds other things.
@@ -62,8 +66,10 @@ def write_model(directory: Path, base: Base) -> None:
         ):
             there, damaged = None, True
         if there is not None and statement(there) == statement(base.data):
+            changed = there
             if list(there.available) != list(base.data.available):
-                _write_manifest(directory, there.replaced(available=base.data.available))
+                changed = there.replaced(available=base.data.available)
+            _write_if_changed(directory, there, _stepped(changed, steps))
             return
         # a damaged model of ours is written anew, as a damaged object is compiled anew
         if there is None and not damaged and any(path.name != LOCK for path in directory.iterdir()):
@@ -75,9 +81,16 @@ def write_model(directory: Path, base: Base) -> None:
             (directory / Path(name).name).unlink(missing_ok=True)
         hashes = {name: _write(directory / name, kernel_files.text(name)) for name in HEADERS}
         hashes["model.h"] = _write(directory / "model.h", header.slots(base.data))
-        saved = [(f.name, to_dict(f)) for f in base.saved()]
+        # the manifest names the parameters
+        saved = [(f.name, to_dict(f, ("p",))) for f in base.saved()]
         hashes[SAVED] = _write(directory / SAVED, _joined(saved))
-        _write_manifest(directory, base.data.replaced(sha256=hashes))
+        _write_manifest(directory, _stepped(base.data.replaced(sha256=hashes), steps))
+
+
+def _stepped(manifest: Manifest, steps: Sequence[Step]) -> Manifest:
+    for step in steps:
+        manifest = step(manifest)
+    return manifest
 
 
 def _there(directory: Path) -> tuple[Manifest | None, bool]:
@@ -108,9 +121,15 @@ def _is_unchanged(directory: Path, manifest: Manifest, name: str) -> bool:
     return hashlib.sha256(content).hexdigest() == manifest.sha256.get(name)
 
 
-def missing(directory: Path, names: Sequence[str]) -> list[str]:
-    """Names of functions that are not in the manifest, or whose file is another; by one look."""
-    there = _there(directory)[0]
+def missing(directory: Path, names: Sequence[str], there: Manifest | None = None) -> list[str]:
+    """Names of functions that are not in the manifest, or whose file is another; by one look.
+
+    Args:
+        directory: Of the model.
+        names: Of the functions.
+        there: The manifest, where it is not the one in the directory.
+    """
+    there = there or _there(directory)[0]
     functions = there.functions if there else {}
     return [name for name in names if not _is_there(directory, functions.get(name))]
 
@@ -131,38 +150,42 @@ def add_functions(directory: Path, texts: Sequence[tuple[CFile, Form]]) -> None:
     Raises:
         CodegenError: :func:`write_model` was not called before.
     """
+    change(directory, lambda manifest: with_functions(directory, manifest, texts))
+
+
+def with_functions(
+    directory: Path, manifest: Manifest, texts: Sequence[tuple[CFile, Form]]
+) -> Manifest:
+    """Write functions into the directory of a manifest; returns it with their entries."""
     # what a routine computes has no expressions
     saved = [(c.name, to_dict(f)) for c, f in texts if not isinstance(f, Routine)]
-
-    def added(manifest: Manifest) -> Manifest:
-        hashes = dict(manifest.sha256)
-        for cfile, _ in texts:
-            for name in cfile.includes:
-                if name not in hashes:
-                    hashes[name] = _write(directory / name, kernel_files.text(name))
-            hashes[cfile.entry.file] = _write(directory / cfile.entry.file, cfile.text)
-        if not _is_unchanged(directory, manifest, SAVED):
-            raise Damaged(f"{directory / SAVED} is damaged: remove the directory")
-        text = _appended((directory / SAVED).read_text("utf-8"), saved)
-        hashes[SAVED] = _write(directory / SAVED, text)
-        functions = {**manifest.functions, **{cfile.name: cfile.entry for cfile, _ in texts}}
-        return manifest.replaced(sha256=hashes, functions=functions)
-
-    change(directory, added)
+    hashes = dict(manifest.sha256)
+    for cfile, _ in texts:
+        for name in cfile.includes:
+            if name not in hashes:
+                hashes[name] = _write(directory / name, kernel_files.text(name))
+        hashes[cfile.entry.file] = _write(directory / cfile.entry.file, cfile.text)
+    if not _is_unchanged(directory, manifest, SAVED):
+        raise Damaged(f"{directory / SAVED} is damaged: remove the directory")
+    text = _appended((directory / SAVED).read_text("utf-8"), saved)
+    hashes[SAVED] = _write(directory / SAVED, text)
+    functions = {**manifest.functions, **{cfile.name: cfile.entry for cfile, _ in texts}}
+    return manifest.replaced(sha256=hashes, functions=functions)
 
 
 def add_files(directory: Path, files: Mapping[str, str | bytes]) -> None:
     """Write more files that belong to the model, by name, unless they are there."""
+    change(directory, lambda manifest: with_files(directory, manifest, files))
 
-    def added(manifest: Manifest) -> Manifest:
-        contents = {name: x.encode() if isinstance(x, str) else x for name, x in files.items()}
-        stated = {name: hashlib.sha256(content).hexdigest() for name, content in contents.items()}
-        for name, content in contents.items():
-            if manifest.sha256.get(name) != stated[name] or not (directory / name).exists():
-                _write(directory / name, content)
-        return manifest.replaced(sha256={**manifest.sha256, **stated})
 
-    change(directory, added)
+def with_files(directory: Path, manifest: Manifest, files: Mapping[str, str | bytes]) -> Manifest:
+    """Write files into the directory of a manifest unless they are there; returns it with them."""
+    contents = {name: x.encode() if isinstance(x, str) else x for name, x in files.items()}
+    stated = {name: hashlib.sha256(content).hexdigest() for name, content in contents.items()}
+    for name, content in contents.items():
+        if manifest.sha256.get(name) != stated[name] or not (directory / name).exists():
+            _write(directory / name, content)
+    return manifest.replaced(sha256={**manifest.sha256, **stated})
 
 
 def replace_texts(directory: Path, files: Mapping[str, str], **stated: str) -> None:
@@ -191,7 +214,7 @@ def manifest_of(directory: Path) -> Manifest:
     return manifest
 
 
-def change(directory: Path, edit: Callable[[Manifest], Manifest]) -> None:
+def change(directory: Path, edit: Step) -> None:
     """Change what the manifest of a directory says.
 
     Raises:
@@ -199,9 +222,12 @@ def change(directory: Path, edit: Callable[[Manifest], Manifest]) -> None:
     """
     with processes.folder_lock(directory):
         manifest = manifest_of(directory)
-        changed = edit(manifest)
-        if _differs(changed, manifest):
-            _write_manifest(directory, changed)
+        _write_if_changed(directory, manifest, edit(manifest))
+
+
+def _write_if_changed(directory: Path, before: Manifest, manifest: Manifest) -> None:
+    if _differs(manifest, before):
+        _write_manifest(directory, manifest)
 
 
 def _differs(one: Manifest, other: Manifest) -> bool:

@@ -20,6 +20,7 @@ from ..equations.kinematics.kinematics import Kinematics
 from ..equations.record import EquationRecord
 from ..errors import lasting
 from ..ir.function import Function
+from ..ir.trees.assembly import Form
 from ..processes import collector_paused
 from ..records import dataclass
 from ..schema import mechanism
@@ -56,7 +57,7 @@ class Base:
     """
 
     data: Manifest
-    saved: Callable[[], tuple[Function, ...]] = field(repr=False, compare=False)
+    saved: Callable[[], tuple[Form, ...]] = field(repr=False, compare=False)
 
 
 @collector_paused()

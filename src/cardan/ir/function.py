@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import field
 from functools import cached_property
 from math import prod
@@ -87,6 +87,11 @@ class Function:
         # a graph only grows: what the results need stays the same
         return tuple(live(self.graph, self.roots))
 
+    def entries_read(self, block: str) -> frozenset[int]:
+        """Numbers of the entries of a block that results depend on."""
+        nodes = (self.graph.nodes[i] for i in self.live())
+        return frozenset(node[2] for node in nodes if node[:2] == ("var", block))
+
     def operations(self) -> dict[str, int]:
         """Number of live nodes per operator."""
         return count(self.graph, self.live())
@@ -98,6 +103,45 @@ class Function:
     def critical_path(self) -> float:
         """Cost of the longest chain of dependent operations."""
         return critical_path(self.graph, self.live())
+
+
+def pattern(
+    graph: Graph, roots: Sequence[int], blocks: Collection[str] = ("p",)
+) -> tuple[object, tuple[tuple[str, int], ...]]:
+    """Expressions in local numbers, and the inputs they read: (block, entry) in order of use.
+
+    None if they read more than these blocks.
+    """
+    nodes = graph.nodes
+    number: dict[int, int] = {}
+    pattern_nodes: list[Node] = []
+    places: list[tuple[str, int]] = []
+    stack = list(reversed(roots))
+    while stack:
+        i = stack[-1]
+        if i in number:
+            stack.pop()
+            continue
+        node = nodes[i]
+        op = node[0]
+        if op == "const":
+            pattern_nodes.append(node)
+        elif op in LEAVES:
+            if op != "var" or node[1] not in blocks:
+                return None, ()
+            pattern_nodes.append((node[1], len(places)))
+            places.append(node[1:])
+        else:
+            read = node[4:] if op == "solve" else node[1:2] if op == "item" else node[1:]
+            waiting = [k for k in read if k not in number]
+            if waiting:
+                stack += reversed(waiting)
+                continue
+            attributes = node[1:4] if op == "solve" else node[2:] if op == "item" else ()
+            pattern_nodes.append((op, *attributes, *[number[k] for k in read]))
+        number[i] = len(number)
+        stack.pop()
+    return (tuple(pattern_nodes), tuple([number[i] for i in roots])), tuple(places)
 
 
 def length(function: Function) -> int:

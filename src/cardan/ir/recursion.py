@@ -129,6 +129,11 @@ class Recursion:
                         total[op] = total.get(op, 0) + n * turns.times
         return total
 
+    def entries_read(self, block: str) -> frozenset[int]:
+        """Numbers of the entries of a block that visits read."""
+        visits = (visit for sweep in self.sweeps for visit in sweep.visits())
+        return frozenset(k for visit in visits for k in visit.reads.get(block, ()))
+
     def straight(self) -> Function:
         """The same function as straight-line expressions."""
         graph = Graph()

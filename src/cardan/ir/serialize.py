@@ -7,7 +7,7 @@ origins and labels of nodes, is not saved.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -23,14 +23,22 @@ from .trees.assembly import Assembly, Form
 SCHEMA = 1
 MOST_NODES = 4_000_000
 MOST_ENTRIES = 4_000_000
+# entries of a block up to which their names are saved where others have them too
+LISTED = 1000
 
 
-def to_dict(function: Form) -> dict[str, Any]:
-    """The function with the nodes that its results need, renumbered; a recursion by its steps."""
+def to_dict(function: Form, unnamed: Collection[str] = ()) -> dict[str, Any]:
+    """The function with the nodes that its results need, renumbered; a recursion by its steps.
+
+    Args:
+        function: The function.
+        unnamed: Blocks whose entries somebody else names: of those with more than ``LISTED`` the
+            number of entries is saved alone.
+    """
     if isinstance(function, Assembly):
         return _assembly_to_dict(function)
     if isinstance(function, Recursion):
-        return _recursion_to_dict(function)
+        return _recursion_to_dict(function, unnamed)
     order = function.live()
     place = {i: k for k, i in enumerate(order)}
     return {
@@ -38,7 +46,7 @@ def to_dict(function: Form) -> dict[str, Any]:
         "name": function.name,
         "about": function.about,
         "owners": list(function.owners),
-        "inputs": _saved_blocks(function),
+        "inputs": _saved_blocks(function, unnamed),
         "outputs": [
             {
                 "name": o.name,
@@ -57,11 +65,24 @@ def to_dict(function: Form) -> dict[str, Any]:
     }
 
 
-def _saved_blocks(function: Form) -> list[dict[str, Any]]:
+def _saved_blocks(function: Form, unnamed: Collection[str] = ()) -> list[dict[str, Any]]:
     return [
-        {"name": b.name, "entries": list(b.entries), "units": list(b.units)}
+        {"name": b.name, "size": len(b)}
+        if b.name in unnamed and len(b) > LISTED
+        else {"name": b.name, "entries": list(b.entries), "units": list(b.units)}
         for b in function.inputs
     ]
+
+
+def _block(saved: object) -> Block:
+    """A block with the names of its entries, or with their number alone."""
+    name = _text(saved, "name")
+    size = saved.get("size") if isinstance(saved, Mapping) else None
+    if size is None:
+        return Block(name, _texts(saved, "entries"), _texts(saved, "units"))
+    if type(size) is not int or not 0 <= size <= MOST_ENTRIES:
+        raise ValueError(f"'size' of a saved block must be a whole number, not {size!r}")
+    return Block(name, ("",) * size, ("",) * size)
 
 
 def _assembly_to_dict(assembly: Assembly) -> dict[str, object]:
@@ -85,12 +106,12 @@ def _saved_results(outputs: Sequence[Output]) -> list[dict[str, object]]:
     ]
 
 
-def _recursion_to_dict(recursion: Recursion) -> dict[str, Any]:
+def _recursion_to_dict(recursion: Recursion, unnamed: Collection[str]) -> dict[str, Any]:
     return {
         "schema": SCHEMA,
         "name": recursion.name,
         "about": recursion.about,
-        "inputs": _saved_blocks(recursion),
+        "inputs": _saved_blocks(recursion, unnamed),
         "outputs": _saved_results(recursion.outputs),
         "size": recursion.size,
         "steps": [to_dict(step) for step in recursion.steps],
@@ -128,20 +149,27 @@ def from_dict(data: Mapping[str, object]) -> Function:
     """The function that :func:`to_dict` saved; recursions and assemblies come back straight-line.
 
     Raises:
+        ValueError: as :func:`form_from_dict`.
+    """
+    form = form_from_dict(data)
+    return form if isinstance(form, Function) else check(form.straight())
+
+
+def form_from_dict(data: Mapping[str, object]) -> Form:
+    """What :func:`to_dict` saved, as it was.
+
+    Raises:
         ValueError: the data is not a saved function of this schema, is too large, or breaks a rule
             of :mod:`cardan.ir.grammar`.
     """
     if not isinstance(data, Mapping) or data.get("schema") != SCHEMA:
         raise ValueError(f"a saved function has 'schema': {SCHEMA}; this is none of them")
-    inputs = tuple(
-        Block(_text(b, "name"), _texts(b, "entries"), _texts(b, "units"))
-        for b in _list(data, "inputs", 64)
-    )
+    inputs = tuple(map(_block, _list(data, "inputs", 64)))
     name, about = _text(data, "name"), _text(data, "about")
     if "kernel" in data:
-        return check(_assembly(data, name, inputs, about).straight())
+        return _assembly(data, name, inputs, about)
     if "sweeps" in data:
-        return check(_recursion(data, name, inputs, about).straight())
+        return _recursion(data, name, inputs, about)
     nodes = _list(data, "nodes", MOST_NODES)
     graph, place = Graph(), list[int]()
     graph.tables = [_table(t) for t in _list(data, "tables", MOST_NODES)]

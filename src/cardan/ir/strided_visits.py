@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -139,10 +140,14 @@ def _run(true: npt.NDArray[np.bool_], count: int) -> npt.NDArray[np.int64]:
 
 def as_turns(visits: Iterable[Visit]) -> tuple[Visit | Turns, ...]:
     """Visits in their order, repeated ones as turns."""
-    parts = []
+    alike: dict[tuple[int, Layout], tuple[list[int], list[list[int]]]] = {}
     for k, visit in enumerate(visits):
-        numbers = [*(p for places in visit.reads.values() for p in places)]
-        numbers += [*visit.stores, *visit.outs]
-        row = np.array([numbers], dtype=np.int64)
-        parts.append((np.array([k]), visit.step, Layout.of(visit), row))
+        numbers = [*chain.from_iterable(visit.reads.values()), *visit.stores, *visit.outs]
+        places, rows = alike.setdefault((visit.step, Layout.of(visit)), ([], []))
+        places.append(k)
+        rows.append(numbers)
+    parts = [
+        (np.array(k), step, layout, np.array(rows, dtype=np.int64).reshape(len(k), layout.width))
+        for (step, layout), (k, rows) in alike.items()
+    ]
     return VisitRows.joined(parts).turns()

@@ -90,7 +90,8 @@ def number(who: str, value: Value) -> float:
 
 def is_number(value: object) -> bool:
     """True for real numbers of Python, NumPy and SymPy, fractions too; arrays are none."""
-    if isinstance(value, Real):
+    # most are floats; asking abstract classes takes three times as long
+    if type(value) is float or isinstance(value, Real):
         return True
     return type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0
 
@@ -193,13 +194,15 @@ def lone_moment(inertia: Sequence[float]) -> int | None:
 
 def smallest_moment(inertia: Sequence[float]) -> float:
     """The least principal moment of xx xy xz yy yz zz; 0 where rounding made it negative."""
-    import numpy as np
-
     xx, xy, xz, yy, yz, zz = inertia
-    moments = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    least = float(moments[0])
+    moments = [xx, yy, zz]
+    if xy or xz or yz:
+        import numpy as np
+
+        moments = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]).tolist()
+    least = min(moments)
     # files are rounded: so much that it could be 0 is not a sign
-    return 0.0 if abs(least) <= ROUNDED * float(np.abs(moments).max()) else least
+    return 0.0 if abs(least) <= ROUNDED * max(map(abs, moments)) else least
 
 
 def unphysical(inertia: Sequence[float]) -> str:

@@ -12,7 +12,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from .fields import dumped
+from .fields import Record, dumped
 
 KEY = "digest"
 ZEROS = b"0" * 64
@@ -23,9 +23,15 @@ HEAD = 200
 
 def sealed(data: Mapping[str, object], **options: object) -> str:
     """The JSON text of data with its hash as the first entry."""
-    text = dumped({KEY: ZEROS.decode(), **data}, **options) + "\n"
+    # lists of rows are made plain at once, which takes less time than row by row
+    plain = {name: _plain_rows(x) if type(x) is list else x for name, x in data.items()}
+    text = dumped({KEY: ZEROS.decode(), **plain}, **options) + "\n"
     digest = hashlib.sha256(text.encode()).hexdigest()
     return text.replace(ZEROS.decode(), digest, 1)
+
+
+def _plain_rows(rows: list[object]) -> list[object]:
+    return [vars(row) if isinstance(row, Record) else row for row in rows]
 
 
 def is_sealed(content: bytes) -> bool:

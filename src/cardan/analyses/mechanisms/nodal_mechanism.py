@@ -349,7 +349,7 @@ class NodalMechanism(Mechanism):
         """Same as :meth:`Mechanism.mass`."""
         T = self.along(q)
         moves = T[1:] - T[0]
-        return np.asarray(moves @ (self._results.mesh.tangent(self._at(q))["M"] @ moves.T))
+        return np.asarray(moves @ (self._results.mesh.tangent(self._at(q), ("M",))["M"] @ moves.T))
 
     # beams between two bodies that joints carry
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import Any
+from collections.abc import Hashable, Iterator, Sequence
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from ..manifest import limits_of
 # nodes inside of beams up to which each has rows of its own, for readers
 LISTED = 1000
 Pattern = dict[str, Any]
+R = TypeVar("R", CoordinateRow, SpeedRow)
 
 
 def rows(
@@ -104,7 +105,8 @@ def _entries(
     }
     q: list[CoordinateRow] = []
     u: list[SpeedRow] = []
-    for owner, k in zip(places.names[:named], places.kind[:named], strict=True):
+    alike: dict[Hashable, tuple[list[CoordinateRow], list[SpeedRow]]] = {}
+    for owner, k in zip(places.names[:named], places.kind[:named].tolist(), strict=True):
         kind = places.kinds[k]
         start_values = starts.get(owner) or kind.defaults
         # where a node of a plane starts follows from the pose that was asked for
@@ -113,13 +115,33 @@ def _entries(
             if len(start_values) == kind.nq or kind.plane is None
             else kind.plane.first(start_values)
         )
-        for part, unit, default in zip(kind.coordinates, kind.q_units, defaults, strict=True):
-            name = f"{owner}.{part}" if part else owner
-            q.append(CoordinateRow(name=name, unit=unit, default=default, joint=owner))
-        for part, unit in zip(kind.speeds, kind.u_units, strict=True):
-            name = f"{owner}.u.{part}" if part else f"{owner}.u"
-            u.append(SpeedRow(name=name, unit=unit, joint=owner))
+        key = (k, *defaults)
+        if key not in alike:
+            alike[key] = _rows_of(kind, defaults)
+        q += _named(alike[key][0], owner, ".")
+        u += _named(alike[key][1], owner, "")
     return q, u
+
+
+def _named(rows: Sequence[R], owner: str, dot: str) -> list[R]:
+    """The rows of a place like those of another: their names differ alone."""
+    names = [f"{owner}{dot}{row.name}" if row.name else owner for row in rows]
+    return [
+        type(row).trusted({**vars(row), "name": name, "joint": owner})
+        for row, name in zip(rows, names, strict=True)
+    ]
+
+
+def _rows_of(
+    kind: BlockKind, defaults: Sequence[float]
+) -> tuple[list[CoordinateRow], list[SpeedRow]]:
+    """Rows of the coordinates and speeds of a place, named by what stands behind its name."""
+    coordinates = zip(kind.coordinates, kind.q_units, defaults, strict=True)
+    speeds = zip(kind.speeds, kind.u_units, strict=True)
+    return (
+        [CoordinateRow(name=n, unit=x, default=start, joint=n) for n, x, start in coordinates],
+        [SpeedRow(name=f".u.{n}" if n else ".u", unit=x, joint=n) for n, x in speeds],
+    )
 
 
 def _start(kind: BlockKind, joint: Joint | None, name: str) -> list[float] | None:

@@ -6,6 +6,7 @@ import io
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -17,6 +18,7 @@ from ...equations.finite_elements.record import BlockKind, FiniteElementRecord, 
 from ...equations.reading.typesetting import text_of
 from ...errors import DerivationError
 from ...ir.function import Function
+from ...ir.trees.assembly import Form
 from ...processes import collector_paused
 from ...schema.entries import MultiplierRow, OutputRow
 from ...schema.finite_elements import (
@@ -83,7 +85,7 @@ def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
             beam_nodes=_beam_nodes(absolute),
             segments=len(absolute.lines),
             frames="frames__data",
-            states=absolute.states.name,
+            states=absolute.state_visits.name,
             reference=_reference(absolute),
             power_sources=list(absolute.powers),
             reactions={name: (int(group), int(k)) for name, (group, k) in absolute.joints.items()},
@@ -95,11 +97,11 @@ def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
     return Base(data, lambda: saved(absolute))
 
 
-def saved(absolute: FiniteElementRecord) -> tuple[Function, ...]:
+def saved(absolute: FiniteElementRecord) -> tuple[Form, ...]:
     """Functions of the parameters that the runtime evaluates as they are."""
     jumps = flat_scene.time_jumps(absolute.system)
     some = (jumps,) if jumps is not None else ()
-    return (*commons(absolute), absolute.frames.poses, absolute.states, *some)
+    return (*commons(absolute), absolute.frames.poses, absolute.state_visits, *some)
 
 
 def commons(absolute: FiniteElementRecord) -> tuple[Function, ...]:
@@ -158,17 +160,21 @@ def write(folder: Path, absolute: FiniteElementRecord, available: Sequence[str])
         absolute: The equations.
         available: Names of the functions of the whole model.
     """
-    layout.write_model(folder, base(absolute, available))
-    layout.add_files(folder, files(absolute))
+    files_by_name = files(absolute)
     functions_by_name = {f.name: f for f in functions(absolute)}
-    missing = [functions_by_name[each] for each in layout.missing(folder, list(functions_by_name))]
     # no word of the model: what its elements share with those of others is compiled once
     notes = {
         f.name: _notes(kind, name) for kind in absolute.kinds for name, f in kind.functions.items()
     }
-    texts = [(generate(f, notes=notes.get(f.name, ())), f) for f in missing]
-    if texts:
-        layout.add_functions(folder, texts)
+
+    def with_functions(manifest: Manifest) -> Manifest:
+        missing = layout.missing(folder, list(functions_by_name), manifest)
+        chosen = [functions_by_name[name] for name in missing]
+        texts = [(generate(f, notes=notes.get(f.name, ())), f) for f in chosen]
+        return layout.with_functions(folder, manifest, texts) if texts else manifest
+
+    steps = (partial(layout.with_files, folder, files=files_by_name), with_functions)
+    layout.write_model(folder, base(absolute, available), steps)
 
 
 def add_requested(
@@ -319,18 +325,25 @@ def _quaternions(absolute: FiniteElementRecord) -> list[int]:
 
 def _multipliers(absolute: FiniteElementRecord) -> list[MultiplierRow]:
     """Rows of the multipliers, those of positions first."""
-    rows = [
-        MultiplierRow(
-            name=f"{member}.{row}" if row else member,
-            unit=unit,
-            joint=member,
-            level="position" if k < group.kind.mp else "velocity",
-            switched=k >= group.kind.m - group.kind.switched,
-        )
-        for group in absolute.groups
-        for member in group.members
-        for k, (row, unit) in enumerate(group.kind.rows)
-    ]
+    rows: list[MultiplierRow] = []
+    for group in absolute.groups:
+        first = [
+            MultiplierRow(
+                name=f".{row}" if row else "",
+                unit=unit,
+                joint="",
+                level="position" if k < group.kind.mp else "velocity",
+                switched=k >= group.kind.m - group.kind.switched,
+            )
+            for k, (row, unit) in enumerate(group.kind.rows)
+        ]
+        # those of other members differ by their name alone
+        plain = [(row.name, vars(row)) for row in first]
+        rows += [
+            MultiplierRow.trusted({**entries, "name": f"{member}{end}", "joint": member})
+            for member in group.members
+            for end, entries in plain
+        ]
     return sorted(rows, key=lambda row: row.level != "position")
 
 

@@ -42,6 +42,8 @@ _TAKEN_BEGINNINGS = ("cardan_", "CARDAN_", "FP_", "DBL_", "FLT_", "LDBL_", "prep
 
 
 _SIGN = re.compile("[^0-9A-Za-z]")
+# line ends, which separate names, stay
+_SIGNS = {k: "_" for k in range(128) if _SIGN.match(chr(k)) and chr(k) != "\n"}
 
 
 @lru_cache(maxsize=65536)
@@ -54,6 +56,27 @@ def mangle(*words: str) -> str:
     if not text:
         return "x"
     return f"x{text}" if text[0].isdigit() or text.startswith(_TAKEN_BEGINNINGS) else text
+
+
+def mangled(names: Sequence[str]) -> list[str]:
+    """:func:`mangle` of each of many names, those of plain letters and signs all at once."""
+    text = "\n".join(names)
+    if not text.isascii():
+        return [mangle(name) for name in names]
+    signs = text.translate(_SIGNS).split("\n")
+    if len(signs) != len(names):
+        return [mangle(name) for name in names]
+    # what is long, or has signs beside each other or at an end, is looked at by itself
+    return [
+        plain
+        if len(plain) < LONGEST
+        and plain[:1].isalpha()
+        and plain[-1] != "_"
+        and "__" not in plain
+        and not plain.startswith(_TAKEN_BEGINNINGS)
+        else mangle(name)
+        for plain, name in zip(signs, names, strict=True)
+    ]
 
 
 def _clean(name: str) -> str:
@@ -81,15 +104,27 @@ def _letter(c: str) -> str:
     return f"u{ord(c):x}"
 
 
+# what ends a comment, begins one or is another sign
+PAIRS = ("*/", "/*", "??")
+
+
 def comment(text: str) -> str:
     """Text that can stand in a C comment on one line."""
     safe = text
     if not text.isprintable():
         safe = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
-    for pair in ("*/", "/*", "??"):
+    for pair in PAIRS:
         while pair in safe:
             safe = safe.replace(pair, f"{pair[0]} {pair[1]}")
     return safe
+
+
+def comments(texts: Sequence[str]) -> list[str]:
+    """:func:`comment` of each of many texts."""
+    joined = " ".join(texts)
+    if joined.isprintable() and not any(pair in joined for pair in PAIRS):
+        return list(texts)
+    return [comment(text) for text in texts]
 
 
 class Names:
@@ -114,6 +149,16 @@ class Names:
         name = f"{base}_{number}"
         self._taken.add(name)
         return name
+
+    def several(self, bases: Sequence[str]) -> list[str]:
+        """:meth:`new` of each of many."""
+        names = set(bases)
+        free = names.isdisjoint(RESERVED) and names.isdisjoint(self._taken)
+        if len(names) < len(bases) or not free or not names.isdisjoint(self._next):
+            return [self.new(base) for base in bases]
+        self._taken |= names
+        self._next |= dict.fromkeys(names, 2)
+        return list(bases)
 
 
 # how tightly the words of a name hold together

@@ -8,7 +8,7 @@ from ...ir.matrix import Matrix
 from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
 from ..quantity import RATIO, Direction, Units
-from .joint import POSITIONS, Component, Joint, locked_across
+from .joint import POSITIONS, Component, Joint, locked_across, single
 
 
 class Hinge(Joint):
@@ -21,7 +21,7 @@ class Hinge(Joint):
 
     @property
     def coordinates(self) -> tuple[Component, ...]:
-        return (Component("", "rad"),)
+        return single("rad")
 
     def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
         return rotation_about(unit(data["axis"]), q[0]), Matrix.zeros(q.graph, 3)

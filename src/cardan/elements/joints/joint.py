@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any, ClassVar
 
 from ...ir.matrix import Matrix
@@ -34,6 +35,18 @@ class Component:
     reach: float | None = None
     alone: bool = False
     of: str = ""
+
+
+@lru_cache(maxsize=64)
+def single(unit: str) -> tuple[Component, ...]:
+    """The only coordinate of a joint, made once for all joints."""
+    return (Component("", unit),)
+
+
+@lru_cache(maxsize=256)
+def _rates(coordinates: tuple[Component, ...]) -> tuple[Component, ...]:
+    """The rates of coordinates, made once for all joints with the same ones."""
+    return tuple(Component(c.name, (c.unit or "1") + "/s") for c in coordinates)
 
 
 def entries(head: str, components: Sequence[Component]) -> list[str]:
@@ -113,7 +126,7 @@ class Joint(HasSource, ABC):
     @property
     def speeds(self) -> tuple[Component, ...]:
         """The speeds u of the joint, in order; by default the rates of the coordinates."""
-        return tuple(Component(c.name, (c.unit or "1") + "/s") for c in self.coordinates)
+        return _rates(tuple(self.coordinates))
 
     def __post_init__(self) -> None:
         take(self, self.called, self.units)

@@ -9,7 +9,7 @@ from ...records import dataclass
 from ...spatial.alignment import diagonal, rotation_vector
 from ...spatial.axis import complement, unit
 from ..quantity import RATIO, Direction, Units
-from .joint import ROTATIONS, Component, Joint, locked_across
+from .joint import ROTATIONS, Component, Joint, locked_across, single
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Prismatic(Joint):
 
     @property
     def coordinates(self) -> tuple[Component, ...]:
-        return (Component("", "m"),)
+        return single("m")
 
     def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
         return Matrix.identity(q.graph, 3), unit(data["axis"]) * q[0]

@@ -10,7 +10,7 @@ from ...records import dataclass
 from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
 from ..quantity import RATIO, Direction, Units, Value
-from .joint import Component, Joint, locked_across, locked_along
+from .joint import Component, Joint, locked_across, locked_along, single
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Screw(Joint):
 
     @property
     def coordinates(self) -> tuple[Component, ...]:
-        return (Component("", "rad"),)
+        return single("rad")
 
     def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
         n = unit(data["axis"])

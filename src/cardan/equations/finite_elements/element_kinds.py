@@ -32,13 +32,13 @@ from ..kinematics.joint_forces import driving_force, joint_forces
 from ..kinematics.kinematics import Kinematics
 from ..kinematics.loads import Loads
 from ..kinematics.loads import places as force_places
+from ..kinematics.partial_velocities import strain_of
 from .element_events import ElementEvents, switches
 from .joint_constraints import JointConstraint, increments
 from .joint_formulas import joint_lines
 from .joint_friction import JointFriction
 from .parts import Part
 from .record import ALWAYS, BlockKind, Kind
-from .strain_forces import strain_of
 
 METHOD = "composite"
 ABOUT = {

@@ -21,7 +21,6 @@ from ...ir.graph import MINUS_ONE, NO_ORIGIN, ONE, ZERO, Graph
 from ...ir.matrix import Matrix
 from ...ir.ops import LEAVES
 from ...ir.rewrite import rebuild
-from ...records import dataclass
 from ...topology.conversion import IDENTITY, ORIGIN, parameters_only
 from ...topology.system import (
     GROUND,
@@ -38,25 +37,13 @@ from ...topology.system import (
 from ..functions.outputs import on_declared_child
 from ..kinematics.joint_forces import JointForces
 from ..kinematics.kinematics import Kinematics
-from .nodal_scene import NODE, Key, Scene
+from .nodal_scene import NODE, NOTHING, Key, Mass, Scene
 
 Data = dict[str, tuple[int, int, Nodes]]
 STRUCTURAL = (ZERO, ONE, MINUS_ONE)
 LINE: Nodes = (ONE, ZERO, ZERO)
 # the joint that an element is made of
 MOVING_JOINT = "joint"
-
-
-@dataclass(frozen=True)
-class Mass:
-    """Mass data of a body: m, m c (3), inertia about the origin (9)."""
-
-    mass: int = ZERO
-    first_moment: Nodes = ORIGIN
-    inertia: Nodes = (ZERO,) * 9
-
-
-NOTHING = Mass()
 
 
 class Cutting:
@@ -119,11 +106,29 @@ class Cutting:
             **fields,  # type: ignore[arg-type]
         )
 
+    def like(self, places: Sequence[Key], data: Sequence[int]) -> Cutting:
+        """The same small system cut out at other places, with other data."""
+        other = Cutting.__new__(Cutting)
+        other.__dict__.update(self.__dict__)
+        other.places, other.data = list(places), list(data)
+        return other
+
     @property
     def driven(self) -> dict[int, int]:
         """Prescribed joints of the scene whose coordinates it has -> their numbers here."""
         joints = self.system.joints
         return {i: n for i, n in self._joint.items() if joints[i].motion is not None}
+
+    def slots(self) -> dict[tuple[str, int], int]:
+        """Entries of q and u here that are those of joints of the scene -> entries there."""
+        entries: dict[tuple[str, int], int] = {}
+        for i, number in self._joint.items():
+            there, here = self.system.joints[i], self.joints[number]
+            if here.q >= 0:
+                counts = len(here.element.coordinates), len(here.element.speeds)
+                entries |= {("q", here.q + n): there.q + n for n in range(counts[0])}
+                entries |= {("u", here.u + n): there.u + n for n in range(counts[1])}
+        return entries
 
     # places
 

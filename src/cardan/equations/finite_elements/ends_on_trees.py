@@ -43,10 +43,8 @@ from ..kinematics.kinematics import Kinematics
 from ..kinematics.loads import merged, none
 from .element_systems import Cutting
 from .joint_constraints import increments
-from .kind_structure import structure
 from .nodal_scene import NODE, Scene
-from .parts import Part
-from .record import BlockKind
+from .parts import Part, structure
 
 TREE, TREE_OFFSET = "tree", "tree_offset"
 # loads told end by end
@@ -349,10 +347,10 @@ class TreeElement:
         ]
         return (*joints, *self.element.common, *self.element.geometric, *ends)
 
-    def structure(self, places: Sequence[BlockKind]) -> str:
-        """Text that elements share if and only if the same functions serve both."""
+    def structure(self) -> str:
+        """Text that elements on equal places share if and only if the same functions serve both."""
         part = Part("", self.element.name(), self.cutting, self.system)
-        return repr((structure(part, places), self.kinds, self.bodies, self.variable))
+        return repr((structure(part), self.kinds, self.bodies, self.variable))
 
     def functions(self, name: str) -> dict[str, Function]:
         """Its functions by what they are, called ``<name>__<function>``."""

@@ -20,9 +20,8 @@ from ..functions.blocks import parameters
 from ..functions.element_forces import named_forces
 from .blocks import Holds, holds
 from .element_kinds import kind_of
-from .kind_structure import structure
 from .nodal_scene import NODE, Key, Scene
-from .parts import Part, parts
+from .parts import Part, parts, structure
 from .planar_kinds import flattened
 from .planarity import check, planes
 from .record import BlockKind, FiniteElementRecord, Frames, Group, Kind, Places, unique
@@ -108,7 +107,7 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
         tree_joints=tuple(system.joints[i].name for i in sorted(scene.in_trees)),
         joints={part.name: at for part, at in numbered if part.joint},
         forces={one.name: forces[one.name] for one in named_forces(system) if one.name in forces},
-        states=states(scene, bodies, beams.tree_ends),
+        state_visits=states(scene, bodies, beams.tree_ends),
         results=tuple((name, units[name]) for name in results),
         powers=tuple(powers),
         reference=beams.reference,
@@ -143,9 +142,15 @@ def _sorted(
     parts_of_scene: Iterable[Part], block_table: Holds, taken: set[str], space: dict[str, Kind]
 ) -> list[tuple[Kind, list[Part]]]:
     """Pieces by kind, in the order in which kinds come up; kinds of planes as they are in space."""
-    members: dict[str, list[Part]] = {}
+    members: dict[tuple[str, ...], list[Part]] = {}
+    # members that share a small system share its text
+    texts: dict[int, str] = {}
     for part in parts_of_scene:
-        members.setdefault(structure(part, _blocks(part, block_table.here)), []).append(part)
+        text = texts.get(id(part.system))
+        if text is None:
+            text = texts[id(part.system)] = structure(part)
+        places = [block.name for block in _blocks(part, block_table.here)]
+        members.setdefault((text, *places), []).append(part)
     kinds = []
     for members_alike in members.values():
         name = unique(members_alike[0].kind, taken)

@@ -10,8 +10,10 @@ from ...elements.joints.free import Free
 from ...elements.joints.joint import Joint as JointElement
 from ...elements.joints.joint import Reversed
 from ...ir.function import live
-from ...topology.conversion import IDENTITY, ORIGIN
-from ...topology.system import GROUND, Cut, Force, System
+from ...ir.graph import ZERO
+from ...records import dataclass
+from ...topology.conversion import IDENTITY, ORIGIN, parameters_only
+from ...topology.system import GROUND, Cut, Force, Nodes, System
 from ..constraints.reaction_friction import friction_forces
 
 NODE, JOINT = "node", "joint"
@@ -19,6 +21,18 @@ NODE, JOINT = "node", "joint"
 Key: TypeAlias = tuple[str, int]
 # speeds of joints that carry an element of a beam, beyond which a node and rows cost less
 MAX_PATH_SPEEDS = 12
+
+
+@dataclass(frozen=True)
+class Mass:
+    """Mass data of a body: m, m c (3), inertia about the origin (9)."""
+
+    mass: int = ZERO
+    first_moment: Nodes = ORIGIN
+    inertia: Nodes = (ZERO,) * 9
+
+
+NOTHING = Mass()
 
 
 class Scene:
@@ -115,6 +129,15 @@ class Scene:
             if i not in self.joints_of_cuts and i not in self.in_trees:
                 keys.append((NODE, i))
         return tuple(keys)
+
+    @cached_property
+    def parameters_only(self) -> bytearray:
+        """1 for every node of the graph that depends on parameters and numbers alone."""
+        graph = self.system.graph
+        flags = bytearray(len(graph))
+        for i in parameters_only(graph, range(len(graph))):
+            flags[i] = 1
+        return flags
 
     def name(self, place: Key) -> str:
         """Name of a place: of the joint, or of the body of a node unless a joint is called so."""

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
+from dataclasses import replace
 from itertools import groupby
 from typing import TypedDict
 
@@ -13,12 +14,13 @@ from ...ir.graph import ZERO
 from ...records import dataclass
 from ...topology.loops.circuits import circuit
 from ...topology.prescribed_motion import driver, driving_output
-from ...topology.system import Cut, Force, Named, System
+from ...topology.system import GROUND, Cut, Force, Named, System
 from ..constraints.constraints import rows
 from ..constraints.driven_rows import working
 from ..functions.element_forces import named_forces
-from .element_systems import MOVING_JOINT, Cutting, Mass
-from .nodal_scene import Scene
+from .element_systems import MOVING_JOINT, Cutting
+from .member_keys import Member, MemberKeys, outline
+from .nodal_scene import JOINT, NODE, Mass, Scene
 
 TREE = "Roberson and Schwertassek, Dynamics of Multibody Systems, 1988, chapter 12"
 BODY = "Géradin and Cardona, Flexible Multibody Dynamics, 2001, chapter 7 (rigid body)"
@@ -90,14 +92,15 @@ class Driving(TypedDict):
 def parts(scene: Scene) -> Iterator[Part]:
     """The pieces of a system: bodies, joints of the tree, those that close loops, the rest."""
     system, without_node = scene.system, scene.in_trees | set(scene.joints_of_cuts)
+    copies = _Copies(scene)
     for tree in scene.trees:
         yield _tree(scene, tree)
     for i in range(len(system.bodies)):
         if i not in without_node and _has_mass(system, i):
-            yield _body(scene, i)
+            yield copies.body(i)
     for i in range(len(system.joints)):
         if i not in scene.nodal and i not in without_node:
-            yield _joint(scene, i)
+            yield copies.joint(i)
     for cut in system.cuts:
         yield _closing(scene, cut) if cut.carrier is None else _joint(scene, cut.carrier)
     names = {one.number: one.name for one in named_forces(system)}
@@ -112,6 +115,45 @@ def parts(scene: Scene) -> Iterator[Part]:
             yield from (_relations(scene, entry.name, (entry,)) for entry in entries)
     for entry in system.outputs:
         yield _output(scene, entry)
+
+
+class _Copies:
+    """Bodies and joints of the tree: of those that one small system serves, one is cut out.
+
+    Args:
+        scene: Where from.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene, self.keys = scene, MemberKeys(scene)
+        self._bodies: dict[Hashable, Part] = {}
+        self._joints: dict[Hashable, Part] = {}
+
+    def body(self, i: int) -> Part:
+        """A rigid body."""
+        member = self.keys.body(i)
+        if member is None or (first := self._bodies.get(member.key)) is None:
+            return self._first(self._bodies, member, _body(self.scene, i))
+        cutting = first.cutting.like([(NODE, i)], member.data)
+        return replace(first, name=self.scene.system.bodies[i].name, cutting=cutting)
+
+    def joint(self, i: int) -> Part:
+        """A joint of the tree between two bodies."""
+        member, system = self.keys.joint(i), self.scene.system
+        if member is None or (first := self._joints.get(member.key)) is None:
+            return self._first(self._joints, member, _joint(self.scene, i))
+        parent = system.bodies[i].parent
+        base = [] if parent == GROUND else [(NODE, parent)]
+        cutting = first.cutting.like([*base, (NODE, i), (JOINT, i)], member.data)
+        return replace(first, name=system.joints[i].name, cutting=cutting)
+
+    def _first(self, firsts: dict[Hashable, Part], member: Member | None, part: Part) -> Part:
+        """A member that was cut out, for others with its key."""
+        if member is not None:
+            # what the key says of its data is what was cut out
+            assert tuple(part.cutting.data) == member.data
+            firsts[member.key] = part
+        return part
 
 
 def _has_mass(system: System, i: int) -> bool:
@@ -291,3 +333,29 @@ def _output(scene: Scene, entry: Named) -> Part:
     (node,) = cutting.expressions((entry.node,), "value")
     system = cutting.system_of(outputs=(Named("output", node, entry.unit),))
     return Part(entry.name, "output", cutting, system, results=(entry.name,))
+
+
+def structure(part: Part) -> str:
+    """Text that two pieces on equal places share if and only if the same functions serve both."""
+    system = part.system
+    signature = (
+        system.bodies,
+        [replace(joint, element=outline(joint.element)) for joint in system.joints],  # type: ignore[arg-type]
+        [replace(cut, element=outline(cut.element)) for cut in system.cuts],  # type: ignore[arg-type]
+        [replace(force, element=outline(force.element)) for force in system.forces],  # type: ignore[arg-type]
+        system.frames,
+        system.constraints,
+        system.outputs,
+        system.gravity,
+        system.atoms,
+        part.kind,
+        part.joint,
+        part.reversed_joint,
+        part.driven,
+        len(part.cutting.z),
+        len(part.cutting.s),
+        [(n, part.cutting.system.joints[i].reversed) for i, n in part.cutting.moved.items()],
+        part.tree,
+        system.graph.nodes,
+    )
+    return repr(signature)

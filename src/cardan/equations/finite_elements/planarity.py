@@ -13,6 +13,7 @@ import numpy as np
 
 from ...errors import DerivationError
 from ...ir.interpreter import evaluate
+from ...ir.visits import RepeatedRecursion
 from ...spatial.plane import NORMALS, Plane, upright
 from ..functions.blocks import defaults
 from .nodal_scene import JOINT, Scene
@@ -54,10 +55,8 @@ def _reference(scene: Scene) -> Sequence[float]:
     values["q"] = np.array([x for start in starts for x in start])
     values["u"] = np.zeros(scene.system.nu)
     values["r"] = values["r"][: len(scene.system.inputs)]
-    coordinates: Sequence[float] = evaluate(states(scene), {name: values[name] for name in READ})[
-        "q"
-    ]
-    return coordinates
+    numbers = {name: values[name].tolist() for name in READ}
+    return RepeatedRecursion(states(scene))(numbers)["q"]
 
 
 def _plane_of(name: str, normal: int, poses: Numbers) -> Plane:

@@ -22,6 +22,7 @@ from ...arrays import Array, Integers
 from ...elements.formulas import Lines, Shapes
 from ...errors import DerivationError, near
 from ...ir.function import Function
+from ...ir.recursion import Recursion
 from ...records import dataclass
 from ...spatial.plane import Plane
 from ...topology.system import System
@@ -250,10 +251,9 @@ class Frames:
 
 @dataclass(frozen=True)
 class FiniteElementRecord:
-    """Equations of motion in absolute coordinates, element by element.
+    """Equations of motion in absolute coordinates, element by element, see :func:`cardan.derive`.
 
-    Made by :func:`cardan.derive` with ``coordinates="absolute"``. The whole system is
-    M udot + h = f + Gᵀ lam with G udot = gamma: sums over all members of all groups.
+    The whole system is M udot + h = f + Gᵀ lam with G udot = gamma: sums over all groups.
 
     Attributes:
         system: The system graph they belong to.
@@ -263,14 +263,12 @@ class FiniteElementRecord:
         joints: Joints that transmit a reaction -> (group, member) whose ``reaction`` it is.
         tree_joints: Joints inside of rigid trees; their reactions add up over elements.
         forces: Elements whose forces have names -> (group, member) whose ``element_forces`` it is.
-        states: [t, q, u, r, p] of the relative formulation -> [q, u] of this one; a scene whose
-            loops are closed there has its constraints kept here.
+        state_visits: [t, q, u, r, p] of the relative formulation -> [q, u] of this one, by bodies.
         results: (name, unit) of the outputs of the scene.
         powers: Names of the sources of power: elements, ``<joint>.motion``, ``<relation>.motion``.
-        reference: Coordinates in the reference configuration of the nodes inside beams, which are
-            the last places; ``states`` gives those of all others.
+        reference: Reference coordinates of the nodes inside beams, which are the last places.
         lines: Places of the nodes of every segment of ``system.segments`` from start to end;
-            GROUND where it ends at the ground, ON_TREE - k at body k of ``ends_q`` of ``states``.
+            GROUND at the ground, ON_TREE - k at body k of ``ends_q`` of ``states``.
         reason: Why ``coordinates="auto"`` took them, "" where the user did.
     """
 
@@ -279,7 +277,7 @@ class FiniteElementRecord:
     groups: tuple[Group, ...] = field(repr=False)
     frames: Frames = field(repr=False)
     joints: Mapping[str, tuple[int, int]] = field(repr=False)
-    states: Function = field(repr=False)
+    state_visits: Recursion = field(repr=False)
     tree_joints: tuple[str, ...] = ()
     forces: Mapping[str, tuple[int, int]] = field(default_factory=dict, repr=False)
     results: tuple[tuple[str, str], ...] = ()
@@ -287,6 +285,11 @@ class FiniteElementRecord:
     reference: Numbers = field(default_factory=lambda: np.zeros(0), repr=False, compare=False)
     lines: tuple[Integers, ...] = field(default=(), repr=False, compare=False)
     reason: str = field(default="", repr=False, compare=False)
+
+    @cached_property
+    def states(self) -> Function:
+        """:attr:`state_visits` as straight-line expressions."""
+        return self.state_visits.straight()
 
     @cached_property
     def coordinates(self) -> tuple[str, ...]:

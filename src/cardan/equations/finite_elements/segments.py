@@ -302,7 +302,8 @@ class _Builder:
         if tree:
             named = tuple(self.holds.space[key] for key in tree.cutting.places)
             places = (*named, *places[len(named) :])
-        key = (name, *(block.name for block in end_blocks), tree.structure(places) if tree else "")
+        on_tree = (*(block.name for block in places), tree.structure()) if tree else ()
+        key = (name, *(block.name for block in end_blocks), *on_tree)
         if key not in self._kinds:
             name = unique(name, self.taken) if tree else name
             kind = Kind(

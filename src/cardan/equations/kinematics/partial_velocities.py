@@ -8,9 +8,10 @@ from __future__ import annotations
 from ...ir.derivative import forward
 from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix
+from ...ir.rewrite import rebuild
 from ...records import dataclass
 from .kinematics import Kinematics
-from .loads import Loads
+from .loads import Loads, actions, applied, without_potential
 
 
 @dataclass(frozen=True)
@@ -50,3 +51,16 @@ def generalized_forces(k: Kinematics, loads: Loads) -> Matrix:
         for r, left in k.partials_of(k.speeds[i]).items():
             total[r] = g.add(total[r], left.dot(force).node)
     return Matrix(g, nu, 1, total)
+
+
+def strain_of(k: Kinematics) -> str:
+    """Kind of the forces of an element as to strains, as elements in tables say it."""
+    forces = [force for force in k.system.forces if force.element.strained]
+    acting = [action for force in forces for action in actions(k, force)]
+    if all(action.potential is None for action in acting):
+        return ""
+    # forces at rest besides those of the strain, or of one whose energy time changes
+    zero_speeds = {k.graph.var("u", n): ZERO for n in range(k.system.nu)}
+    remaining = generalized_forces(k, without_potential(k, applied(k)))
+    forces_at_zero_speed = rebuild(k.graph, remaining.nodes, zero_speeds, into=k.graph)[1]
+    return "alone" if all(node == ZERO for node in forces_at_zero_speed) else "mixed"

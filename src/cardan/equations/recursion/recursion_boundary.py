@@ -7,7 +7,7 @@ value, so that the expressions of one body end at those of its neighbors.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import TYPE_CHECKING, TypeAlias
 
 from ...ir.function import live, operands
@@ -61,13 +61,20 @@ class Cuts:
             so bodies next to the ground and at the tips do what all others do.
         forms: Forms in which bodies of all kinds hand on what others read, where few bodies stand
             for many.
+        bodies: Those whose values become leaves, all by default.
 
     Attributes:
         definitions: Leaf of the store -> what it stands for.
     """
 
-    def __init__(self, graph: Graph, every: bool = False, forms: Forms | None = None) -> None:
-        self.graph, self.every, self.forms = graph, every, forms
+    def __init__(
+        self,
+        graph: Graph,
+        every: bool = False,
+        forms: Forms | None = None,
+        bodies: Collection[int] | None = None,
+    ) -> None:
+        self.graph, self.every, self.forms, self.bodies = graph, every, forms, bodies
         self.definitions: dict[int, Definition] = {}
         self._leaves: dict[tuple[int, int], int] = {}
         self._times: dict[tuple[int, str], int] = {}
@@ -75,6 +82,8 @@ class Cuts:
 
     def cut(self, body: int, quantity: str, nodes: Sequence[int]) -> list[int]:
         """Leaves for the entries of a value; numbers, inputs and parameters stay what they are."""
+        if self.bodies is not None and body not in self.bodies:
+            return list(nodes)
         size, quantity = len(nodes), self._name(body, quantity)
         if self.every:
             return [

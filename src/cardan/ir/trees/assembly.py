@@ -52,6 +52,10 @@ class Assembly:
             total[op] = total.get(op, 0) + n
         return total
 
+    def entries_read(self, block: str) -> frozenset[int]:
+        """Numbers of the entries of a block that results depend on."""
+        return self.straight().entries_read(block)
+
     def straight(self) -> Function:
         """The same function as straight-line expressions."""
         parts = self.parts if isinstance(self.parts, Function) else self.parts.straight()

@@ -28,6 +28,7 @@ from .lanes import Recipe
 
 if TYPE_CHECKING:
     from ...ir.function import Function
+    from ...ir.trees.assembly import Form
     from .batch import Batch
 
 Key = tuple[str, str | None]
@@ -83,7 +84,8 @@ class Objects:
         self._symbols: dict[Key, str] = {}
         self._saved: dict[str, Any] = {}
         self._saved_mark = (0, 0)
-        self._parsed: dict[str, tuple[Any, Any]] = {}
+        self._parsed: dict[str, tuple[object, Form]] = {}
+        self._straight: dict[str, tuple[Form, Function]] = {}
         self.manifest = self._read()
 
     @contextmanager
@@ -151,9 +153,22 @@ class Objects:
             raise ValueError("it holds no functions by their names")
         return statement
 
-    def function(self, name: str) -> Any:
-        """A saved Function by its C name, made of plain data once."""
-        from ...ir.serialize import from_dict
+    def function(self, name: str) -> Function:
+        """A saved Function by its C name as straight-line expressions, made of plain data once."""
+        from ...ir.function import Function
+        from ...ir.grammar import check
+
+        form = self.form(name)
+        if isinstance(form, Function):
+            return form
+        straight = self._straight.get(name)
+        if straight is None or straight[0] is not form:
+            straight = self._straight[name] = form, check(form.straight())
+        return straight[1]
+
+    def form(self, name: str) -> Form:
+        """A saved Function or recursion by its C name as it was saved, made of plain data once."""
+        from ...ir.serialize import form_from_dict
 
         data = self.saved().get(name)
         if data is None:
@@ -162,7 +177,7 @@ class Objects:
         parsed = self._parsed.get(name)
         if parsed is None or parsed[0] is not data:
             # the data themselves say whether the file was read again
-            parsed = self._parsed[name] = data, from_dict(data)
+            parsed = self._parsed[name] = data, form_from_dict(data)
         return parsed[1]
 
     def symbol(self, name: str, of: str | None = None) -> str:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, brief, miscounted, near
+from ...processes import collector_paused
 from ...schema.manifest import Manifest
 from ..calls.layout import Layout
 from ..verification.rotations import unit
@@ -38,6 +39,7 @@ def start_of(
     return x.copy(), defaulted
 
 
+@collector_paused()
 def _with_nodes(
     model: LoadedModel,
     q: Mapping[str, ArrayLike],

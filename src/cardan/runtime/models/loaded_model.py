@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from ...arguments import Seed, checked, kinds_of, read
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, brief, counted, near
+from ...processes import collector_paused
 from ...schema.functions import FUNCTIONS, STANDARD
 from ..build import kernels
 from ..calls.argument_values import by_name, numbers
@@ -152,6 +153,7 @@ class LoadedModel(Description):
         """A function, compiled and loaded if it was not yet."""
         return self._load([(name, of)])[0]
 
+    @collector_paused()
     def _load(self, keys: Iterable[Key]) -> list[LoadedFunction]:
         """Several functions; those that must be compiled are compiled side by side.
 
@@ -220,11 +222,18 @@ class LoadedModel(Description):
             values: Blocks as lists of floats, or as arrays (..., n).
         """
         from ...ir.interpreter import evaluate
+        from ...ir.recursion import Recursion
         from ...ir.straight_line import repeated
+        from ...ir.visits import repeated_recursion
 
-        function = self._objects.function(name)
+        form = self._objects.form(name)
         try:
             lists = {name: value for name, value in values.items() if isinstance(value, list)}
+            if isinstance(form, Recursion):
+                visits = repeated_recursion(form)
+                results = visits(lists) if len(lists) == len(values) else visits.over(values)
+                return {key: results[key] for key in only} if only else results
+            function = self._objects.function(name)
             if len(lists) == len(values):
                 return repeated(function, *only)(lists)
             return evaluate(function, values, "numpy")

@@ -248,7 +248,7 @@ def of_elements(model: LoadedModel, elements: Elements, states: int, seed: int) 
         return np.array([elements.balance(state(at, k))[part] for k in range(len(at.q))])
 
     def product(at: Motion, x: Array) -> tuple[Array, Array]:
-        G = elements.tangent(state(at))["G"]
+        G = elements.tangent(state(at), ("G",))["G"]
         terms = abs(G.multiply(x[None, :])).max(axis=1).toarray()
         return G @ x, terms[:, 0]
 

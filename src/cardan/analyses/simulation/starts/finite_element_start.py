@@ -14,6 +14,7 @@ import numpy as np
 
 from ....arrays import Array
 from ....errors import ModelError
+from ....processes import collector_paused
 from ....runtime.models.constraint_projection import size_of
 from ....runtime.models.finite_elements import table_loading
 from ....runtime.models.finite_elements.assembled import Assembled
@@ -32,6 +33,7 @@ MOST = 60
 CLOSED, GOOD = 1e-12, 1e-9  # gaps against the size of the scene: sought, and good enough
 
 
+@collector_paused()
 def meshed_start(model: LoadedModel, x: Array, q: object, u: object, t: float, r: Array) -> Array:
     """A state (nx,) whose constraints hold, named coordinates and speeds kept as they are.
 

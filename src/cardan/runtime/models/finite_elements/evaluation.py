@@ -153,7 +153,7 @@ class Results:
     def mass_matrix(self, inputs: Inputs) -> Array:
         """M (nu, nu) [kg m^2, kg m or kg]."""
         self.check_small("mass_matrix", self.tables.nu)
-        full: Array = self.mesh.tangent(self.state(inputs))["M"].toarray()
+        full: Array = self.mesh.tangent(self.state(inputs), ("M",))["M"].toarray()
         return full
 
     def balance(self, inputs: Inputs) -> Array:
@@ -173,7 +173,7 @@ class Results:
     def constraint_jacobian(self, inputs: Inputs) -> Array:
         """G (m, nu) [1, m or 1/m]."""
         self.check_small("constraint_jacobian", self.tables.m)
-        full: Array = self.mesh.tangent(self.state(inputs))["G"].toarray()
+        full: Array = self.mesh.tangent(self.state(inputs), ("G",))["G"].toarray()
         return full
 
     def close_position(self, inputs: Inputs) -> Array:

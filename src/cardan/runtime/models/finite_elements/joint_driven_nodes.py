@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 Mask = NDArray[np.bool_]
 SAVED, REFERENCE = "states", "states of nodes with all joints at their defaults"
+# states of joints whose states of nodes are remembered, and where
+REMEMBERED, LATEST = 2, "latest states of nodes"
 ENDS = "ends_q", "ends_u"
 ASSEMBLY_SIGNS = "assembly_signs "  # before the joint whose axes the numbers are about
 ROUNDING = 1e-14
@@ -154,7 +156,7 @@ class Carrier:
 
     def reversed_axis(self, q: Array) -> str:
         """The joint closing a loop that stands with an axis turned round at q (nq,); "" if none."""
-        names = [o.name for o in self.model._objects.function(SAVED).outputs]
+        names = [o.name for o in self.model._objects.form(SAVED).outputs]
         if not any(name.startswith(ASSEMBLY_SIGNS) for name in names):
             return ""
         values = self._nodes(q, np.zeros(self.model.nu))
@@ -246,9 +248,7 @@ class Carrier:
 
     def _located(self, q: Array) -> Array:
         """Coordinates of nodes by those of joints among q (nq,), at one position after another."""
-        numbers = self._blocks_of(q[self._sources[0]], np.zeros(0))
-        places = self.model._evaluate_saved(SAVED, "q", **numbers)
-        return np.array(places["q"], dtype=np.float64)
+        return self._at_once(q[self._sources[0]], np.zeros(len(self._blocks["u"])))["q"]
 
     def _blocks_of(self, q: Array, u: Array) -> dict[str, list[float]]:
         """Numbers of the blocks of the saved function: they are faster than arrays."""
@@ -262,8 +262,7 @@ class Carrier:
 
     def _evaluated(self, q: Array, u: Array) -> Mapping[str, Array]:
         if q.ndim == u.ndim == 1:
-            one = self.model._evaluate_saved(SAVED, **self._blocks_of(q, u))
-            return {name: np.array(values, dtype=np.float64) for name, values in one.items()}
+            return self._at_once(q, u)
         inputs: dict[str, Any] = {
             "t": np.array([self.t]),
             "q": q,
@@ -274,10 +273,26 @@ class Carrier:
         evaluated: Mapping[str, Array] = self.model._evaluate_saved(SAVED, **inputs)
         return evaluated
 
+    def _at_once(self, q: Array, u: Array) -> Mapping[str, Array]:
+        """The states of nodes at one state of the joints.
+
+        The last ones are remembered: a start asks for the same again and again.
+        """
+        latest = self.model._derived.setdefault(LATEST, {})
+        key = (self.t, self.r.tobytes(), q.tobytes(), u.tobytes())
+        results: Mapping[str, Array] | None = latest.get(key)
+        if results is None:
+            one = self.model._evaluate_saved(SAVED, **self._blocks_of(q, u))
+            results = {name: np.array(values, dtype=np.float64) for name, values in one.items()}
+            for oldest in list(latest)[: 1 - REMEMBERED]:
+                latest.pop(oldest, None)
+            latest[key] = results
+        return {name: values.copy() for name, values in results.items()}
+
 
 def _joint_sources(model: LoadedModel, tables: Tables) -> JointSources:
     """Where the saved function finds the joints: looked up by name once for all parameters."""
-    function, stored = model._objects.function(SAVED), model._objects.joint_sources
+    function, stored = model._objects.form(SAVED), model._objects.joint_sources
     if not isinstance(stored, JointSources) or stored.function is not function:
         # coordinates of the tree have the same names here
         blocks = {block.name: block.entries for block in function.inputs}

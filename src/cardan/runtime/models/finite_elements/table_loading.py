@@ -276,9 +276,7 @@ def entries_read(model: LoadedModel, saved: str, block: str = "p") -> frozenset[
         return frozenset()
     read = model._objects.entries_read
     if (saved, block) not in read:
-        function = model._objects.function(saved)
-        nodes = (function.graph.nodes[i] for i in function.live())
-        read[saved, block] = frozenset(n[2] for n in nodes if n[:2] == ("var", block))
+        read[saved, block] = model._objects.form(saved).entries_read(block)
     return read[saved, block]
 
 

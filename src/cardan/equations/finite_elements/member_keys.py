@@ -1,0 +1,166 @@
+"""Keys that bodies and joints of a scene share when what is derived for one serves all of them.
+
+Of members with equal keys one is looked at; the others differ in what they read alone. A member
+that takes part in more than its neighborhood has no key.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from dataclasses import fields, is_dataclass
+from typing import NamedTuple
+
+from ...elements.forces.force import ForceElement
+from ...elements.joints.joint import Joint as JointElement
+from ...elements.joints.joint import Reversed
+from ...ir.function import pattern
+from ...topology.system import GROUND
+from .element_systems import STRUCTURAL
+from .nodal_scene import Scene
+
+
+class Member(NamedTuple):
+    """A body or joint as its small system sees it.
+
+    Attributes:
+        key: Equal for members that one small system serves.
+        data: Expression in the parameters of the scene of every parameter of the small system.
+    """
+
+    key: Hashable
+    data: tuple[int, ...]
+
+
+class Motion(NamedTuple):
+    """The motion of a body against its parent as expressions see it.
+
+    Attributes:
+        key: Equal for joints that move bodies in the same way.
+        inputs: (block, entry) of what such expressions may read, in the same order for all.
+    """
+
+    key: Hashable
+    inputs: tuple[tuple[str, int], ...]
+
+
+class MemberKeys:
+    """Keys of the members of a scene.
+
+    Args:
+        scene: Whose bodies and joints.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self._outlines: dict[JointElement, str] = {}
+
+    def body(self, i: int) -> Member | None:
+        """A rigid body by its mass and by gravity; None where these are not parameters alone."""
+        body = self.scene.system.bodies[i]
+        gravity = self.scene.system.gravity
+        return self._member((body.mass, *body.first_moment, *body.inertia, *gravity), ())
+
+    def joint(self, i: int) -> Member | None:
+        """A joint between two bodies, by its element, place and numbers.
+
+        None where it is coupled or prescribed, closes a loop, stands on a rigid tree, or has
+        friction that its reaction tells.
+        """
+        scene, joint = self.scene, self.scene.system.joints[i]
+        if joint.coupling is not None or joint.motion is not None:
+            return None
+        parent = scene.system.bodies[i].parent
+        if i in scene.joints_of_cuts or i in scene.frictions or parent in scene.in_trees:
+            return None
+        nodes, shapes = [*joint.rotation, *joint.position], list[tuple[str, int, int]]()
+        for name, (rows, columns, entries) in joint.data.items():
+            shapes.append((name, rows, columns))
+            nodes += entries
+        outlined = self._outline(joint.element)
+        return self._member(nodes, (outlined, tuple(shapes), joint.reversed, parent == GROUND))
+
+    def motion(self, i: int) -> Motion | None:
+        """How a joint moves its body; None where more than time, inputs and leaders say so."""
+        system = self.scene.system
+        joint = system.joints[i]
+        nodes, shapes = [*joint.rotation, *joint.position], list[Hashable]()
+        for name, (rows, columns, entries) in joint.data.items():
+            shapes.append((name, rows, columns))
+            nodes += entries
+        slots = joint
+        while slots.coupling is not None:
+            nodes += (slots.coupling.ratio, slots.coupling.offset)
+            shapes.append("coupled")
+            slots = system.joints[slots.coupling.leader]
+        if joint.motion is not None:
+            moves = joint.motion
+            nodes += (moves.value, moves.rate, moves.acceleration, moves.ratio)
+            shapes.append("prescribed")
+        elif slots.q < 0:
+            return None
+        expressions, places = pattern(system.graph, nodes, ("p", "t", "r"))
+        if expressions is None:
+            return None
+        inputs = list(places)
+        if joint.motion is None:
+            inputs += [("q", slots.q + n) for n in range(len(slots.element.coordinates))]
+            inputs += [("u", slots.u + n) for n in range(len(slots.element.speeds))]
+        from_ground = system.bodies[i].parent == GROUND
+        key = (self._outline(joint.element), tuple(shapes), expressions, from_ground)
+        return Motion(key, tuple(inputs))
+
+    def _outline(self, element: JointElement) -> str:
+        """An element without its numbers, once for elements that are equal."""
+        try:
+            text = self._outlines.get(element)
+        except TypeError:  # a field is a list
+            return outline(element)
+        if text is None:
+            text = self._outlines[element] = outline(element)
+        return text
+
+    def _member(self, nodes: Sequence[int], more: Hashable) -> Member | None:
+        """Expressions in local numbers, in the order in which a small system takes them."""
+        graph, fixed = self.scene.system.graph.nodes, self.scene.parameters_only
+        number: dict[int, int] = {}
+        local: list[tuple[int, bool]] = []
+        for i in nodes:
+            if not fixed[i]:
+                return None
+            negative = False
+            while i not in STRUCTURAL and graph[i][0] == "neg":
+                i, negative = graph[i][1], not negative
+            # below 0: numbers that the expressions of all members depend on
+            place = -1 - i if i in STRUCTURAL else number.setdefault(i, len(number))
+            local.append((place, negative))
+        return Member((more, tuple(local)), tuple(number))
+
+
+def outline(element: JointElement | ForceElement) -> str:
+    """An element without the numbers and names that a member may have of its own."""
+    if isinstance(element, Reversed):
+        return f"reversed {outline(element.element)}"
+    # a field may be several quantities, such as branches.0.time
+    quantities = {name.partition(".")[0] for name in element.quantities()}
+    assert is_dataclass(element)
+    signature = [
+        (field.name, _pattern(getattr(element, field.name), field.name in quantities))
+        for field in fields(element)
+        if field.type not in ("Place", "Bodies", "JointName")
+    ]
+    constrained = (element.locked, element.slips) if isinstance(element, JointElement) else ()
+    return repr((type(element).__name__, signature, constrained))
+
+
+def _pattern(value: object, by_value: bool) -> str:
+    """Part of a field that the equations may depend on; of a quantity of a member only its form."""
+    if isinstance(value, (tuple, list)):
+        return f"({', '.join(_pattern(x, by_value) for x in value)})"
+    if is_dataclass(value) and not isinstance(value, type):
+        # of measured data, what its text leaves out too
+        return _pattern(tuple(getattr(value, field.name) for field in fields(value)), by_value)
+    if not by_value or value is None or isinstance(value, (str, bool)):
+        return repr(value)
+    if isinstance(value, (int, float)):
+        return repr(float(value)) if value in (0, 1, -1) else "number"
+    return "expression"
