@@ -34,7 +34,7 @@ typedef int cardan_wide_mask;
  */
 typedef struct cardan_half {
     int at, count;
-    int low, high; /* all of these speeds lie between; low > high where nothing acts */
+    int low, high; /* first and last of these speeds, low > high where nothing acts */
     const real *force;     /* the force that a change asks for (6) */
     const real *displaced; /* what joins it inboard of the joint (6) */
     const real *along;     /* zeta and eta (9) */
