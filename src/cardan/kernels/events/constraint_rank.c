@@ -10,7 +10,7 @@
  * however little that becomes, so that the rank does not flicker.
  * Source: G. H. Golub, C. F. Van Loan, Matrix Computations, section 5.4 (pivoted orthogonalization).
  */
-#include "run.h"
+#include "events.h"
 #include <math.h>
 
 static const real TAKEN = 1e-3;

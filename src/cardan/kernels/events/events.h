@@ -31,6 +31,8 @@ typedef struct cardan_board {
 
 /* event_transition.c and search.c, for the run */
 ptrdiff_t cardan_board_length(const cardan_run *run);
+ptrdiff_t cardan_rank_length(const cardan_run *run);
+ptrdiff_t cardan_crossing_length(const cardan_run *run);
 void cardan_events_clock(cardan_run *run);
 int cardan_events_start(cardan_run *run);
 int cardan_events_seek(cardan_run *run);

@@ -13,6 +13,7 @@
  * section II.7 (collocation, Gauss formulas).
  */
 #include "dependent.h"
+#include "events.h"
 #include "explicit.h"
 #include "gauss.h"
 #include <math.h>

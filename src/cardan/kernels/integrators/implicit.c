@@ -4,7 +4,7 @@
  *
  * Stages are evaluated at states whose quaternions have unit length, as rhs_jacobian takes them.
  */
-#include "run.h"
+#include "shift.h"
 #include <float.h>
 #include <math.h>
 

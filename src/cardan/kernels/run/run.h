@@ -333,13 +333,11 @@ int cardan_trial_step(cardan_run *run, real *h, real *t_new);
 void cardan_accept_step(cardan_run *run, real h, real error, int order);
 void cardan_accept_explicit_step(cardan_run *run, real h, real error, int order);
 int cardan_reject_step(cardan_run *run, real h, real error, int order, int status);
-ptrdiff_t cardan_rank_length(const cardan_run *run);
 void cardan_first_rank(cardan_run *run);
 int cardan_rank_sound(const cardan_run *run);
 int cardan_branches_meet(cardan_run *run, real *tau);
 ptrdiff_t cardan_weakest(const cardan_run *run);
 real cardan_span(const cardan_run *run);
-ptrdiff_t cardan_crossing_length(const cardan_run *run);
 int cardan_step(cardan_run *run);
 int cardan_near_singular(cardan_run *run, real t, const real *y, int kept);
 real cardan_finest(const cardan_run *run);
@@ -369,9 +367,6 @@ static inline real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t 
     return run->atol + run->rtol * fmax(fabs(run->y[i]), fabs(y[i]));
 }
 
-/* implicit.c: the Jacobian of a run, for the methods that need one */
-ptrdiff_t cardan_jacobian_length(const cardan_run *run);
-int cardan_jacobian(cardan_run *run, real h, real *jacobian);
 
 /* A method. Its file ends with one, called cardan_<method>_method. */
 typedef struct cardan_method {

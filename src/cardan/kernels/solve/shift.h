@@ -6,6 +6,10 @@
 
 #include "run.h"
 
+/* implicit.c: the Jacobian of a run, for the methods that need one */
+ptrdiff_t cardan_jacobian_length(const cardan_run *run);
+int cardan_jacobian(cardan_run *run, real h, real *jacobian);
+
 /* One system. Its memory must live as long as its factors are used. */
 typedef struct cardan_shift {
     ptrdiff_t n, nq;
