@@ -32,6 +32,7 @@ from benchmarks.all_figures import save
 from benchmarks.page import markdown
 from benchmarks.provenance import signed
 from cardan.analyses.simulation.driving import runner_of
+from cardan.analyses.simulation.recorder import can_wait
 from cardan.analyses.simulation.run import SOME_STEPS
 from cardan.analyses.simulation.settings import settings
 from cardan.analyses.simulation.signals import signals
@@ -60,6 +61,12 @@ function called in a loop in C; of a run all of its steps in one call of the ker
 relative to the largest entry: of functions against their expressions in 40 digits, of CasADi
 against cardan, of runs at their end against rtol {tight:.0e}: of a double pendulum they grow
 with the motion. Functions are called at a random state.
+
+A run of the double pendulum over 10 s at 1e-9 takes 628 trials, of which 84 are rejected. Their
+7450 evaluations, 29 ns each, are its floor, some 215 us: every stage waits for the one before it,
+and in it accelerations wait for sines, cosines and a solution. Values between the steps wait until
+somebody asks. Twice the error would save 8 % of the trials, and those digits. Rows take 10 us, the
+account of the energy 20; arguments, start and motion are 400 calls of 3 us at most in Python.
 """
 
 
@@ -203,13 +210,13 @@ def of_runs(model: Any) -> Iterator[Row]:
 
 
 def kernels(model: Any, x: Array) -> Callable[[], Any]:
-    """The steps of a run and their dense output, without anything around them."""
+    """The steps of a run, without anything around them."""
     how = settings("DOP853", RTOL, None, None, None, END)
     runner = runner_of(model, how, signals(model.manifest.inputs, None, None, (0.0, END)))
 
     def run() -> None:
         rewind(runner)
-        runner.want(None, dense=True)
+        runner.want(None, dense=True, later=can_wait(runner))
         runner.start(0.0, x, [END])
         runner.drive(SOME_STEPS)
 
