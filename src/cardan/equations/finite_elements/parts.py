@@ -10,6 +10,7 @@ from typing import TypedDict
 
 from ...elements.joints.fixed import Fixed
 from ...elements.joints.joint import Joint as JointElement
+from ...elements.outline import outline
 from ...ir.graph import ZERO
 from ...records import dataclass
 from ...topology.loops.circuits import circuit
@@ -19,7 +20,7 @@ from ..constraints.constraints import rows
 from ..constraints.driven_rows import working
 from ..functions.element_forces import named_forces
 from .element_systems import MOVING_JOINT, Cutting
-from .member_keys import Member, MemberKeys, outline
+from .member_keys import Member, MemberKeys
 from .nodal_scene import JOINT, NODE, Mass, Scene
 
 TREE = "Roberson and Schwertassek, Dynamics of Multibody Systems, 1988, chapter 12"
