@@ -146,7 +146,7 @@ def of_functions(
     name = "forward_dynamics"
     functions: list[tuple[str, tuple[str, ...], Callable[[], Any], float | None]] = [
         ("forward dynamics", (name,), lambda: model.forward_dynamics(q, u), None),
-        ("the same, lists", (name,), lambda: model.forward_dynamics(*lists), 3.0),
+        ("forward_dynamics of lists", (name,), lambda: model.forward_dynamics(*lists), 3.0),
         ("the same, ten states", (name,), lambda: model.forward_dynamics(*many), 8.0),
         ("inverse dynamics", ("inverse_dynamics",),
          lambda: model.inverse_dynamics(q, u, udot), None),
