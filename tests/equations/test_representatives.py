@@ -214,6 +214,18 @@ def test_forces_of_any_kind_along_joints(name: str) -> None:
     same(scene, "rhs")
 
 
+@each("name", ["spherical", "translation", "planar", "universal"])
+def test_reversed_joints_of_two_kinds(name: str) -> None:
+    """Every body carries the one inboard of it, at its origin: no data tell the kinds apart."""
+    scene = cd.Scene("reversed", gravity=(0.3, 1.0, -9.81))
+    inner: Any = scene.ground
+    for i in range(45):
+        link = scene.body(f"b{i}", mass=1 + 0.01 * i, com=(0.1, 0.2, 0.3), inertia=(0.2, 0.3, 0.4))
+        scene.joint(f"j{i}", JOINTS[name] if i % 2 else cd.Spherical(), link, inner)
+        inner = link.at(0.1, 0.2, -1)
+    same(scene, "rhs")
+
+
 def test_a_body_of_every_kind_is_derived() -> None:
     """Hinges about three axes inside the tree and at its tips, and some with zeros in places."""
     few = representatives(cd.derive(large_tree(400), method="articulated").system)

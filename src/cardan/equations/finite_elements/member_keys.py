@@ -7,14 +7,11 @@ that takes part in more than its neighborhood has no key.
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
-from dataclasses import fields, is_dataclass
 from typing import NamedTuple
 
-from ...elements.forces.force import ForceElement
-from ...elements.joints.joint import Joint as JointElement
-from ...elements.joints.joint import Reversed
 from ...ir.function import pattern
 from ...topology.system import GROUND
+from ..kinematics.element_outline import Outlines
 from .element_systems import STRUCTURAL
 from .nodal_scene import Scene
 
@@ -52,7 +49,7 @@ class MemberKeys:
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
-        self._outlines: dict[JointElement, str] = {}
+        self._outlines = Outlines()
 
     def body(self, i: int) -> Member | None:
         """A rigid body by its mass and by gravity; None where these are not parameters alone."""
@@ -76,7 +73,7 @@ class MemberKeys:
         for name, (rows, columns, entries) in joint.data.items():
             shapes.append((name, rows, columns))
             nodes += entries
-        outlined = self._outline(joint.element)
+        outlined = self._outlines.of(joint.element)
         return self._member(nodes, (outlined, tuple(shapes), joint.reversed, parent == GROUND))
 
     def motion(self, i: int) -> Motion | None:
@@ -106,18 +103,8 @@ class MemberKeys:
             inputs += [("q", slots.q + n) for n in range(len(slots.element.coordinates))]
             inputs += [("u", slots.u + n) for n in range(len(slots.element.speeds))]
         from_ground = system.bodies[i].parent == GROUND
-        key = (self._outline(joint.element), tuple(shapes), expressions, from_ground)
+        key = (self._outlines.of(joint.element), tuple(shapes), expressions, from_ground)
         return Motion(key, tuple(inputs))
-
-    def _outline(self, element: JointElement) -> str:
-        """An element without its numbers, once for elements that are equal."""
-        try:
-            text = self._outlines.get(element)
-        except TypeError:  # a field is a list
-            return outline(element)
-        if text is None:
-            text = self._outlines[element] = outline(element)
-        return text
 
     def _member(self, nodes: Sequence[int], more: Hashable) -> Member | None:
         """Expressions in local numbers, in the order in which a small system takes them."""
@@ -134,33 +121,3 @@ class MemberKeys:
             place = -1 - i if i in STRUCTURAL else number.setdefault(i, len(number))
             local.append((place, negative))
         return Member((more, tuple(local)), tuple(number))
-
-
-def outline(element: JointElement | ForceElement) -> str:
-    """An element without the numbers and names that a member may have of its own."""
-    if isinstance(element, Reversed):
-        return f"reversed {outline(element.element)}"
-    # a field may be several quantities, such as branches.0.time
-    quantities = {name.partition(".")[0] for name in element.quantities()}
-    assert is_dataclass(element)
-    signature = [
-        (field.name, _pattern(getattr(element, field.name), field.name in quantities))
-        for field in fields(element)
-        if field.type not in ("Place", "Bodies", "JointName")
-    ]
-    constrained = (element.locked, element.slips) if isinstance(element, JointElement) else ()
-    return repr((type(element).__name__, signature, constrained))
-
-
-def _pattern(value: object, by_value: bool) -> str:
-    """Part of a field that the equations may depend on; of a quantity of a member only its form."""
-    if isinstance(value, (tuple, list)):
-        return f"({', '.join(_pattern(x, by_value) for x in value)})"
-    if is_dataclass(value) and not isinstance(value, type):
-        # of measured data, what its text leaves out too
-        return _pattern(tuple(getattr(value, field.name) for field in fields(value)), by_value)
-    if not by_value or value is None or isinstance(value, (str, bool)):
-        return repr(value)
-    if isinstance(value, (int, float)):
-        return repr(float(value)) if value in (0, 1, -1) else "number"
-    return "expression"

@@ -18,8 +18,9 @@ from ...topology.system import GROUND, Cut, Force, Named, System
 from ..constraints.constraints import rows
 from ..constraints.driven_rows import working
 from ..functions.element_forces import named_forces
+from ..kinematics.element_outline import outline
 from .element_systems import MOVING_JOINT, Cutting
-from .member_keys import Member, MemberKeys, outline
+from .member_keys import Member, MemberKeys
 from .nodal_scene import JOINT, NODE, Mass, Scene
 
 TREE = "Roberson and Schwertassek, Dynamics of Multibody Systems, 1988, chapter 12"

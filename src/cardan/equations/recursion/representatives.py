@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Collection, Sequence
-from dataclasses import fields, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, NamedTuple, TypeAlias
 
@@ -22,6 +22,7 @@ from ...ir.graph import Graph
 from ...ir.ops import LEAVES
 from ...records import dataclass
 from ...topology.system import Force, Joint, System
+from ..kinematics.element_outline import Outlines
 
 # fewer bodies are not worth it, nor are kinds with fewer bodies each
 FEWEST, ALIKE = 40, 4
@@ -174,20 +175,17 @@ def _signatures(system: System, special: Collection[int]) -> list[Signature | No
         for j in set(force.joints.values()):
             forces[j].append(force)
     inboard, sliding = {body.parent for body in system.bodies}, _only_slides(system)
-    signatures: list[Signature | None] = []
+    signatures, outlines = list[Signature | None](), Outlines()
     for i, (body, joint) in enumerate(zip(system.bodies, system.joints, strict=True)):
         nodes = [*joint.rotation, *joint.position, body.mass, *body.first_moment, *body.inertia]
         nodes += [joint.offset, *(body.second_moment or ())]
-        shapes: list[object] = [_kind(joint.element), body.second_moment is None]
+        shapes: list[object] = [outlines.of(joint.element), body.second_moment is None]
         owners: list[Joint | Force] = [joint, *forces[i]]
         for owner in owners:
             for name, (rows, columns, of_data) in owner.data.items():
                 shapes.append((name, rows, columns))
                 nodes += of_data
-        shapes += [
-            (_kind(f.element, set(f.element.joints().values())), sorted(f.joints))
-            for f in forces[i]
-        ]
+        shapes += [(outlines.of(f.element), sorted(f.joints)) for f in forces[i]]
         # a slide next to the ground moves what is outboard of it in another way than a hinge
         place = (min(body.parent, 0), body.parent >= 0 and sliding[body.parent], i in inboard)
         pattern, entries = _pattern(system.graph, nodes)
@@ -245,13 +243,6 @@ def _special(system: System) -> set[int]:
         else:
             special |= {system.frames[f].body for f in (atom.frame, atom.wrt, atom.in_)}
     return special
-
-
-def _kind(element: Any, joints: Collection[str] = ()) -> tuple[object, ...]:
-    """An element without its numbers and the names of its joints."""
-    attributes = [(f.name, getattr(element, f.name)) for f in fields(element)]
-    plain = [(name, x) for name, x in attributes if isinstance(x, (str, bool, type(None)))]
-    return (type(element), *[(name, x) for name, x in plain if x not in joints])
 
 
 def _pattern(graph: Graph, roots: Sequence[int]) -> tuple[object, Leaves]:
