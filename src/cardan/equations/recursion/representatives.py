@@ -174,7 +174,7 @@ def _signatures(system: System, special: Collection[int]) -> list[Signature | No
     for force in system.forces:
         for j in set(force.joints.values()):
             forces[j].append(force)
-    inboard, sliding = {body.parent for body in system.bodies}, _only_slides(system)
+    inboard, sliding = {body.parent for body in system.bodies}, only_slides(system)
     signatures, outlines = list[Signature | None](), Outlines()
     for i, (body, joint) in enumerate(zip(system.bodies, system.joints, strict=True)):
         nodes = [*joint.rotation, *joint.position, body.mass, *body.first_moment, *body.inertia]
@@ -198,7 +198,7 @@ def _signatures(system: System, special: Collection[int]) -> list[Signature | No
     return signatures
 
 
-def _only_slides(system: System) -> list[bool]:
+def only_slides(system: System) -> list[bool]:
     """Of every body, whether only translations lead to it from the ground."""
     sliding = list[bool]()
     for body, joint in zip(system.bodies, system.joints, strict=True):
