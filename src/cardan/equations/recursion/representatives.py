@@ -199,7 +199,7 @@ def _signatures(system: System, special: Collection[int]) -> list[Signature | No
 
 
 def only_slides(system: System) -> list[bool]:
-    """Of every body, whether only translations lead to it from the ground."""
+    """Bodies to which only translations lead from the ground, True for each."""
     sliding = list[bool]()
     for body, joint in zip(system.bodies, system.joints, strict=True):
         units = {coordinate.unit for coordinate in joint.element.coordinates}

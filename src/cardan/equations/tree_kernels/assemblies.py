@@ -238,7 +238,7 @@ def _leaves(k: Kinematics, nodes: Sequence[int]) -> set[int]:
 
 
 def _unsuitable(k: Kinematics, loads: Loads, columns: Sequence[Direction]) -> str:
-    """What depends on more than the kernel takes, "" where nothing does."""
+    """Name what depends on more than the kernel takes, "" where nothing does."""
     seeds = {leaf for d in columns for leaf in d.seeds}
     for i, wrench in loads.wrenches.items():
         if not seeds.isdisjoint(_leaves(k, [node for x in wrench for node in x.nodes])):
@@ -255,7 +255,7 @@ def _unsuitable(k: Kinematics, loads: Loads, columns: Sequence[Direction]) -> st
 
 
 def _of_motion(k: Kinematics, i: int) -> list[int]:
-    """What the motion and the inertia of a body are made from."""
+    """Expressions of the motion and the inertia of a body."""
     joint, body = k.joints[i], k.system.bodies[i]
     inertia = k.resolve([body.mass, *body.first_moment, *body.inertia])
     parts = (joint.rotation, joint.position, joint.S, joint.velocity, joint.drift)

@@ -23,7 +23,7 @@ from ..recursion.representatives import only_slides
 
 
 def begins(system: System, numbering: Sequence[int]) -> tuple[bool, ...]:
-    """Of some bodies of a system, whether positions count from them: what is inboard only slides.
+    """Bodies from which positions count, True for each: whatever is inboard of it only slides.
 
     It is asked of the complete system: in a small one bodies have other parents.
     """
