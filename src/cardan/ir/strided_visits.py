@@ -106,7 +106,7 @@ class VisitRows(NamedTuple):
         return tuple(parts)
 
     def _times(self, n: int) -> npt.NDArray[np.int64]:
-        """Number of times that the n visits from every visit on are repeated at regular distances."""
+        """Repetitions of the n visits from every visit on, at regular distances."""
         count, times = len(self.kinds), np.ones(len(self.kinds), dtype=np.int64)
         if count <= n:
             return times
