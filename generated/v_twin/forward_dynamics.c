@@ -2,12 +2,12 @@
  * forward_dynamics of v_twin
  * udot with M udot + h = f + tau
  * formalism: composite
- * rewrites: axes, origins, parallel, base_parameters
+ * rewrites: axes, parallel, base_parameters
  * passes: unroll, reassociate
  *
  * Sizes: out 6, work 55, w 29
  * Operations per call: 413 = 244 mul, 87 add, 69 sub, 4 cos, 4 sin, 2 div, 2 neg, 1 solve
- * Operations of prepare: 67 = 43 mul, 12 add, 4 div, 2 atan2, 2 cos, 2 neg, 2 sin
+ * Operations of prepare: 64 = 40 mul, 12 add, 4 div, 2 atan2, 2 cos, 2 neg, 2 sin
  *
  * Input q (6): generalized coordinates
  *   q[0]  right.crank [rad]
@@ -113,13 +113,11 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[8] = right_piston_place_z;
     w[23] = right_piston_f_x;
 
-    /* left.crank: mass, first moment, origin inertia, place, base */
+    /* left.crank: mass, first moment, origin inertia, place */
     /* first_moment = sum m c */
     /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
-    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal left_crank_length = p[7]; /* m */
     const wreal left_crank_mass = p[11]; /* kg */
-    const wreal left_rod_mass = p[12]; /* kg */
     const wreal half_left_crank_length = 0.5 * left_crank_length;
     const wreal left_crank_first_moment_x = left_crank_mass * half_left_crank_length;
     const wreal left_crank_origin_inertia_yy = left_crank_length * left_crank_length *
@@ -127,21 +125,19 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + half_left_crank_length * left_crank_first_moment_x;
     const wreal left_crank_minus_offset = cardan_atan2(-left_ground_rotation_angle2_cos,
         left_ground_rotation_angle2_sin);
-    const wreal left_crank_base_moment_x = left_crank_first_moment_x
-        + left_crank_length * left_rod_mass;
-    const wreal left_crank_base_inertia_yy = left_crank_origin_inertia_yy
-        + 0.5 * left_rod_mass * left_crank_length * left_crank_length * 2.0;
     w[16] = left_crank_minus_offset;
-    w[17] = left_crank_base_moment_x;
 
-    /* left.rod: mass, first moment, origin inertia */
+    /* left.rod: mass, first moment, origin inertia, base */
     /* first_moment = sum m c */
     /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal left_rod_length = p[8]; /* m */
+    const wreal left_rod_mass = p[12]; /* kg */
     const wreal half_left_rod_length = 0.5 * left_rod_length;
     const wreal left_rod_first_moment_x = left_rod_mass * half_left_rod_length;
     const wreal left_rod_origin_inertia_yy = left_rod_length * left_rod_length *
         (0.08333333333333333 * left_rod_mass) + half_left_rod_length * left_rod_first_moment_x;
+    const wreal left_rod_base_mass_moment_x = left_crank_length * left_rod_mass;
     w[11] = left_rod_first_moment_x;
     w[12] = left_rod_origin_inertia_yy;
 
@@ -157,6 +153,16 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[13] = left_piston_place_x;
     w[14] = left_piston_place_z;
     w[24] = left_piston_f_x;
+
+    /* left.crank: base, inertia */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal left_crank_base_moment_x = left_crank_first_moment_x + left_rod_base_mass_moment_x;
+    const wreal left_crank_base_inertia_yy = left_crank_origin_inertia_yy
+        + left_crank_length * left_rod_base_mass_moment_x;
+    const wreal left_rod_origin_inertia_yy_plus_left_crank_base_inertia_yy =
+        left_rod_origin_inertia_yy + left_crank_base_inertia_yy;
+    w[17] = left_crank_base_moment_x;
+    w[21] = left_rod_origin_inertia_yy_plus_left_crank_base_inertia_yy;
 
     /* right.crank: base, inertia */
     /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
@@ -182,11 +188,6 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         left_ground_rotation_angle2_cos
         + left_ground_rotation_angle2_sin * left_ground_rotation_angle2_sin;
     w[20] = left_pin_twist_left_piston_vx;
-
-    /* left.crank: inertia */
-    const wreal left_rod_origin_inertia_yy_plus_left_crank_base_inertia_yy =
-        left_rod_origin_inertia_yy + left_crank_base_inertia_yy;
-    w[21] = left_rod_origin_inertia_yy_plus_left_crank_base_inertia_yy;
 
     /* constraints: factor */
     /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */

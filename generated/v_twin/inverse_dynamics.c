@@ -2,12 +2,12 @@
  * inverse_dynamics of v_twin
  * tau with M udot + h = f + tau
  * formalism: composite
- * rewrites: axes, origins, base_parameters
+ * rewrites: axes, base_parameters
  * passes: reassociate, schedule
  *
  * Sizes: out 6, work 0, w 17
  * Operations per call: 74 = 36 mul, 18 sub, 10 add, 4 cos, 4 sin, 2 neg
- * Operations of prepare: 76 = 43 mul, 19 add, 6 sub, 2 atan2, 2 cos, 2 neg, 2 sin
+ * Operations of prepare: 62 = 34 mul, 16 add, 4 sub, 2 atan2, 2 cos, 2 neg, 2 sin
  *
  * Input q (6): generalized coordinates
  *   q[0]  right.crank [rad]
@@ -111,8 +111,6 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal left_crank_length = p[7]; /* m */
     const wreal left_crank_mass = p[11]; /* kg */
-    const wreal left_rod_mass = p[12]; /* kg */
-    const wreal left_ground_position_y = p[16]; /* m */
     const wreal half_left_crank_length = 0.5 * left_crank_length;
     const wreal left_crank_first_moment_x = left_crank_mass * half_left_crank_length;
     const wreal left_crank_origin_inertia_yy = left_crank_length * left_crank_length *
@@ -120,18 +118,11 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + half_left_crank_length * left_crank_first_moment_x;
     const wreal left_crank_minus_offset = cardan_atan2(-left_ground_rotation_angle2_cos,
         left_ground_rotation_angle2_sin);
-    const wreal left_crank_mass_shift = 0.5 * left_crank_mass * left_ground_position_y *
-        left_ground_position_y * 2.0;
-    const wreal left_crank_origin_inertia_yy_plus_mass_shift = left_crank_origin_inertia_yy
-        + left_crank_mass_shift;
-    const wreal left_crank_base_moment_x = left_crank_first_moment_x
-        + left_crank_length * left_rod_mass;
-    const wreal left_crank_base_half_trace = 0.5 * (left_crank_origin_inertia_yy_plus_mass_shift
-        + left_crank_origin_inertia_yy_plus_mass_shift);
+    const wreal left_crank_base_half_trace = 0.5 * (left_crank_origin_inertia_yy
+        + left_crank_origin_inertia_yy);
     const wreal left_crank_base_second_moment_zz = left_crank_base_half_trace
-        - left_crank_origin_inertia_yy_plus_mass_shift;
+        - left_crank_origin_inertia_yy;
     w[8] = left_crank_minus_offset;
-    w[9] = left_crank_base_moment_x;
 
     /* left.rod: mass, first moment, origin inertia, base, inertia force */
     /* first_moment = sum m c */
@@ -139,26 +130,31 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal left_rod_length = p[8]; /* m */
+    const wreal left_rod_mass = p[12]; /* kg */
     const wreal half_left_rod_length = 0.5 * left_rod_length;
     const wreal left_rod_first_moment_x = left_rod_mass * half_left_rod_length;
     const wreal left_rod_origin_inertia_yy = left_rod_length * left_rod_length *
         (0.08333333333333333 * left_rod_mass) + half_left_rod_length * left_rod_first_moment_x;
-    const wreal half_left_rod_mass = 0.5 * left_rod_mass;
-    const wreal left_rod_mass_shift = left_ground_position_y * half_left_rod_mass *
-        left_ground_position_y * 2.0;
-    const wreal left_rod_origin_inertia_yy_plus_mass_shift = left_rod_origin_inertia_yy
-        + left_rod_mass_shift;
-    const wreal left_crank_length_times_left_rod_base_mean_moment_x = left_crank_length *
-        half_left_rod_mass * left_crank_length;
-    const wreal left_rod_base_half_trace = 0.5 * (left_rod_origin_inertia_yy_plus_mass_shift
-        + left_rod_origin_inertia_yy_plus_mass_shift);
-    const wreal left_rod_base_second_moment_xx = left_rod_base_half_trace - left_rod_mass_shift;
-    const wreal left_rod_base_second_moment_zz = left_rod_base_half_trace
-        - left_rod_origin_inertia_yy_plus_mass_shift;
+    const wreal left_rod_base_mass_moment_x = left_crank_length * left_rod_mass;
+    const wreal left_rod_base_second_moment_xx = 0.5 * (left_rod_origin_inertia_yy
+        + left_rod_origin_inertia_yy);
+    const wreal left_rod_base_second_moment_zz = left_rod_base_second_moment_xx
+        - left_rod_origin_inertia_yy;
     const wreal left_rod_base_second_moment_xx_plus_base_second_moment_zz =
         left_rod_base_second_moment_xx + left_rod_base_second_moment_zz;
     w[6] = left_rod_first_moment_x;
     w[16] = left_rod_base_second_moment_xx_plus_base_second_moment_zz;
+
+    /* left.crank: base, inertia force */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
+    const wreal left_crank_base_moment_x = left_crank_first_moment_x + left_rod_base_mass_moment_x;
+    const wreal left_crank_base_second_moment_xx = left_crank_length * left_rod_base_mass_moment_x +
+        left_crank_base_half_trace;
+    const wreal left_crank_base_second_moment_zz_plus_base_second_moment_xx =
+        left_crank_base_second_moment_zz + left_crank_base_second_moment_xx;
+    w[9] = left_crank_base_moment_x;
+    w[15] = left_crank_base_second_moment_zz_plus_base_second_moment_xx;
 
     /* right.crank: base, inertia force */
     /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
@@ -171,16 +167,6 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         right_crank_base_second_moment_zz + right_crank_base_second_moment_xx;
     w[10] = right_crank_base_moment_x;
     w[13] = right_crank_base_second_moment_zz_plus_base_second_moment_xx;
-
-    /* left.crank: base, inertia force */
-    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
-    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
-    const wreal left_crank_base_second_moment_xx = left_crank_base_half_trace
-        - left_crank_mass_shift + (left_crank_length_times_left_rod_base_mean_moment_x
-        + left_crank_length_times_left_rod_base_mean_moment_x);
-    const wreal left_crank_base_second_moment_zz_plus_base_second_moment_xx =
-        left_crank_base_second_moment_zz + left_crank_base_second_moment_xx;
-    w[15] = left_crank_base_second_moment_zz_plus_base_second_moment_xx;
 
     /* right.piston: a */
     /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */

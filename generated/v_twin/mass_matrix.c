@@ -2,12 +2,12 @@
  * mass_matrix of v_twin
  * M: kinetic energy is 1/2 uᵀ M u
  * formalism: composite
- * rewrites: axes, origins, base_parameters
+ * rewrites: axes, base_parameters
  * passes: reassociate, schedule
  *
  * Sizes: out 36, work 0, w 10
  * Operations per call: 12 = 6 mul, 4 add, 2 cos
- * Operations of prepare: 38 = 30 mul, 8 add
+ * Operations of prepare: 36 = 28 mul, 8 add
  *
  * Input q (6): generalized coordinates
  *   q[0]  right.crank [rad]
@@ -64,7 +64,7 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
         (0.08333333333333333 * left_crank_mass)
         + half_left_crank_length * left_crank_first_moment_x;
     const wreal left_crank_base_inertia_yy = left_crank_origin_inertia_yy
-        + 0.5 * left_rod_mass * left_crank_length * left_crank_length * 2.0;
+        + left_crank_length * left_rod_mass * left_crank_length;
 
     /* left.rod: mass, first moment, origin inertia */
     /* first_moment = sum m c */

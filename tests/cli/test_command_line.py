@@ -75,6 +75,7 @@ def test_wrong_use(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -
     [
         (("missing.urdf",), "missing.urdf"),
         (("arm.yml",), "arm.yml"),
+        (("double_pendulm",), "Did you mean 'double_pendulum'"),
         ((str(ARM), "--q", "elbo=0.3"), "elbow"),
     ],
 )
@@ -86,6 +87,11 @@ def test_fault_of_the_scene(
     assert named in found.err
     assert "Traceback" not in found.err
     assert found.out == ""
+
+
+def test_a_file_without_an_ending_is_told_of_examples() -> None:
+    with pytest.raises(cd.ModelError, match=r"no ending that tells .*cardan\.examples\["):
+        cd.load("double_pendulum")
 
 
 def test_simulate_as_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -7,6 +7,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import cardan as cd
+from cardan.ir.interpreter import evaluate
+from table import each
 
 SEED = 13
 LINKS = ("trunk", "left", "right", "hand")
@@ -81,3 +83,38 @@ def test_units_of_parameters() -> None:
 
     assert bob(0.4, "m") == pytest.approx(bob(400, "mm"), rel=1e-15)
     assert bob(0.4, "m") == pytest.approx(-9.81 / 0.4 * np.sin(0.5), rel=1e-15)
+
+
+def crane(place: tuple[float, float, float], kind: cd.Joint) -> cd.Scene:
+    """Three bodies somewhere, the first on a joint of some kind."""
+    scene, rng = cd.Scene("crane", gravity=(0.5, 1.0, -9.0)), np.random.default_rng(SEED)
+    inner = scene.ground.at(*place)
+    for i, joint in enumerate((kind, cd.Revolute("y"), cd.Revolute("x"))):
+        com = tuple(rng.uniform(-0.3, 0.3, 3))
+        body = scene.body(f"body{i}", mass=1.0 + i, com=com, inertia=(TENSOR * (1 + i)).tolist())
+        scene.joint(f"joint{i}", joint, inner, body)
+        inner = body.at(*rng.uniform(-0.5, 0.5, 3))
+    return scene
+
+
+@each("method", ["kane", "newton_euler", "composite", "articulated", "lagrange", "gibbs_appell"])
+@each("kind", [*(cd.Revolute(axis) for axis in "xyz"), cd.Prismatic("x"), cd.Universal("x", "y")])
+def test_place_of_the_scene(kind: cd.Joint, method: str) -> None:
+    """Vehicles and cranes in coordinates of a map: no inertia is told about a point far away."""
+    near, far = (
+        cd.derive(crane(place, kind), method=method) for place in ((0.0, 0.0, 0.0), (1e6, 2e6, 3e6))
+    )
+    rng = np.random.default_rng(SEED)
+    for name in ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics"):
+        functions = [equations.function(name) for equations in (near, far)]
+        blocks = {b.name: rng.uniform(-1, 1, len(b)) for b in functions[0].inputs}
+        expected, found = (
+            np.ravel(next(iter(evaluate(f, blocks | {"p": parameters(e)}, "numpy").values())))
+            for f, e in zip(functions, (near, far), strict=True)
+        )
+        scale = np.abs(expected).max()
+        np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-13 * scale)
+
+
+def parameters(equations: cd.Equations) -> np.ndarray:
+    return np.array([p.value for p in equations.system.parameters])

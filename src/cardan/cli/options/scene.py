@@ -8,7 +8,7 @@ import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ...errors import warn
+from ...errors import ModelError, near, warn
 from .spelling import spelled
 
 if TYPE_CHECKING:
@@ -55,9 +55,12 @@ def load(options: argparse.Namespace) -> Scene:
     from ...api.scene_file import example_files, load
 
     file = options.file
-    if not file.exists():
+    if not file.exists() and not file.suffix:
         # a name without an ending may be that of an example
-        file = example_files().get(str(file), file)
+        examples = example_files()
+        if str(file) not in examples:
+            raise ModelError(f"there is no file or example '{file}'.{near(str(file), examples)}")
+        file = examples[str(file)]
     return load(
         file,
         base=options.base,

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Hashable, Sequence
 from typing import NamedTuple
 
+from ...elements.outline import Outlines
 from ...ir.function import pattern
 from ...topology.system import GROUND
-from ..kinematics.element_outline import Outlines
 from .element_systems import STRUCTURAL
 from .nodal_scene import Scene
 
@@ -73,7 +73,7 @@ class MemberKeys:
         for name, (rows, columns, entries) in joint.data.items():
             shapes.append((name, rows, columns))
             nodes += entries
-        outlined = self._outlines.of(joint.element)
+        outlined = self._outlines[joint.element]
         return self._member(nodes, (outlined, tuple(shapes), joint.reversed, parent == GROUND))
 
     def motion(self, i: int) -> Motion | None:
@@ -103,7 +103,7 @@ class MemberKeys:
             inputs += [("q", slots.q + n) for n in range(len(slots.element.coordinates))]
             inputs += [("u", slots.u + n) for n in range(len(slots.element.speeds))]
         from_ground = system.bodies[i].parent == GROUND
-        key = (self._outlines.of(joint.element), tuple(shapes), expressions, from_ground)
+        key = (self._outlines[joint.element], tuple(shapes), expressions, from_ground)
         return Motion(key, tuple(inputs))
 
     def _member(self, nodes: Sequence[int], more: Hashable) -> Member | None:

@@ -10,6 +10,7 @@ from typing import TypedDict
 
 from ...elements.joints.fixed import Fixed
 from ...elements.joints.joint import Joint as JointElement
+from ...elements.outline import outline
 from ...ir.graph import ZERO
 from ...records import dataclass
 from ...topology.loops.circuits import circuit
@@ -18,7 +19,6 @@ from ...topology.system import GROUND, Cut, Force, Named, System
 from ..constraints.constraints import rows
 from ..constraints.driven_rows import working
 from ..functions.element_forces import named_forces
-from ..kinematics.element_outline import outline
 from .element_systems import MOVING_JOINT, Cutting
 from .member_keys import Member, MemberKeys
 from .nodal_scene import JOINT, NODE, Mass, Scene

@@ -12,24 +12,21 @@ from collections import Counter, defaultdict
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from ...ir.function import live
-from ...ir.graph import Graph
-from ...ir.ops import LEAVES
+from ...elements.outline import Outlines
+from ...ir.function import live, pattern
 from ...records import dataclass
 from ...topology.system import Force, Joint, System
-from ..kinematics.element_outline import Outlines
 
 # fewer bodies are not worth it, nor are kinds with fewer bodies each
 FEWEST, ALIKE = 40, 4
 Ints: TypeAlias = npt.NDArray[np.int64]
 # (block, entry), None for one that other bodies read too
 Entries: TypeAlias = tuple[tuple[str, int] | None, ...]
-Leaves: TypeAlias = tuple[tuple[str, int], ...]
 
 
 class Signature(NamedTuple):
@@ -175,26 +172,27 @@ def _signatures(system: System, special: Collection[int]) -> list[Signature | No
         for j in set(force.joints.values()):
             forces[j].append(force)
     inboard, sliding = {body.parent for body in system.bodies}, only_slides(system)
-    signatures, outlines = list[Signature | None](), Outlines()
+    outlines = Outlines()
+    signatures: list[Signature | None] = []
     for i, (body, joint) in enumerate(zip(system.bodies, system.joints, strict=True)):
         nodes = [*joint.rotation, *joint.position, body.mass, *body.first_moment, *body.inertia]
         nodes += [joint.offset, *(body.second_moment or ())]
-        shapes: list[object] = [outlines.of(joint.element), body.second_moment is None]
+        shapes: list[object] = [outlines[joint.element], body.second_moment is None]
         owners: list[Joint | Force] = [joint, *forces[i]]
         for owner in owners:
             for name, (rows, columns, of_data) in owner.data.items():
                 shapes.append((name, rows, columns))
                 nodes += of_data
-        shapes += [(outlines.of(f.element), sorted(f.joints)) for f in forces[i]]
+        shapes += [(outlines[f.element], *sorted(f.joints)) for f in forces[i]]
         # a slide next to the ground moves what is outboard of it in another way than a hinge
         place = (min(body.parent, 0), body.parent >= 0 and sliding[body.parent], i in inboard)
-        pattern, entries = _pattern(system.graph, nodes)
-        if pattern is None or i in special:
+        expressions, entries = pattern(system.graph, nodes, ("p", "r"))
+        if expressions is None or i in special:
             signatures.append(None)
             continue
         states = [("z", f.z + k) for f in forces[i] for k in range(len(f.element.internals()))]
         states += [("s", f.s + k) for f in forces[i] for k in range(len(f.element.modes()))]
-        signatures.append(Signature((*map(repr, shapes), place, pattern), (*entries, *states)))
+        signatures.append(Signature((*shapes, place, expressions), (*entries, *states)))
     return signatures
 
 
@@ -243,39 +241,3 @@ def _special(system: System) -> set[int]:
         else:
             special |= {system.frames[f].body for f in (atom.frame, atom.wrt, atom.in_)}
     return special
-
-
-def _pattern(graph: Graph, roots: Sequence[int]) -> tuple[object, Leaves]:
-    """Expressions in local numbers, and the parameters and inputs they read; None if they read
-    more.
-    """
-    nodes = graph.nodes
-    number: dict[int, int] = {}
-    pattern_nodes: list[tuple[Any, ...]] = []
-    places: list[tuple[str, int]] = []
-    stack = list(reversed(roots))
-    while stack:
-        i = stack[-1]
-        if i in number:
-            stack.pop()
-            continue
-        node = nodes[i]
-        op = node[0]
-        if op == "const":
-            pattern_nodes.append(node)
-        elif op in LEAVES:
-            if op != "var" or node[1] not in ("p", "r"):
-                return None, ()
-            pattern_nodes.append((node[1], len(places)))
-            places.append((node[1], node[2]))
-        else:
-            read = node[4:] if op == "solve" else node[1:2] if op == "item" else node[1:]
-            waiting = [k for k in read if k not in number]
-            if waiting:
-                stack += reversed(waiting)
-                continue
-            attributes = node[1:4] if op == "solve" else node[2:] if op == "item" else ()
-            pattern_nodes.append((op, *attributes, *[number[k] for k in read]))
-        number[i] = len(number)
-        stack.pop()
-    return (tuple(pattern_nodes), tuple([number[i] for i in roots])), tuple(places)

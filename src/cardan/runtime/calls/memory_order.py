@@ -75,6 +75,13 @@ def room(
     return np.empty((size, count), dtype).T if columns else np.empty((count, size), dtype)
 
 
+def _single(out: object, result: Array) -> str:
+    """What makes results of float32, where ``out`` wants those."""
+    if getattr(out, "dtype", None) != np.float32 or result.dtype != np.float64:
+        return ""
+    return ". Arrays of float32 alone, and compile(dtype='float32'), give float32"
+
+
 def into(result: Array, out: object, where: str = "") -> Array:
     """The result, in ``out`` if that was given.
 
@@ -92,6 +99,7 @@ def into(result: Array, out: object, where: str = "") -> Array:
         has = f"{getattr(out, 'shape', None)} of {getattr(out, 'dtype', 'no numbers')}"
         raise ArgumentError(
             f"{where}out has shape {has}, expected {result.shape} of {result.dtype}"
+            + _single(out, result)
         )
     if not out.flags.writeable:
         raise ArgumentError(f"{where}out is read-only. Give an array that can be written to")

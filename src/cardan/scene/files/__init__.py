@@ -72,9 +72,13 @@ def _read(file: Path, options: Options) -> SceneRecord:
     """The model of a file of any known sort."""
     reader = READERS.get(file.suffix.lower())
     if reader is None:
-        raise ModelError(
-            f"file '{file.name}': cannot read '{file.suffix}' files. Known: {', '.join(READERS)}"
-        )
+        endings = f"Known: {', '.join(READERS)}"
+        if not file.suffix:
+            raise ModelError(
+                f"file '{file.name}': its name has no ending that tells what it is. {endings}. "
+                "Scenes that come with cardan are cardan.examples[name]"
+            )
+        raise ModelError(f"file '{file.name}': cannot read '{file.suffix}' files. {endings}")
     options.budget.take()
     with _named(file):
         return reader(file, options)

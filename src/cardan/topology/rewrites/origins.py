@@ -44,7 +44,9 @@ def _shift(
 ) -> Matrix | None:
     """Shift of the origin of body i along its line; None where it stays."""
     joint = system.joints[i]
-    if not joint.element.line:
+    # where the ground has its origin is the user's choice: a vehicle may be far from there, and its
+    # inertia about a point that far would leave few digits
+    if not joint.element.line or system.bodies[i].parent < 0:
         return None
     line = principal(Matrix(graph, *joint.data[joint.element.line]))
     rotation, position = new_joint_pose(system, graph, new_frames, i)

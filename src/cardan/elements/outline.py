@@ -1,27 +1,26 @@
-"""Outlines of elements: equal where equations differ by the numbers of elements alone."""
+"""What the equations depend on of an element, apart from its numbers and names."""
 
 from __future__ import annotations
 
 from dataclasses import fields, is_dataclass
 
-from ...elements.forces.force import ForceElement
-from ...elements.joints.joint import Joint, Reversed
+from .forces.force import ForceElement
+from .joints.joint import Joint, Reversed
 
 
 class Outlines:
-    """Outlines of many elements, each once for elements that are equal."""
+    """Outlines of elements, each made once for all that are equal."""
 
     def __init__(self) -> None:
-        self._by_element: dict[Joint | ForceElement, str] = {}
+        self._texts: dict[Joint | ForceElement, str] = {}
 
-    def of(self, element: Joint | ForceElement) -> str:
-        """The outline of an element."""
+    def __getitem__(self, element: Joint | ForceElement) -> str:
         try:
-            text = self._by_element.get(element)
+            text = self._texts.get(element)
         except TypeError:  # a field is a list
             return outline(element)
         if text is None:
-            text = self._by_element[element] = outline(element)
+            text = self._texts[element] = outline(element)
         return text
 
 
