@@ -116,6 +116,32 @@ def pushed_everywhere() -> cd.Scene:
     return scene
 
 
+def singles(base: cd.Joint | None = None) -> cd.Scene:
+    """Bodies that carry no other, side by side on the ground or on one body that does not move."""
+    scene = cd.Scene("singles", gravity=(0.3, 1.0, -9.81))
+    stand: Any = scene.ground
+    if base is not None:
+        stand = scene.body("stand", mass=1.0, com=(0.1, 0.2, 0.3), inertia=(0.2, 0.3, 0.4))
+        scene.joint("base", base, scene.ground, stand)
+    for i in range(60):
+        bob = scene.body(f"bob{i}", mass=1 + 0.1 * i, com=(0.1, 0.2, -1), inertia=(0.2, 0.3, 0.4))
+        scene.joint(f"hinge{i}", cd.Revolute("xy"[i % 2]), stand.at(0.1 * i, 0, 0), bob)
+    return scene
+
+
+def massless_links() -> cd.Scene:
+    """Links on pairs of hinges, between which there is a body without mass."""
+    scene = cd.Scene("massless", gravity=(0.3, 1.0, -9.81))
+    inner: Any = scene.ground
+    for i in range(30):
+        cross = scene.body(f"cross{i}")
+        link = scene.body(f"link{i}", mass=1 + 0.1 * i, com=(0, 0, -0.5), inertia=(0.2, 0.3, 0.1))
+        scene.joint(f"first{i}", cd.Revolute("x"), inner, cross)
+        scene.joint(f"second{i}", cd.Revolute("y"), cross, link)
+        inner = link.at(0, 0, -1)
+    return scene
+
+
 ALIKE = {
     "plane": lambda: rope(60),
     "space": lambda: rope(80, "xyz"),
@@ -131,6 +157,10 @@ ALIKE = {
     "shared lengths": shared_lengths,
     "pendulums": pendulums,
     "random tree": lambda: large_tree(120),
+    "singles": singles,
+    "on a body that is fixed": lambda: singles(cd.Fixed()),
+    "on a slide": lambda: singles(cd.Translation()),
+    "massless links": massless_links,
     "many joints": lambda: many_joints(1),
     "many joints in another order": lambda: many_joints(2),
 }
@@ -211,6 +241,18 @@ def test_forces_of_any_kind_along_joints(name: str) -> None:
         return
     for k, i in enumerate(np.random.default_rng(1).permutation(45)):
         scene.force(f"force{k}", replace(force, joint=f"j{i}"))
+    same(scene, "rhs")
+
+
+@each("name", ["spherical", "translation", "planar", "universal"])
+def test_reversed_joints_of_two_kinds(name: str) -> None:
+    """Every body carries the one inboard of it, at its origin: no data tell the kinds apart."""
+    scene = cd.Scene("reversed", gravity=(0.3, 1.0, -9.81))
+    inner: Any = scene.ground
+    for i in range(45):
+        link = scene.body(f"b{i}", mass=1 + 0.01 * i, com=(0.1, 0.2, 0.3), inertia=(0.2, 0.3, 0.4))
+        scene.joint(f"j{i}", JOINTS[name] if i % 2 else cd.Spherical(), link, inner)
+        inner = link.at(0.1, 0.2, -1)
     same(scene, "rhs")
 
 

@@ -33,7 +33,8 @@ from .kinematics.kinematics import Kinematics
 from .reading.counts import Counts, overview
 from .recursion.looped import LOOPED, by_bodies, repeats
 from .rewrites import Rewritten, candidates
-from .tree_kernels.assemblies import Names, derivative, mass_matrix, refusal
+from .tree_kernels.assemblies import derivative, mass_matrix, refusal
+from .tree_kernels.parts import Names
 
 if TYPE_CHECKING:
     import sympy

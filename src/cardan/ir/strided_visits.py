@@ -18,7 +18,7 @@ FEWEST = 4
 
 
 class Layout(NamedTuple):
-    """What the numbers of the visits of a step stand for.
+    """Meaning of the numbers of the visits of a step.
 
     Attributes:
         blocks: (name, number of entries) of the blocks that they read, in order.
@@ -106,7 +106,7 @@ class VisitRows(NamedTuple):
         return tuple(parts)
 
     def _times(self, n: int) -> npt.NDArray[np.int64]:
-        """Of every visit, how often the n visits from it on are repeated at regular distances."""
+        """Repetitions of the n visits from every visit on, at regular distances."""
         count, times = len(self.kinds), np.ones(len(self.kinds), dtype=np.int64)
         if count <= n:
             return times
@@ -130,7 +130,7 @@ class VisitRows(NamedTuple):
 
 
 def _run(true: npt.NDArray[np.bool_], count: int) -> npt.NDArray[np.int64]:
-    """Of every place, how many are true from there on without a break."""
+    """Number of places that are true from every place on without a break."""
     places = np.arange(count)
     complete = np.zeros(count, dtype=bool)
     complete[: len(true)] = true

@@ -176,7 +176,7 @@ class RepeatedRecursion:
 
     @cached_property
     def _lines(self) -> list[Callable[..., list[float]]]:
-        """What a visit of every step computes: straight lines where that pays."""
+        """The work of a visit of every step: straight lines where that pays."""
         runs = [0] * len(self.recursion.steps)
         for run in self._runs:
             runs[run.step] += 1
@@ -195,7 +195,7 @@ def repeated_recursion(recursion: Recursion) -> RepeatedRecursion:
 
 
 def _ahead(visit: Visit, stride: Visit, block: str, times: int) -> list[list[int]]:
-    """What the visits of all turns read of a block."""
+    """Entries of a block that the visits of all turns read."""
     return _rows(visit.reads[block], stride.reads[block], times)
 
 
@@ -213,7 +213,7 @@ def _rows(first: Sequence[int], stride: Sequence[int], times: int) -> list[list[
 
 
 def _places(entries: Sequence[int]) -> Places:
-    """What takes the entries of a block at places."""
+    """Getter of the entries of a block at places."""
     first, count = entries[0], len(entries)
     # a single one, too, must come as a sequence
     if count == 1 or list(entries) == list(range(first, first + count)):

@@ -187,7 +187,7 @@ def _joined(parts: Sequence[Array]) -> Array:
 
 
 def can_wait(runner: Runner) -> bool:
-    """Whether the dense output of a run may be made behind its end."""
+    """True when the dense output of a run may be made behind its end."""
     inputs, run = runner.signals, runner.record
     changing = inputs.tabulated or inputs.functions or runner.event_table.rows or run.jumps
     closed = run.positions + run.rates > 0

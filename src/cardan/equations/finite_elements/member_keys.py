@@ -77,7 +77,7 @@ class MemberKeys:
         return self._member(nodes, (outlined, tuple(shapes), joint.reversed, parent == GROUND))
 
     def motion(self, i: int) -> Motion | None:
-        """How a joint moves its body; None where more than time, inputs and leaders say so."""
+        """The motion of a body by its joint; None where more than inputs and leaders say it."""
         system = self.scene.system
         joint = system.joints[i]
         nodes, shapes = [*joint.rotation, *joint.position], list[Hashable]()

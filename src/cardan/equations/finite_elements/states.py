@@ -58,7 +58,7 @@ def states(
 
 
 class _Results(NamedTuple):
-    """What the visit of a body gives beside what it hands on.
+    """Results of the visit of a body beside what it hands on.
 
     Attributes:
         coordinates: Whether those of its joint are states.

@@ -16,7 +16,7 @@ from ...ir.graph import Graph
 
 
 class FormEntry(NamedTuple):
-    """What bodies of all kinds have at an entry of a quantity.
+    """An entry of a quantity as bodies of all kinds have it.
 
     Attributes:
         source: Number of the entry that has the same value; its own number where none before has.
@@ -85,7 +85,7 @@ class Forms:
 
 
 def _pattern(graph: Graph, nodes: Sequence[int]) -> Pattern:
-    """What a quantity looks like: its numbers, and which entries are alike."""
+    """The pattern of a quantity: its numbers, and which entries are alike."""
     number: dict[int, int] = {}
     pattern: list[float | tuple[int, int]] = []
     for i in nodes:
@@ -99,7 +99,7 @@ def _pattern(graph: Graph, nodes: Sequence[int]) -> Pattern:
 
 
 def _form(patterns: Collection[Pattern]) -> Form:
-    """What holds for all patterns of a quantity."""
+    """The form that all patterns of a quantity have."""
     form: list[FormEntry] = []
     for k, entries in enumerate(zip(*patterns, strict=True)):
         first = entries[0]

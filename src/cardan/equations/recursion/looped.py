@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from ...errors import DerivationError
 from ...ir.function import Function
 from ...ir.recursion import Recursion
 from ...topology.system import System
@@ -79,7 +80,12 @@ def by_bodies(system: System, derive: Callable[[Kinematics], Function], name: st
     """
     other = 0 if name in SUMMED and system.bodies else LATER
     few = representatives(system) if name in BY_JOINTS or name in SUMMED else None
-    looped = _by_representatives(few, derive, other) if few is not None else None
+    try:
+        looped = _by_representatives(few, derive, other) if few is not None else None
+    except DerivationError:
+        # a body without inertia next to the ground or at a tip of the small tree may have some
+        # outboard in the large one, which says whether it does
+        looped = None
     if looped is None:
         k = Kinematics(system, cut=Cuts)
         function = derive(k)

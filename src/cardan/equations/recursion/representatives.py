@@ -171,7 +171,7 @@ def _signatures(system: System, special: Collection[int]) -> list[Signature | No
     for force in system.forces:
         for j in set(force.joints.values()):
             forces[j].append(force)
-    inboard, sliding = {body.parent for body in system.bodies}, _only_slides(system)
+    inboard, sliding = {body.parent for body in system.bodies}, only_slides(system)
     outlines = Outlines()
     signatures: list[Signature | None] = []
     for i, (body, joint) in enumerate(zip(system.bodies, system.joints, strict=True)):
@@ -196,8 +196,8 @@ def _signatures(system: System, special: Collection[int]) -> list[Signature | No
     return signatures
 
 
-def _only_slides(system: System) -> list[bool]:
-    """Of every body, whether only translations lead to it from the ground."""
+def only_slides(system: System) -> list[bool]:
+    """Bodies to which only translations lead from the ground, True for each."""
     sliding = list[bool]()
     for body, joint in zip(system.bodies, system.joints, strict=True):
         units = {coordinate.unit for coordinate in joint.element.coordinates}

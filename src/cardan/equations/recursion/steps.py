@@ -115,7 +115,8 @@ class _Steps:
         """Values read, computed and written at a visit."""
         s, nodes = self.sweeps, self.sweeps.graph.nodes
         definitions = s.cuts.definitions
-        inlined = {t.leaf: t.node for t in tasks if t.leaf >= 0 and not definitions[t.leaf].summed}
+        # a sum to which nobody adds is complete here, too
+        inlined = {t.leaf: t.node for t in tasks if t.leaf >= 0 and not definitions[t.leaf].added}
         cones = {id(cone): cone for t in tasks for cone in (s.cones[t],)}
         order = sorted({i for cone in cones.values() for i in cone} | set(inlined))
 

@@ -7,15 +7,12 @@ ground: as loops where many bodies are alike, else straight-line.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-
-import numpy as np
+from collections.abc import Sequence
+from functools import partial
 
 from ...errors import counted
-from ...ir.function import Block, Function, Output, live
-from ...ir.graph import ZERO
+from ...ir.function import Output, live
 from ...ir.matrix import Matrix
-from ...ir.recursion import Recursion
 from ...ir.trees.assembly import Assembly
 from ...ir.trees.table import (
     BODY,
@@ -28,7 +25,6 @@ from ...ir.trees.table import (
     Tree,
     chunks,
 )
-from ...records import dataclass
 from ...schema.request import Request
 from ...topology.system import System
 from ..constraints.reaction_friction import friction_forces
@@ -37,24 +33,14 @@ from ..functions.dynamics import Dynamics
 from ..functions.newton_euler_derivatives import joint_change
 from ..kinematics.kinematics import Kinematics
 from ..kinematics.loads import Loads, applied, none
-from ..recursion.angle_sweep import angles_first
 from ..recursion.recursion_boundary import Cuts
-from ..recursion.representatives import representatives
-from ..recursion.steps import recursion
-from ..recursion.sweeps import LEFT_OUT, Sweeps
+from ..recursion.representatives import Representatives, representatives
 from .body_numbers import BODY as BODY_NAMES
-from .body_numbers import COLUMN, INERTIA, Slopes, body_names, mass_numbers
+from .body_numbers import COLUMN, INERTIA, Slopes, mass_numbers
 from .body_numbers import SPEED as SPEED_NAMES
-from .ground_motion import GroundMotion
-from .tree_table import (
-    TreeTable,
-    Widths,
-    all_entries,
-    entry_pattern,
-    inboard_pairs,
-    speeds_of,
-    tree_table,
-)
+from .ground_motion import GroundMotion, begins
+from .parts import Names, Numbers, numbers_of_bodies
+from .tree_table import Widths, all_entries, entry_pattern, inboard_pairs, speeds_of, tree_table
 
 # pairs of a speed and one inboard of it above which kernels are taken: below, straight-line code is
 # faster, as measured on arms, legged robots and chains
@@ -127,25 +113,6 @@ def _far(system: System) -> str:
     return ""
 
 
-@dataclass(frozen=True)
-class Names:
-    """Names of a function and of what it reads.
-
-    Attributes:
-        symbol: C name.
-        about: One line for the reader.
-        inputs: All input blocks, in ABI order.
-        entries: Of every block.
-        owners: Joints, bodies and forces, in order.
-    """
-
-    symbol: str
-    about: str
-    inputs: tuple[Block, ...]
-    entries: dict[str, tuple[str, ...]]
-    owners: tuple[str, ...]
-
-
 def mass_matrix(system: System, names: Names, loops: bool | None) -> Assembly:
     """M of a tree, ``tree_mass.h``."""
     k = Kinematics(system)
@@ -153,11 +120,13 @@ def mass_matrix(system: System, names: Names, loops: bool | None) -> Assembly:
     rotors = {i: loads.rotors[i].rows for i in loads.rotors if speeds_of(system, i)}
     table = tree_table(system, Widths(MASS_BODY, MASS_SPEED), rotors=rotors)
 
-    def numbers(k: Kinematics, cuts: Cuts | None, _: Sequence[int]) -> Numbers:
-        motion, loads = GroundMotion(k, Dynamics(k, "composite").gravity, cuts, False), none(k)
+    def numbers(k: Kinematics, cuts: Cuts | None, numbering: Sequence[int]) -> Numbers:
+        gravity, bases = Dynamics(k, "composite").gravity, begins(system, numbering)
+        motion, loads = GroundMotion(k, gravity, cuts, False, bases), none(k)
         return lambda i: mass_numbers(motion, loads, i)
 
-    parts = _parts(system, names, table, numbers, (INERTIA, COLUMN), loops)
+    alike = representatives(system) if loops is not False else None
+    parts = numbers_of_bodies(system, names, table, numbers, (INERTIA, COLUMN), loops, alike)
     tree = Tree(table.bodies, table.speeds, table.rotors)
     speeds = names.entries["u"]
     entries = tuple(f"{a},{b}" for a in speeds for b in speeds)
@@ -182,13 +151,15 @@ def derivative(
     if reason:
         return reason
     moving_modes = _moving_modes(k, columns)
-    pattern = _changing(k, loads, columns)
+    alike = representatives(system) if loops is not False else None
+    pattern = _changing(k, loads, columns, alike)
     rotors = {i: loads.rotors[i].rows for i in loads.rotors if speeds_of(system, i)}
     counts = {i: len(entries) for i, entries in pattern.items()}
     table = tree_table(system, Widths(BODY, SPEED), moving_modes, rotors, counts)
 
     def numbers(k: Kinematics, cuts: Cuts | None, numbering: Sequence[int]) -> Numbers:
-        motion = GroundMotion(k, Dynamics(k, "composite").gravity, cuts, True)
+        gravity, bases = Dynamics(k, "composite").gravity, begins(system, numbering)
+        motion = GroundMotion(k, gravity, cuts, True, bases)
         at = {body: i for i, body in enumerate(numbering)}
         along = _columns_of(k, names, request)[0]
         slopes = Slopes(
@@ -204,7 +175,9 @@ def derivative(
         )
         return slopes.numbers
 
-    parts = _parts(system, names, table, numbers, (BODY_NAMES, SPEED_NAMES), loops)
+    parts = numbers_of_bodies(
+        system, names, table, numbers, (BODY_NAMES, SPEED_NAMES), loops, alike
+    )
     half = chunks(n)
 
     def side(column: int) -> int:
@@ -265,7 +238,7 @@ def _leaves(k: Kinematics, nodes: Sequence[int]) -> set[int]:
 
 
 def _unsuitable(k: Kinematics, loads: Loads, columns: Sequence[Direction]) -> str:
-    """What depends on more than the kernel takes, "" where nothing does."""
+    """Name what depends on more than the kernel takes, "" where nothing does."""
     seeds = {leaf for d in columns for leaf in d.seeds}
     for i, wrench in loads.wrenches.items():
         if not seeds.isdisjoint(_leaves(k, [node for x in wrench for node in x.nodes])):
@@ -282,7 +255,7 @@ def _unsuitable(k: Kinematics, loads: Loads, columns: Sequence[Direction]) -> st
 
 
 def _of_motion(k: Kinematics, i: int) -> list[int]:
-    """What the motion and the inertia of a body are made from."""
+    """Expressions of the motion and the inertia of a body."""
     joint, body = k.joints[i], k.system.bodies[i]
     inertia = k.resolve([body.mass, *body.first_moment, *body.inertia])
     parts = (joint.rotation, joint.position, joint.S, joint.velocity, joint.drift)
@@ -304,9 +277,18 @@ def _moving_modes(k: Kinematics, columns: dict[int, Direction]) -> frozenset[int
 
 
 def _changing(
-    k: Kinematics, loads: Loads, columns: dict[int, Direction]
+    k: Kinematics, loads: Loads, columns: dict[int, Direction], alike: Representatives | None
 ) -> dict[int, list[tuple[int, int]]]:
-    """Body -> (row among its speeds, column): where forces of elements along joints may change."""
+    """Body -> (row among its speeds, column): where forces of elements along joints may change.
+
+    Bodies that are alike have them in the same order: what is theirs alone as they read it.
+    """
+
+    def order(i: int, column: int) -> tuple[int, int]:
+        entry = (columns[column].block, columns[column].index)
+        entries = alike.entries[i] if alike is not None else ()
+        return (1, entries.index(entry)) if entry in entries else (0, column)
+
     by_leaf: dict[int, list[int]] = {}
     for number, direction in columns.items():
         for leaf in direction.seeds:
@@ -318,79 +300,11 @@ def _changing(
         entries = [
             (row, column)
             for row, node in enumerate(force.nodes)
-            for column in sorted({c for leaf in _leaves(k, [node]) for c in by_leaf.get(leaf, ())})
+            for column in sorted(
+                {c for leaf in _leaves(k, [node]) for c in by_leaf.get(leaf, ())},
+                key=partial(order, i),
+            )
         ]
         if entries:
             pattern[i] = entries
     return pattern
-
-
-# numbers of a body of a system
-Numbers = Callable[[int], list[int]]
-
-
-def _parts(
-    system: System,
-    names: Names,
-    table: TreeTable,
-    numbers: Callable[[Kinematics, Cuts | None, Sequence[int]], Numbers],
-    labels_of: tuple[Sequence[str], Sequence[str]],
-    loops: bool | None,
-) -> Function | Recursion:
-    """Numbers of all bodies, as loops where many of them are alike."""
-    if loops is not False:
-        alike = representatives(system)
-        for few in (alike, None) if alike is not None else (None,):
-            k = Kinematics(few.system if few else system)
-            cuts = Cuts(k.graph, every=True)
-            numbering = few.numbers if few else range(len(system.bodies))
-            function = _function(k, names, table, numbers(k, cuts, numbering), labels_of, numbering)
-            homes = _homes(table, numbering)
-            firsts = [np.array(table.start[:-1])]
-            looped = recursion(Sweeps(cuts, function, homes, k.system, few), firsts)
-            if looped is not None:
-                if loops or _pays(looped):
-                    return angles_first(looped)
-                break
-    k = Kinematics(system)
-    every = range(len(system.bodies))
-    return _function(k, names, table, numbers(k, None, every), labels_of, every)
-
-
-def _pays(looped: Recursion) -> bool:
-    """True when bodies are alike enough: a third of them saves what calls of steps cost."""
-    visits = sum(len(sweep) for sweep in looped.sweeps)
-    return 3 * len(looped.steps) <= 2 * visits
-
-
-def _function(
-    k: Kinematics,
-    names: Names,
-    table: TreeTable,
-    numbers: Numbers,
-    labels_of: tuple[Sequence[str], Sequence[str]],
-    numbering: Sequence[int],
-) -> Function:
-    """Numbers of the bodies of a system, at the places of those of the complete system."""
-    nodes, entries = [ZERO] * table.start[-1], [""] * table.start[-1]
-    for i in range(len(k.system.bodies)):
-        number = numbering[i]
-        start, end = table.start[number], table.start[number + 1]
-        nodes[start:end] = numbers(i)
-        assert len(nodes) == table.start[-1]
-        joint = k.system.joints[i]
-        parts = [c.name for c in joint.element.speeds] if joint.u >= 0 else []
-        labels = body_names(k.owner(i), joint.name, parts, *labels_of)
-        labels += [f"{joint.name}.number {n}" for n in range(end - start - len(labels))]
-        entries[start:end] = labels
-    output = Output("numbers", (len(nodes),), tuple(nodes), tuple(entries))
-    return Function(names.symbol, k.graph, names.inputs, (output,), names.owners, names.about)
-
-
-def _homes(table: TreeTable, numbering: Sequence[int]) -> list[int]:
-    """Body at whose visit each number is computed."""
-    homes = [LEFT_OUT] * table.start[-1]
-    for i, number in enumerate(numbering):
-        start, end = table.start[number], table.start[number + 1]
-        homes[start:end] = [i] * (end - start)
-    return homes

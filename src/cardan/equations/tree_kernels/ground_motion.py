@@ -14,10 +14,21 @@ from collections.abc import Sequence
 
 from ...ir.matrix import Matrix
 from ...spatial.moments import Inertia, moved, second_moment
+from ...topology.system import System
 from ..kinematics.accelerations import field_of
 from ..kinematics.inertia import of_body, second_moment_of_body
 from ..kinematics.kinematics import Kinematics
 from ..recursion.recursion_boundary import CELLS, XYZ, Cuts
+from ..recursion.representatives import only_slides
+
+
+def begins(system: System, numbering: Sequence[int]) -> tuple[bool, ...]:
+    """Bodies from which positions count, True for each: whatever is inboard of it only slides.
+
+    It is asked of the complete system: in a small one bodies have other parents.
+    """
+    sliding, parents = only_slides(system), [system.bodies[number].parent for number in numbering]
+    return tuple([parent < 0 or sliding[parent] for parent in parents])
 
 
 class GroundMotion:
@@ -28,20 +39,26 @@ class GroundMotion:
         gravity: In ground axes (3, 1).
         cuts: Where values that bodies hand on become leaves, None for straight-line expressions.
         moving: Whether velocities and accelerations are wanted.
+        begins: Of every body, whether positions count from it.
 
     Attributes:
         orientation: R from body axes to ground axes (3, 3).
-        slides: Whether only translations lead from the ground to the body.
         position: Origin of the body, from that of the base (3, 1).
         omega, v: Angular velocity, velocity of the origin less that of the base (3, 1).
         alpha, a: Accelerations at udot = 0, less gravity (3, 1).
         field: U = [alpha] + [omega][omega] (3, 3).
     """
 
-    def __init__(self, k: Kinematics, gravity: Matrix, cuts: Cuts | None, moving: bool) -> None:
-        self.k, self.gravity, self.cuts = k, gravity, cuts
+    def __init__(
+        self,
+        k: Kinematics,
+        gravity: Matrix,
+        cuts: Cuts | None,
+        moving: bool,
+        begins: Sequence[bool],
+    ) -> None:
+        self.k, self.gravity, self.cuts, self.begins = k, gravity, cuts, begins
         self.orientation, self.position = list[Matrix](), list[Matrix]()
-        self.slides = list[bool]()
         self.omega, self.v = list[Matrix](), list[Matrix]()
         self.alpha, self.a, self.field = list[Matrix](), list[Matrix](), list[Matrix]()
         for i in range(len(k.system.bodies)):
@@ -56,11 +73,6 @@ class GroundMotion:
             return x
         return Matrix(self.k.graph, x.rows, x.columns, self.cuts.cut(i, quantity, x.nodes))
 
-    def _begins(self, i: int) -> bool:
-        """True if positions count from a body: whatever is inboard of it only slides."""
-        parent = self.k.system.bodies[i].parent
-        return parent < 0 or self.slides[parent]
-
     def _place(self, i: int) -> None:
         k, parent = self.k, self.k.system.bodies[i].parent
         with k.graph.made_by(k.owner(i), "orientation"):
@@ -70,10 +82,8 @@ class GroundMotion:
             for turn in turns[1:]:
                 r = r @ turn
             p = Matrix.zeros(k.graph, 3)
-            if not self._begins(i):
+            if not self.begins[i]:
                 p = self.position[parent] + self.orientation[parent] @ at.position
-        rotations = at.modes.block(slice(0, 3))
-        self.slides.append(self._begins(i) and rotations.columns > 0 and rotations.is_zero)
         self.orientation.append(self._carry(i, "orientation", r, CELLS))
         self.position.append(self._carry(i, "from_base", p))
 
@@ -89,7 +99,7 @@ class GroundMotion:
             relative_w = relative_w + omega.cross(w)
             relative_v = relative_v + omega.cross(v) * 2
             self.omega.append(self._carry(i, "ground_omega", omega + w))
-            velocity = zero if self._begins(i) else at + v
+            velocity = zero if self.begins[i] else at + v
             self.v.append(self._carry(i, "ground_v", velocity))
             self.alpha.append(self._carry(i, "ground_alpha", alpha + relative_w))
             self.a.append(self._carry(i, "ground_a", a + relative_v))
