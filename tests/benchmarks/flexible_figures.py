@@ -138,8 +138,8 @@ def _mixed(sizes: tuple[int, ...]) -> Iterator[Figure]:
 def _cables() -> Iterator[Figure]:
     for pair in flexible_cable.pairs():
         yield Figure(
-            f"3-D cable of {pair.elements} elements, {1e3 * pair.error:.2g} mm: Exudyn's time of a step "
-            "over cardan's for that error",
+            f"3-D cable of {pair.elements} elements, {1e3 * pair.error:.2g} mm: Exudyn's time of a "
+            "step over cardan's for that error",
             f"{flexible_cable.AIM:g}",
             f"{pair.ratio:.1f}",
             pair.ratio >= flexible_cable.AIM,
