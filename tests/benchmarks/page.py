@@ -44,6 +44,10 @@ CAUSES = {
         "Its 36,900 operations take twice the time that one core needs for so many in single "
         "numbers: a body waits for the one inboard or outboard of it."
     ),
+    "Panda, forward dynamics, two threads, of one": (
+        "Arithmetic alone is done by two threads in half the time; batches larger than the caches "
+        "wait for memory, which both threads share."
+    ),
     "prepare 10,000 bodies, random tree": (
         "No part stands out: a fifth each are deriving one body of every kind with a look at all "
         "others, the compiler of C, checks of the build over all bodies, and the graph of the "
